@@ -1,0 +1,48 @@
+"""A textbook chapter on rigid-body kinematics, statics and dynamics as checked code and fast kernels.
+
+``chasles.prove`` decides an equation, ``chasles.load`` reads the chapter, ``chasles.kernels`` holds the compiled
+formulas. Each is imported on first use, so that ``import chasles`` costs neither SymPy nor NumPy.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from sys import modules
+from types import ModuleType
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from chasles import kernels as kernels
+    from chasles.prove import prove as prove
+    from chasles.statements import load as load
+
+__version__ = "0.1.0"
+__all__ = ["__version__", "kernels", "load", "prove"]
+
+# Name -> the module that holds a function of that name.
+_FUNCTIONS = {"prove": "chasles.prove", "load": "chasles.statements"}
+_PACKAGES = ("kernels",)
+
+
+class _Package(ModuleType):
+    def __setattr__(self, name: str, value: object) -> None:
+        # Importing a submodule binds it here under its own name, which would hide the function of the same name.
+        if not (name in _FUNCTIONS and isinstance(value, ModuleType)):
+            super().__setattr__(name, value)
+
+
+modules[__name__].__class__ = _Package
+
+
+def __getattr__(name: str) -> object:
+    if name in _PACKAGES:
+        return import_module(f"{__name__}.{name}")
+    if name not in _FUNCTIONS:
+        raise AttributeError(f"module 'chasles' has no attribute {name!r}; it offers {', '.join(__all__)}")
+    function = getattr(import_module(_FUNCTIONS[name]), name)
+    globals()[name] = function
+    return function
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -1,0 +1,65 @@
+"""The emitted kernels: compiled generalised ufuncs where a C compiler was at hand, else the same formulas in NumPy.
+
+``chasles.kernels.NAME`` broadcasts over leading batch axes; shapes, units and the source equation stand in each
+docstring. ``chasles.kernels.backend`` is ``"c"`` or ``"numpy"``. The environment variable ``CHASLES_BACKEND``, read
+once at import, chooses: ``numpy`` takes the NumPy kernels, ``c`` insists on the compiled ones; unset or empty takes
+the compiled ones where they load.
+
+Raises:
+    ImportError: ``CHASLES_BACKEND`` holds another word, asks for compiled kernels that are not there, or no kernels
+        were emitted at all.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from importlib.util import find_spec
+from os import environ
+from types import ModuleType
+from typing import Any
+from warnings import warn
+
+_COMPILED = "chasles._kernels"
+_WRITTEN_OUT = "chasles.generated.numpy.kernels"
+
+
+def _written_out() -> ModuleType:
+    try:
+        return import_module(_WRITTEN_OUT)
+    except ModuleNotFoundError as error:
+        if error.name is None or not _WRITTEN_OUT.startswith(error.name):
+            raise
+        raise ImportError("no kernels were emitted; `chasles emit` writes them into generated/") from error
+
+
+def _choose(wanted: str) -> tuple[str, ModuleType]:
+    """The backend's name and the module that holds its kernels."""
+    if wanted not in ("", "c", "numpy"):
+        raise ImportError(f"CHASLES_BACKEND is {wanted!r}; expected 'c', 'numpy' or nothing")
+    if wanted == "numpy":
+        return "numpy", _written_out()
+    reason = "there are none here (no C compiler or no Python.h at installation)"
+    if find_spec(_COMPILED) is not None:
+        try:
+            return "c", import_module(_COMPILED)
+        except ImportError as error:
+            reason = f"loading them failed ({error})"
+            if not wanted:
+                warn(f"NumPy kernels in place of the compiled ones: {reason}", RuntimeWarning, stacklevel=2)
+    if wanted == "c":
+        raise ImportError(f"CHASLES_BACKEND is 'c', but the compiled kernels cannot be had: {reason}")
+    return "numpy", _written_out()
+
+
+backend, _module = _choose(environ.get("CHASLES_BACKEND", ""))
+_names = frozenset(name for name in getattr(_module, "__all__", dir(_module)) if not name.startswith("_"))
+
+
+def __getattr__(name: str) -> Any:
+    if name in _names:
+        return getattr(_module, name)
+    raise AttributeError(f"chasles.kernels ({backend}) has no kernel {name!r}; dir(chasles.kernels) lists all")
+
+
+def __dir__() -> list[str]:
+    return ["backend", *sorted(_names)]

@@ -1,0 +1,114 @@
+"""What does a kernel compute, step by step? A straight line of scalar steps in static single assignment.
+
+A `Program` knows nothing of C or Python: a target spells it. Steps are numbered by their position and refer
+only to earlier steps, so that one pass over `steps` is an evaluation.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+from enum import StrEnum
+from fractions import Fraction
+
+__all__ = ["Argument", "Op", "Program", "Result", "Step"]
+
+
+class Op(StrEnum):
+    """The operations of a program; each takes the number of operands that `ARITY` says."""
+
+    INPUT = "input"
+    CONSTANT = "constant"
+    ADD = "add"
+    SUBTRACT = "subtract"
+    MULTIPLY = "multiply"
+    DIVIDE = "divide"
+    NEGATE = "negate"
+    SQUARE_ROOT = "square_root"
+    SINE = "sine"
+    COSINE = "cosine"
+    ARCTANGENT2 = "arctangent2"
+    LESS = "less"
+    EQUAL = "equal"
+    SELECT = "select"
+
+
+ARITY = {
+    Op.INPUT: 0,
+    Op.CONSTANT: 0,
+    Op.ADD: 2,
+    Op.SUBTRACT: 2,
+    Op.MULTIPLY: 2,
+    Op.DIVIDE: 2,
+    Op.NEGATE: 1,
+    Op.SQUARE_ROOT: 1,
+    Op.SINE: 1,
+    Op.COSINE: 1,
+    Op.ARCTANGENT2: 2,
+    Op.LESS: 2,
+    Op.EQUAL: 2,
+    Op.SELECT: 3,
+}
+
+FREE_OF_CHARGE = frozenset({Op.INPUT, Op.CONSTANT, Op.NEGATE, Op.SELECT, Op.LESS, Op.EQUAL})
+
+
+@dataclass(frozen=True, slots=True)
+class Argument:
+    """An input: `name` is a valid identifier in every target, `shape` is () for a scalar, (3,), (3, 3)..., row-major."""
+
+    name: str
+    shape: tuple[int, ...]
+    meaning: str
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One operation: `operands` are numbers of earlier steps.
+
+    `argument` and `entry` (flat, row-major) say which input an INPUT step reads; `value` is a CONSTANT's exact value.
+    LESS and EQUAL yield a truth value that only SELECT (condition, if true, if false) may read.
+    """
+
+    op: Op
+    operands: tuple[int, ...] = ()
+    argument: int = 0
+    entry: int = 0
+    value: Fraction = Fraction(0)
+
+    def __post_init__(self) -> None:
+        if len(self.operands) != ARITY[self.op]:
+            raise ValueError(f"{self.op} takes {ARITY[self.op]} operands, not {len(self.operands)}")
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """An output: `entries` are the numbers of the steps that hold it, row-major."""
+
+    name: str
+    shape: tuple[int, ...]
+    meaning: str
+    entries: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """A kernel's computation: every step reads only arguments and earlier steps."""
+
+    name: str
+    arguments: tuple[Argument, ...]
+    steps: tuple[Step, ...]
+    results: tuple[Result, ...]
+
+    def __post_init__(self) -> None:
+        for number, step in enumerate(self.steps):
+            if any(operand >= number for operand in step.operands):
+                raise ValueError(f"{self.name}: step {number} reads a step that comes after it")
+        for result in self.results:
+            if any(entry >= len(self.steps) for entry in result.entries):
+                raise ValueError(f"{self.name}: result {result.name} names a step that does not exist")
+
+    @property
+    def operations(self) -> Counter[Op]:
+        """How often each operation that costs time occurs."""
+        return Counter(step.op for step in self.steps if step.op not in FREE_OF_CHARGE)

@@ -1,0 +1,85 @@
+"""How does a language spell one operation? Phrases with precedence, and the four habits of a dialect.
+
+A language with two precisions has two dialects.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from enum import IntEnum
+from fractions import Fraction
+
+from chasles.lowering.program import Op
+
+__all__ = ["ARITHMETIC", "Dialect", "Level", "Phrase", "Shape", "call", "infix"]
+
+Shape = tuple[int, ...]
+
+
+class Level(IntEnum):
+    """How tightly an expression binds; a looser one needs parentheses where a tighter one is expected."""
+
+    CHOICE = 0
+    COMPARISON = 1
+    SUM = 2
+    PRODUCT = 3
+    SIGN = 4
+    ATOM = 5
+
+
+@dataclass(frozen=True, slots=True)
+class Phrase:
+    """An operation in a language: `text` with a gap for each operand, and the loosest level that each gap takes."""
+
+    text: str
+    level: Level
+    gaps: tuple[Level, ...]
+
+    @property
+    def is_call(self) -> bool:
+        """Whether the operands are a function's arguments."""
+        return self.level is Level.ATOM
+
+
+def infix(sign: str, level: Level) -> Phrase:
+    """A binary operation, read from the left: the rounding order of a program is kept."""
+    return Phrase(f"{{}} {sign} {{}}", level, (level, Level(level + 1)))
+
+
+def call(name: str, operands: int = 1) -> Phrase:
+    """A function of so many operands."""
+    return Phrase(f"{name}({', '.join(['{}'] * operands)})", Level.ATOM, (Level.CHOICE,) * operands)
+
+
+ARITHMETIC: Mapping[Op, Phrase] = {
+    Op.ADD: infix("+", Level.SUM),
+    Op.SUBTRACT: infix("-", Level.SUM),
+    Op.MULTIPLY: infix("*", Level.PRODUCT),
+    Op.DIVIDE: infix("/", Level.PRODUCT),
+    Op.NEGATE: Phrase("-{}", Level.SIGN, (Level.ATOM,)),
+    Op.LESS: Phrase("{} < {}", Level.COMPARISON, (Level.SUM, Level.SUM)),
+    Op.EQUAL: Phrase("{} == {}", Level.COMPARISON, (Level.SUM, Level.SUM)),
+}
+"""What nearly all languages share."""
+
+
+@dataclass(frozen=True, slots=True)
+class Dialect:
+    """A language in one precision.
+
+    `constant(value)` spells an exact number and says how tightly the text binds; `component(name, shape, entry)`
+    reads an entry (flat, row-major) of an argument; `declare(name, text, truth)` is the statement that names a
+    temporary, `truth` where it holds a truth value. `lift` wraps a constant that is handed to a function. Where
+    `name_entries` is set, every entry of a result that has to be computed has a name before the first is stored.
+    An expression longer than `width` is broken by naming its longest part.
+    """
+
+    spell: Mapping[Op, Phrase]
+    constant: Callable[[Fraction], tuple[str, Level]]
+    component: Callable[[str, Shape, int], str]
+    declare: Callable[[str, str, bool], str]
+    reserved: frozenset[str] = frozenset()
+    lift: str = "{}"
+    name_entries: bool = True
+    width: int = 72

@@ -1,0 +1,120 @@
+"""What is emitted? A kernel: a program, what its heading says of it, and exact values it must give.
+
+Nothing here knows a language; every target reads a kernel through this module.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from fractions import Fraction
+
+from chasles.lowering.program import Program
+
+__all__ = ["Check", "EmissionError", "Exact", "Heading", "Kernel", "signature"]
+
+Exact = Fraction | int | str
+"""A rational number, or a decimal numeral such as "0.4794255386042030", or "nan"."""
+
+_NUMERAL = re.compile(r"[+-]?(\d+\.\d*|\.\d+|\d+)([eE][+-]?\d+)?|nan")
+_SECTION = re.compile(r"[a-z][a-z0-9_]*")
+_HASH = re.compile(r"[0-9a-f]{64}")
+
+
+class EmissionError(Exception):
+    """Something stands in the way of emitting; the message tells a person what, where and what to do."""
+
+
+@dataclass(frozen=True, slots=True)
+class Heading:
+    """What a generated function says of itself, in plain text.
+
+    `derivation` is the sha256 of the declaration in hexadecimal; `section` names the file of the C library.
+    Raises ValueError for LaTeX, for a text of several lines and for a derivation that is no such hash.
+    """
+
+    number: str
+    says: str
+    verdict: str
+    hypotheses: tuple[str, ...]
+    derivation: str
+    section: str = "kernels"
+
+    def __post_init__(self) -> None:
+        for text in (self.number, self.says, self.verdict, *self.hypotheses):
+            require_plain(text, f"the heading of ({self.number})")
+        if not _HASH.fullmatch(self.derivation):
+            raise ValueError(f"({self.number}): derivation must be 64 hexadecimal digits, not {self.derivation!r}")
+        if not _SECTION.fullmatch(self.section):
+            raise ValueError(f"({self.number}): section must be a file's name like s02_screw, not {self.section!r}")
+
+
+@dataclass(frozen=True, slots=True)
+class Check:
+    """Exact inputs of a kernel and the outputs they must give, entries row-major.
+
+    An output passes where it is within `tolerance` machine epsilons of the largest entry expected, counted as at
+    least one; "nan" passes for NaN alone.
+    """
+
+    inputs: tuple[tuple[Exact, ...], ...]
+    outputs: tuple[tuple[Exact, ...], ...]
+    tolerance: int = 8
+
+    def __post_init__(self) -> None:
+        for entry in (entry for group in (*self.inputs, *self.outputs) for entry in group):
+            if isinstance(entry, str) and not _NUMERAL.fullmatch(entry):
+                raise ValueError(f"a check holds {entry!r}, which is neither a decimal numeral nor 'nan'")
+
+
+@dataclass(frozen=True, slots=True)
+class Kernel:
+    """A program ready to be spelled in every language.
+
+    Raises ValueError where a check has other sizes than the program, or the program nothing to read or to give.
+    """
+
+    program: Program
+    heading: Heading
+    checks: tuple[Check, ...] = ()
+
+    def __post_init__(self) -> None:
+        program = self.program
+        if not program.arguments or not program.results:
+            raise ValueError(f"{program.name}: a kernel needs at least one input and one output")
+        for item in (*program.arguments, *program.results):
+            require_plain(item.meaning, f"{program.name}: the meaning of {item.name}")
+        inputs = tuple(math.prod(argument.shape) for argument in program.arguments)
+        outputs = tuple(math.prod(result.shape) for result in program.results)
+        for result, size in zip(program.results, outputs, strict=True):
+            if len(result.entries) != size:
+                raise ValueError(f"{program.name}: {result.name} has {len(result.entries)} entries, its shape {size}")
+        for check in self.checks:
+            found = tuple(map(len, check.inputs)), tuple(map(len, check.outputs))
+            if found != (inputs, outputs):
+                raise ValueError(f"{program.name}: a check has sizes {found}, the program {(inputs, outputs)}")
+
+    @property
+    def name(self) -> str:
+        """The kernel's public name."""
+        return self.program.name
+
+
+def signature(program: Program) -> str:
+    """The generalised ufunc signature with frozen core dimensions, such as "(3),()->(3,3)"."""
+    inputs = ",".join(_core(argument.shape) for argument in program.arguments)
+    outputs = ",".join(_core(result.shape) for result in program.results)
+    return f"{inputs}->{outputs}"
+
+
+def require_plain(text: str, where: str) -> None:
+    """Raise ValueError where `text` could not stand in a comment of every language."""
+    if "\\" in text or "$" in text:
+        raise ValueError(f"{where}: LaTeX cannot stand in generated code; write it plainly: {text!r}")
+    if not text.isprintable():
+        raise ValueError(f"{where}: a text of one printable line is expected, not {text!r}")
+
+
+def _core(shape: tuple[int, ...]) -> str:
+    return f"({','.join(map(str, shape))})"

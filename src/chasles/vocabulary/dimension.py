@@ -1,0 +1,52 @@
+"""Physical dimensions: integer powers of length, mass and time; the radian is dimensionless."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+__all__ = [
+    "ACCELERATION",
+    "FORCE",
+    "FREQUENCY",
+    "LENGTH",
+    "MASS",
+    "MOMENT",
+    "NO_DIMENSION",
+    "TIME",
+    "VELOCITY",
+    "Dimension",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class Dimension:
+    """A product of integer powers of length (m), mass (kg) and time (s)."""
+
+    length: int = 0
+    mass: int = 0
+    time: int = 0
+
+    def __mul__(self, other: Dimension) -> Dimension:
+        return Dimension(self.length + other.length, self.mass + other.mass, self.time + other.time)
+
+    def __truediv__(self, other: Dimension) -> Dimension:
+        return Dimension(self.length - other.length, self.mass - other.mass, self.time - other.time)
+
+    def __pow__(self, exponent: int) -> Dimension:
+        return Dimension(self.length * exponent, self.mass * exponent, self.time * exponent)
+
+    def __str__(self) -> str:
+        powers = (("kg", self.mass), ("m", self.length), ("s", self.time))
+        units = [unit if power == 1 else f"{unit}^{power}" for unit, power in powers if power]
+        return " ".join(units) or "no dimension"
+
+
+NO_DIMENSION = Dimension()
+LENGTH = Dimension(length=1)
+MASS = Dimension(mass=1)
+TIME = Dimension(time=1)
+FREQUENCY = NO_DIMENSION / TIME
+VELOCITY = LENGTH / TIME
+ACCELERATION = VELOCITY / TIME
+FORCE = MASS * ACCELERATION
+MOMENT = FORCE * LENGTH

@@ -1,0 +1,132 @@
+"""Does it fit? Shape and physical dimension of each entry, and the rules by which operations combine them.
+
+A matrix has a dimension in each entry, because arrays of screw theory mix them: the upper half of a twist is an
+angular velocity, its lower half a velocity. An entry that is zero by construction fits every dimension (`None`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
+
+__all__ = ["Grid", "Measure", "Misfit", "added", "contracted", "entrywise", "scaled", "stacked", "uniform"]
+
+Grid = tuple[tuple[Dimension | None, ...], ...]
+
+
+class Misfit(ValueError):
+    """Two parts of an expression that cannot stand together: their shapes or their dimensions differ."""
+
+
+@dataclass(frozen=True, slots=True)
+class Measure:
+    """The dimension of every entry; the shape is that of the grid, a scalar is 1 x 1."""
+
+    grid: Grid
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        return len(self.grid), len(self.grid[0])
+
+    @property
+    def transposed(self) -> Measure:
+        return Measure(tuple(zip(*self.grid, strict=True)))
+
+    def the_dimension(self, what: str) -> Dimension | None:
+        """The one dimension that all entries share; a `Misfit` naming `what` if they differ."""
+        found = {d for row in self.grid for d in row if d is not None}
+        if len(found) > 1:
+            raise Misfit(f"{what} has entries of different dimensions: {', '.join(sorted(map(str, found)))}")
+        return found.pop() if found else None
+
+
+def uniform(shape: tuple[int, int], dimension: Dimension | None = NO_DIMENSION) -> Measure:
+    """Every entry has the same dimension."""
+    rows, columns = shape
+    return Measure(((dimension,) * columns,) * rows)
+
+
+def entrywise(rule: Callable[[Dimension], Dimension], measure: Measure) -> Measure:
+    """Each entry's dimension is what the rule makes of it; zeros stay zeros."""
+    return Measure(tuple(tuple(None if d is None else rule(d) for d in row) for row in measure.grid))
+
+
+def scaled(measure: Measure, factor: Dimension | None) -> Measure:
+    """Every entry is multiplied by a scalar of the given dimension."""
+    if factor is None:
+        return uniform(measure.shape, None)
+    if factor == NO_DIMENSION:
+        return measure
+    return entrywise(lambda d: d * factor, measure)
+
+
+def _joined(one: Dimension | None, other: Dimension | None) -> Dimension | None:
+    if one is not None and other is not None and one != other:
+        raise _Clash(one, other)
+    return other if one is None else one
+
+
+class _Clash(Exception):
+    def __init__(self, one: Dimension, other: Dimension) -> None:
+        self.one, self.other = one, other
+
+
+def added(first: Measure, second: Measure, names: tuple[str, str], verb: str = "add") -> Measure:
+    """The common measure of two terms of a sum, or of the two sides of an equation."""
+    if first.shape != second.shape:
+        raise Misfit(f"cannot {verb} {names[0]} ({_size(first)}) and {names[1]} ({_size(second)})")
+    if first.grid == second.grid:
+        return first
+    try:
+        rows = [
+            tuple(_joined(a, b) for a, b in zip(one, other, strict=True))
+            for one, other in zip(first.grid, second.grid, strict=True)
+        ]
+    except _Clash as clash:
+        raise Misfit(f"cannot {verb} {names[0]} [{clash.one}] and {names[1]} [{clash.other}]") from None
+    return Measure(tuple(rows))
+
+
+def contracted(first: Measure, second: Measure, names: tuple[str, str]) -> Measure:
+    """The measure of a matrix product: inner sizes agree, and every product in one entry's sum has one dimension."""
+    if first.shape[1] != second.shape[0]:
+        raise Misfit(f"cannot multiply {names[0]} ({_size(first)}) by {names[1]} ({_size(second)})")
+    columns = tuple(zip(*second.grid, strict=True))
+    try:
+        rows = tuple(tuple(_inner(line, column) for column in columns) for line in first.grid)
+    except _Clash as clash:
+        raise Misfit(
+            f"multiplying {names[0]} by {names[1]} would add [{clash.one}] and [{clash.other}] in one entry"
+        ) from None
+    return Measure(rows)
+
+
+def _inner(line: Sequence[Dimension | None], column: Sequence[Dimension | None]) -> Dimension | None:
+    total: Dimension | None = None
+    for a, b in zip(line, column, strict=True):
+        if a is not None and b is not None:
+            total = _joined(total, a * b)
+    return total
+
+
+def stacked(rows: Sequence[Sequence[Measure]], names: Sequence[Sequence[str]]) -> Measure:
+    """The measure of a matrix of blocks: blocks of one row have one height, all rows have one width."""
+    lines: list[tuple[Dimension | None, ...]] = []
+    width = sum(block.shape[1] for block in rows[0])
+    for row, row_names in zip(rows, names, strict=True):
+        for block, name in zip(row, row_names, strict=True):
+            if block.shape[0] != row[0].shape[0]:
+                raise Misfit(f"in one row of blocks, {row_names[0]} is {_size(row[0])} and {name} is {_size(block)}")
+        if sum(block.shape[1] for block in row) != width:
+            first = ", ".join(f"{name} is {_size(block)}" for name, block in zip(names[0], rows[0], strict=True))
+            here = ", ".join(f"{name} is {_size(block)}" for name, block in zip(row_names, row, strict=True))
+            raise Misfit(f"rows of blocks differ in width: {first}; but {here}")
+        lines += [sum(parts, ()) for parts in zip(*(block.grid for block in row), strict=True)]
+    return Measure(tuple(lines))
+
+
+def _size(measure: Measure) -> str:
+    rows, columns = measure.shape
+    return "a scalar" if (rows, columns) == (1, 1) else f"{rows} x {columns}"

@@ -1,0 +1,181 @@
+"""How is an expression written out? One walk over the nodes decides the brackets; a style spells the pieces.
+
+A style is a table of spellings (LaTeX, plain text). Brackets are put where precedence asks for them, round inside
+square inside curly, and where the author put them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import Protocol
+
+from chasles.vocabulary.families import Entry, Kronecker, Member
+from chasles.vocabulary.nodes import (
+    At,
+    Block,
+    Call,
+    Cofactor,
+    Contract,
+    Cross,
+    Determinant,
+    Dot,
+    Group,
+    Identity,
+    Inverse,
+    Negative,
+    Node,
+    Norm,
+    Number,
+    Power,
+    Quotient,
+    Rate,
+    Scale,
+    Skew,
+    Sum,
+    Symbol,
+    Trace,
+    Transpose,
+    Vect,
+    Zero,
+)
+
+__all__ = ["Level", "Piece", "Style", "spell"]
+
+
+class Level(IntEnum):
+    """How tightly a piece of text holds together."""
+
+    SUM = 1
+    NEGATIVE = 2
+    DOT = 3
+    PRODUCT = 4
+    POWER = 5
+    ATOM = 6
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """A spelled expression: its text, how tightly it holds together, how deep brackets are nested in it."""
+
+    text: str
+    level: Level
+    depth: int = 0
+
+
+class Style(Protocol):
+    """What a language of formulas must spell."""
+
+    def symbol(self, symbol: Symbol) -> str: ...
+    def constant(self, node: Identity | Zero) -> str: ...
+    def number(self, number: Number) -> Piece: ...
+    def brackets(self, text: str, depth: int) -> str: ...
+    def product(self, factors: list[str]) -> str: ...
+    def fraction(self, numerator: Piece, denominator: Piece) -> Piece: ...
+    def power(self, base: str, exponent: str) -> str: ...
+    def infix(self, sign: str, left: str, right: str) -> str: ...
+    def function(self, name: str, argument: Piece) -> Piece: ...
+    def norm(self, text: str) -> str: ...
+    def rate(self, of: Node, text: str, order: int) -> str: ...
+    def subscripted(self, text: str, subscript: str) -> str: ...
+    def block(self, rows: list[list[str]]) -> str: ...
+
+
+FUNCTIONS: dict[type[Node], str] = {
+    Skew: "CPM",
+    Vect: "vect",
+    Trace: "tr",
+    Determinant: "det",
+    Cofactor: "cof",
+}
+
+
+def spell(node: Node, style: Style) -> Piece:
+    """The expression written out in the author's order."""
+
+    def bracketed(part: Node, least: Level) -> Piece:
+        piece = spell(part, style)
+        return piece if piece.level >= least else grouped(piece, piece.depth)
+
+    def grouped(piece: Piece, depth: int) -> Piece:
+        return Piece(style.brackets(piece.text, depth), Level.ATOM, piece.depth + 1)
+
+    def joined(pieces: list[Piece], text: str, level: Level) -> Piece:
+        return Piece(text, level, max(piece.depth for piece in pieces))
+
+    match node:
+        case Symbol():
+            return Piece(style.symbol(node), Level.ATOM)
+        case Identity() | Zero():
+            return Piece(style.constant(node), Level.ATOM)
+        case Number():
+            return style.number(node)
+        case Sum(terms):
+            text, depth = "", 0
+            for term in terms:
+                minus = isinstance(term, Negative) and text != ""
+                piece = bracketed(term.term if minus else term, Level.DOT if minus or text else Level.NEGATIVE)
+                text = f"{text} {'-' if minus else '+'} {piece.text}" if text else piece.text
+                depth = max(depth, piece.depth)
+            return Piece(text, Level.SUM, depth)
+        case Negative(term):
+            piece = bracketed(term, Level.DOT)
+            return Piece(f"-{piece.text}", Level.NEGATIVE, piece.depth)
+        case Scale(factor, term, trailing):
+            pieces = [bracketed(factor, Level.PRODUCT), bracketed(term, Level.PRODUCT)]
+            if trailing:
+                pieces.reverse()
+            return joined(pieces, style.product([piece.text for piece in pieces]), Level.PRODUCT)
+        case Contract(factors):
+            pieces = [bracketed(factor, Level.PRODUCT) for factor in factors]
+            return joined(pieces, style.product([piece.text for piece in pieces]), Level.PRODUCT)
+        case Quotient(numerator, denominator, slash):
+            if not slash:
+                return style.fraction(spell(numerator, style), spell(denominator, style))
+            pieces = [bracketed(numerator, Level.PRODUCT), bracketed(denominator, Level.POWER)]
+            return joined(pieces, f"{pieces[0].text}/{pieces[1].text}", Level.PRODUCT)
+        case Power(base, exponent):
+            piece = bracketed(base, Level.ATOM)
+            return Piece(style.power(piece.text, str(exponent)), Level.POWER, piece.depth)
+        case Transpose(of) | Inverse(of):
+            piece = bracketed(of, Level.ATOM)
+            return Piece(style.power(piece.text, "T" if isinstance(node, Transpose) else "-1"), Level.POWER, piece.depth)
+        case Dot(left, right) | Cross(left, right):
+            pieces = [bracketed(left, Level.PRODUCT), bracketed(right, Level.PRODUCT)]
+            sign = "dot" if isinstance(node, Dot) else "cross"
+            return joined(pieces, style.infix(sign, pieces[0].text, pieces[1].text), Level.DOT)
+        case Norm(of):
+            piece = spell(of, style)
+            return Piece(style.norm(piece.text), Level.ATOM, piece.depth)
+        case Call(function, argument):
+            return style.function(function, spell(argument, style))
+        case Skew(of) | Vect(of) | Trace(of) | Determinant(of) | Cofactor(of):
+            piece = spell(of, style)
+            return Piece(style.function(FUNCTIONS[type(node)], Piece(f"{piece.text}", Level.SUM, piece.depth)).text,
+                         Level.ATOM, piece.depth + 1)
+        case Block(rows):
+            spelled = [[spell(block, style) for block in row] for row in rows]
+            depth = max(piece.depth for row in spelled for piece in row)
+            return Piece(style.block([[piece.text for piece in row] for row in spelled]), Level.ATOM, depth)
+        case Rate():
+            order, of = 1, node.of
+            while isinstance(of, Rate):
+                order, of = order + 1, of.of
+            piece = spell(of, style)
+            simple = isinstance(of, Symbol | At | Member)
+            inner = piece if simple else grouped(piece, piece.depth)
+            return Piece(style.rate(of, inner.text, order), Level.ATOM, inner.depth)
+        case At(of, argument):
+            piece = bracketed(of, Level.ATOM)
+            return Piece(f"{piece.text}({argument})", Level.ATOM, piece.depth)
+        case Group(of, brackets):
+            piece = spell(of, style)
+            return grouped(piece, {"()": 0, "[]": 1, "{}": 2}[brackets])
+        case Member(family, index):
+            return Piece(style.subscripted(family.letter, index.letter) + family.mark, Level.ATOM)
+        case Entry(of, i, j):
+            return Piece(style.subscripted(of.letter_of_entry, i.letter + j.letter), Level.ATOM)
+        case Kronecker(i, j):
+            return Piece(style.subscripted(r"\delta", i.letter + j.letter), Level.ATOM)
+        case _:
+            raise TypeError(f"no spelling for the node {type(node).__name__}")

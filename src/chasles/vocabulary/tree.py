@@ -1,0 +1,64 @@
+"""Walking and rebuilding expressions: the one place that knows which fields of a node are nodes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import fields, replace as with_fields
+from functools import cache
+from typing import Any
+
+from chasles.vocabulary.nodes import Block, Contract, Node, Sum, Symbol
+
+__all__ = ["children", "rebuilt", "replace", "symbols_of", "walk"]
+
+
+@cache
+def _node_fields(kind: type[Node]) -> tuple[str, ...]:
+    return tuple(f.name for f in fields(kind) if f.type in ("Node", Node))  # type: ignore[arg-type]
+
+
+def children(node: Node) -> tuple[Node, ...]:
+    """The nodes directly below, in reading order; an abbreviation has none."""
+    return node._parts()
+
+
+def rebuilt(node: Node, parts: tuple[Node, ...]) -> Node:
+    """The same kind of node over other parts, measured anew."""
+    match node:
+        case Sum():
+            return Sum(parts)
+        case Contract():
+            return Contract(parts)
+        case Block(rows):
+            taken = iter(parts)
+            return Block(tuple(tuple(next(taken) for _ in row) for row in rows))
+        case _:
+            changes: dict[str, Any] = dict(zip(_node_fields(type(node)), parts, strict=True))
+            return with_fields(node, **changes) if changes else node  # type: ignore[type-var]
+
+
+def replace(node: Node, values: Mapping[Node, Node]) -> Node:
+    """The expression with every occurrence of a key replaced by its value; nothing is simplified."""
+    if node in values:
+        return values[node]
+    if isinstance(node, Symbol):
+        if node.stands_for is None:
+            return node
+        inner = replace(node.stands_for, values)
+        return node if inner == node.stands_for else inner
+    parts = children(node)
+    changed = tuple(replace(part, values) for part in parts)
+    return node if changed == parts else rebuilt(node, changed)
+
+
+def walk(node: Node) -> Iterator[Node]:
+    """The node and all below it, in reading order; abbreviations are not opened."""
+    yield node
+    for part in children(node):
+        yield from walk(part)
+
+
+def symbols_of(node: Node) -> tuple[Symbol, ...]:
+    """The symbols that occur, in the order of their first occurrence, abbreviations as themselves."""
+    found = dict.fromkeys(part for part in walk(node) if isinstance(part, Symbol))
+    return tuple(found)

@@ -1,0 +1,191 @@
+"""The short words in which declarations are written."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
+from chasles.vocabulary.measure import Measure, uniform
+from chasles.vocabulary.nodes import (
+    At,
+    Block,
+    Call,
+    Cross,
+    Determinant,
+    Dot,
+    Group,
+    Inverse,
+    Node,
+    Norm,
+    Quotient,
+    Rate,
+    Skew,
+    Symbol,
+    Trace,
+    Vect,
+    lifted,
+)
+
+__all__ = [
+    "CPM",
+    "PI",
+    "abbreviation",
+    "array",
+    "at",
+    "bracket",
+    "column",
+    "cos",
+    "cross",
+    "det",
+    "dot",
+    "inverse",
+    "matrix",
+    "norm",
+    "over",
+    "paren",
+    "rate",
+    "row",
+    "scalar",
+    "sin",
+    "square",
+    "tr",
+    "vect",
+    "vector",
+]
+
+PI = Symbol("pi", r"\pi", uniform((1, 1)), "ratio of a circle's circumference to its diameter", constant=True)
+
+
+def scalar(
+    name: str, letter: str, meaning: str, dimension: Dimension = NO_DIMENSION, *, constant: bool = False
+) -> Symbol:
+    """A scalar quantity."""
+    return Symbol(name, letter, uniform((1, 1), dimension), meaning, constant)
+
+
+def vector(
+    name: str, letter: str, meaning: str, dimension: Dimension = NO_DIMENSION, *, constant: bool = False
+) -> Symbol:
+    """A vector, a 3 x 1 column; its letter is printed bold."""
+    return Symbol(name, _bold(letter), uniform((3, 1), dimension), meaning, constant)
+
+
+def square(
+    name: str, letter: str, meaning: str, dimension: Dimension = NO_DIMENSION, *, constant: bool = False
+) -> Symbol:
+    """A 3 x 3 matrix; its letter is printed bold."""
+    return Symbol(name, _bold(letter), uniform((3, 3), dimension), meaning, constant)
+
+
+def array(name: str, letter: str, meaning: str, measure: Measure | Node) -> Symbol:
+    """An array measured like the given expression, which says what its entries are; its letter is printed bold."""
+    if isinstance(measure, Node):
+        assert measure.measure is not None
+        measure = measure.measure
+    return Symbol(name, _bold(letter), measure, meaning)
+
+
+def abbreviation(name: str, letter: str, stands_for: Node, meaning: str) -> Symbol:
+    """A letter that stands for an expression wherever it occurs."""
+    assert stands_for.measure is not None
+    constant = isinstance(stands_for, Skew) and isinstance(stands_for.of, Symbol) and stands_for.of.constant
+    return Symbol(name, _bold(letter), stands_for.measure, meaning, constant, stands_for)
+
+
+def _bold(letter: str) -> str:
+    """The letter in bold, its decorations outside: `p_0'` gives `\\mathbf{p}_0'`."""
+    if letter.startswith("\\math") or letter.startswith("\\bold") or letter.startswith("\\over"):
+        return letter
+    cut = next((i for i, mark in enumerate(letter) if mark in "_^'"), len(letter))
+    stem, rest = letter[:cut], letter[cut:]
+    return (rf"\boldsymbol{{{stem}}}" if stem.startswith("\\") else rf"\mathbf{{{stem}}}") + rest
+
+
+def cos(angle: Node) -> Call:
+    """The cosine of an angle in radians."""
+    return Call("cos", angle)
+
+
+def sin(angle: Node) -> Call:
+    """The sine of an angle in radians."""
+    return Call("sin", angle)
+
+
+def dot(left: Node, right: Node) -> Dot:
+    """The scalar product."""
+    return Dot(left, right)
+
+
+def cross(left: Node, right: Node) -> Cross:
+    """The vector product."""
+    return Cross(left, right)
+
+
+def norm(of: Node) -> Norm:
+    """The Euclidean norm."""
+    return Norm(of)
+
+
+def tr(of: Node) -> Trace:
+    """The trace."""
+    return Trace(of)
+
+
+def det(of: Node) -> Determinant:
+    """The determinant."""
+    return Determinant(of)
+
+
+def vect(of: Node) -> Vect:
+    """The axial vector of a 3 x 3 matrix."""
+    return Vect(of)
+
+
+def CPM(of: Node) -> Skew:
+    """The cross-product matrix of a vector."""
+    return Skew(of)
+
+
+def inverse(of: Node) -> Inverse:
+    """The inverse of a square matrix."""
+    return Inverse(of)
+
+
+def rate(of: Node) -> Rate:
+    """The time derivative."""
+    return Rate(of)
+
+
+def at(of: Node, argument: str = "t") -> At:
+    """The quantity printed with its argument."""
+    return At(of, argument)
+
+
+def over(numerator: Node | int | Fraction, denominator: Node | int | Fraction) -> Quotient:
+    """A quotient written on one line, with a slash."""
+    return Quotient(lifted(numerator), lifted(denominator), slash=True)
+
+
+def paren(of: Node) -> Group:
+    """The term in round brackets that the author chose to print."""
+    return Group(of)
+
+
+def bracket(of: Node) -> Group:
+    """The term in square brackets that the author chose to print."""
+    return Group(of, "[]")
+
+
+def column(*blocks: Node | int) -> Block:
+    """Blocks stacked one under the other."""
+    return Block(tuple((lifted(block),) for block in blocks))
+
+
+def row(*blocks: Node | int) -> Block:
+    """Blocks side by side."""
+    return Block((tuple(lifted(block) for block in blocks),))
+
+
+def matrix(*rows: tuple[Node | int, ...]) -> Block:
+    """A matrix of blocks, row by row."""
+    return Block(tuple(tuple(lifted(block) for block in line) for line in rows))
