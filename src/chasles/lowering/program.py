@@ -109,6 +109,11 @@ class Program:
                 raise ValueError(f"{self.name}: result {result.name} names a step that does not exist")
 
     @property
+    def parameters(self) -> tuple[Argument | Result, ...]:
+        """The arguments, then the results: what a function of the program is called with."""
+        return (*self.arguments, *self.results)
+
+    @property
     def operations(self) -> Counter[Op]:
         """How often each operation that costs time occurs."""
         return Counter(step.op for step in self.steps if step.op not in FREE_OF_CHARGE)

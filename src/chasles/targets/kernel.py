@@ -10,12 +10,15 @@ import re
 from dataclasses import dataclass
 from fractions import Fraction
 
-from chasles.lowering.program import Program
+from chasles.lowering.program import Op, Program
 
-__all__ = ["Check", "EmissionError", "Exact", "Heading", "Kernel", "signature"]
+__all__ = ["TRUTH", "Check", "EmissionError", "Exact", "Heading", "Kernel", "require_plain", "signature"]
 
 Exact = Fraction | int | str
 """A rational number, or a decimal numeral such as "0.4794255386042030", or "nan"."""
+
+TRUTH = (Op.LESS, Op.EQUAL)
+"""The operations that yield a truth value."""
 
 _NUMERAL = re.compile(r"[+-]?(\d+\.\d*|\.\d+|\d+)([eE][+-]?\d+)?|nan")
 _SECTION = re.compile(r"[a-z][a-z0-9_]*")
@@ -72,7 +75,8 @@ class Check:
 class Kernel:
     """A program ready to be spelled in every language.
 
-    Raises ValueError where a check has other sizes than the program, or the program nothing to read or to give.
+    Raises ValueError where a check has other sizes than the program, or the program cannot be spelled: nothing to
+    read or to give, an entry that an argument lacks, a truth value where a number belongs.
     """
 
     program: Program
@@ -81,15 +85,7 @@ class Kernel:
 
     def __post_init__(self) -> None:
         program = self.program
-        if not program.arguments or not program.results:
-            raise ValueError(f"{program.name}: a kernel needs at least one input and one output")
-        for item in (*program.arguments, *program.results):
-            require_plain(item.meaning, f"{program.name}: the meaning of {item.name}")
-        inputs = tuple(math.prod(argument.shape) for argument in program.arguments)
-        outputs = tuple(math.prod(result.shape) for result in program.results)
-        for result, size in zip(program.results, outputs, strict=True):
-            if len(result.entries) != size:
-                raise ValueError(f"{program.name}: {result.name} has {len(result.entries)} entries, its shape {size}")
+        inputs, outputs = _sizes(program)
         for check in self.checks:
             found = tuple(map(len, check.inputs)), tuple(map(len, check.outputs))
             if found != (inputs, outputs):
@@ -114,6 +110,30 @@ def require_plain(text: str, where: str) -> None:
         raise ValueError(f"{where}: LaTeX cannot stand in generated code; write it plainly: {text!r}")
     if not text.isprintable():
         raise ValueError(f"{where}: a text of one printable line is expected, not {text!r}")
+
+
+def _sizes(program: Program) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    """How many entries each input and each output has, once all of the program is found in order."""
+    if not program.arguments or not program.results:
+        raise ValueError(f"{program.name}: a kernel needs at least one input and one output")
+    for item in program.parameters:
+        require_plain(item.meaning, f"{program.name}: the meaning of {item.name}")
+        if not item.name.isidentifier() or not item.name.isascii():
+            raise ValueError(f"{program.name}: {item.name!r} is no name in every language")
+    inputs = tuple(math.prod(argument.shape) for argument in program.arguments)
+    outputs = tuple(math.prod(result.shape) for result in program.results)
+    for number, step in enumerate(program.steps):
+        if step.op is Op.INPUT and not (0 <= step.argument < len(inputs) and 0 <= step.entry < inputs[step.argument]):
+            raise ValueError(f"{program.name}: step {number} reads an entry that no argument has")
+        for position, operand in enumerate(step.operands):
+            if (program.steps[operand].op in TRUTH) != (step.op is Op.SELECT and position == 0):
+                raise ValueError(f"{program.name}: step {number} takes a truth value for a number or a number for one")
+    for result, size in zip(program.results, outputs, strict=True):
+        if len(result.entries) != size:
+            raise ValueError(f"{program.name}: {result.name} has {len(result.entries)} entries, its shape {size}")
+        if any(program.steps[entry].op in TRUTH for entry in result.entries):
+            raise ValueError(f"{program.name}: {result.name} holds a truth value")
+    return inputs, outputs
 
 
 def _core(shape: tuple[int, ...]) -> str:

@@ -12,12 +12,13 @@ from fractions import Fraction
 
 from chasles.lowering.program import Op, Program, Step
 from chasles.targets.dialect import Dialect, Level, Phrase
-from chasles.targets.kernel import EmissionError
+from chasles.targets.kernel import TRUTH, EmissionError
 from chasles.targets.names import Names
 
 __all__ = ["Spelled", "spelled"]
 
-_TRUTH = (Op.LESS, Op.EQUAL)
+# A right operand that begins with a minus sign stands in parentheses: a - (-b).
+_CHAINED = (Level.SUM, Level.PRODUCT)
 _ANGLES = {Op.SINE: "sin", Op.COSINE: "cos"}
 
 
@@ -56,38 +57,41 @@ class _Writer:
         self.names = Names(dialect.reserved)
         self.arguments = tuple(self.names.take(argument.name) for argument in program.arguments)
         self.results = tuple(self.names.take(result.name) for result in program.results)
+        self.wanted = self._wanted_names() if dialect.name_entries else {}
         self.uses = _uses(program)
         self.expressions: dict[int, _Expression] = {}
         self.lines: list[str] = []
 
     def written(self) -> Spelled:
-        wanted = self._wanted_names() if self.dialect.name_entries else {}
         for number, step in enumerate(self.program.steps):
             if self.uses[number]:
                 self.expressions[number] = self._expression(step)
-                self._name_if_needed(number, step, wanted.get(number))
+                self._name_if_needed(number, step)
         entries = tuple(
             tuple(self.expressions[entry].text for entry in result.entries) for result in self.program.results
         )
         return Spelled(self.arguments, self.results, tuple(self.lines), entries)
 
     def _wanted_names(self) -> dict[int, str]:
-        """The name of every step that is an entry of a result, after the first such entry."""
+        """A name for every step that is an entry of a result, after the first such entry."""
         wanted: dict[int, str] = {}
         for name, result in zip(self.results, self.program.results, strict=True):
+            stem = f"{name}_" if name[-1].isdigit() else name
             for position, entry in enumerate(result.entries):
-                wanted.setdefault(entry, f"{name}_{position}" if result.shape else f"{name}_value")
+                if entry not in wanted:
+                    wanted[entry] = self.names.take(f"{stem}{position}" if result.shape else f"{name}_value")
         return wanted
 
-    def _name_if_needed(self, number: int, step: Step, wanted: str | None) -> None:
+    def _name_if_needed(self, number: int, step: Step) -> None:
         expression = self.expressions[number]
         if expression.constant and expression.size == 0:
             return
-        if wanted is not None:
+        if number in self.wanted:
             # An input that is handed on is read before anything is stored, for the output may lie over it.
-            self._name(expression, wanted)
+            self._name(expression, self.wanted[number])
         elif self.uses[number] > 1 and not self._is_cheap_to_repeat(step):
-            self._name(expression, self._telling_name(step))
+            telling = self._telling_name(step)
+            self._name(expression, self.names.take(telling) if telling else self.names.number("t"))
 
     def _is_cheap_to_repeat(self, step: Step) -> bool:
         if step.op is Op.NEGATE:
@@ -107,10 +111,9 @@ class _Writer:
             return f"half_{operands[0]}"
         return None
 
-    def _name(self, expression: _Expression, wanted: str | None) -> None:
-        """Declare the expression and let its name stand for it from here on."""
-        name = self.names.number("t") if wanted is None else self.names.take(wanted)
-        self.lines.append(self.dialect.declare(name, expression.text, expression.op in _TRUTH))
+    def _name(self, expression: _Expression, name: str) -> None:
+        """Declare the expression and let the name stand for it from here on."""
+        self.lines.append(self.dialect.declare(name, expression.text, expression.op in TRUTH))
         expression.text, expression.level, expression.size = name, Level.ATOM, 0
 
     def _expression(self, step: Step) -> _Expression:
@@ -124,7 +127,8 @@ class _Writer:
         operands = [self.expressions[operand] for operand in step.operands]
         text = self._filled(phrase, operands)
         while len(text) > self.dialect.width and any(operand.size for operand in operands):
-            self._name(max(operands, key=lambda operand: (operand.size > 0, len(operand.text))), None)
+            longest = max(operands, key=lambda operand: (operand.size > 0, len(operand.text)))
+            self._name(longest, self.names.number("t"))
             text = self._filled(phrase, operands)
         constant = all(operand.constant for operand in operands) and not phrase.is_call
         return _Expression(text, phrase.level, step.op, constant, 1 + sum(operand.size for operand in operands))
@@ -140,7 +144,7 @@ class _Writer:
         for gap, operand in zip(phrase.gaps, operands, strict=True):
             if phrase.is_call and operand.constant:
                 texts.append(self.dialect.lift.format(operand.text))
-            elif operand.level < gap or (texts and operand.text.startswith("-") and not phrase.is_call):
+            elif operand.level < gap or (texts and operand.text.startswith("-") and phrase.level in _CHAINED):
                 texts.append(f"({operand.text})")
             else:
                 texts.append(operand.text)

@@ -1,0 +1,7 @@
+"""The book: one module a section, in the book's order, each equation declared as it is printed."""
+
+if __name__ != "chasles.derivations":
+    raise ImportError(
+        f"the derivations were imported as {__name__!r}; import them as 'chasles.derivations', "
+        "so that no statement exists twice"
+    )

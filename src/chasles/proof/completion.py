@@ -1,0 +1,104 @@
+"""Completing hypotheses to a Groebner basis, each new generator remembered as a combination of the stated ones.
+
+Buchberger's algorithm with the coprimality criterion and a budget. The hypotheses of the book need it almost never: they
+are chosen to be a basis as they stand.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+
+from chasles.proof.normal_form import reduce_by
+from chasles.proof.rings import Polynomial, Ring
+
+__all__ = ["Basis", "completed", "stated"]
+
+Combination = dict[int, Polynomial]
+
+
+@dataclass(frozen=True, slots=True)
+class Basis:
+    """Generators, and each of them as a combination of the stated hypotheses."""
+
+    ring: Ring
+    generators: tuple[Polynomial, ...]
+    origins: tuple[Combination, ...]
+    complete: bool
+
+    def reduce(self, polynomial: Polynomial) -> tuple[Combination, Polynomial]:
+        """Cofactors on the stated hypotheses, and the remainder."""
+        reduction = reduce_by(self.ring, polynomial, self.generators)
+        return folded(reduction.cofactors, self.origins), reduction.remainder
+
+
+def folded(cofactors: Combination, origins: tuple[Combination, ...]) -> Combination:
+    """Cofactors on generators, as cofactors on the stated hypotheses."""
+    total: Combination = {}
+    for place, cofactor in cofactors.items():
+        for origin, factor in origins[place].items():
+            term = cofactor * factor
+            total[origin] = total[origin] + term if origin in total else term
+    return {k: c for k, c in total.items() if c != 0}
+
+
+def stated(ring: Ring, hypotheses: tuple[Polynomial, ...], *, complete: bool) -> Basis:
+    """The hypotheses themselves as generators."""
+    one = ring.constant(Fraction(1))
+    return Basis(ring, hypotheses, tuple({k: one} for k in range(len(hypotheses))), complete)
+
+
+def is_coprime(ring: Ring, generators: tuple[Polynomial, ...]) -> bool:
+    """Whether all leading terms are coprime, so that the generators are a Groebner basis without further work."""
+    seen: set[int] = set()
+    for generator in generators:
+        mine = {k for k, e in enumerate(ring.leading(generator)[0]) if e}
+        if mine & seen:
+            return False
+        seen |= mine
+    return True
+
+
+def completed(basis: Basis, within_budget: Callable[[], bool]) -> Basis:
+    """A Groebner basis of the same ideal, as far as the budget allows; `complete` says whether it is one."""
+    ring = basis.ring
+    generators, origins = list(basis.generators), list(basis.origins)
+    leads = [ring.leading(g) for g in generators]
+    pairs = [(i, j) for j in range(len(generators)) for i in range(j)]
+    while pairs:
+        if not within_budget():
+            return Basis(ring, tuple(generators), tuple(origins), complete=False)
+        pairs.sort(key=lambda pair: -_degree(leads, pair))
+        i, j = pairs.pop()
+        if not any(a and b for a, b in zip(leads[i][0], leads[j][0], strict=True)):
+            continue
+        left, right = _cofactors(ring, leads[i], leads[j])
+        difference = left * generators[i] - right * generators[j]
+        if difference == 0:
+            continue
+        reduction = reduce_by(ring, difference, generators)
+        if reduction.is_zero:
+            continue
+        combination: Combination = {i: left, j: -right}
+        for place, cofactor in reduction.cofactors.items():
+            combination[place] = combination[place] - cofactor if place in combination else -cofactor
+        origins.append(folded(combination, tuple(origins)))
+        generators.append(reduction.remainder)
+        leads.append(ring.leading(reduction.remainder))
+        pairs += [(k, len(generators) - 1) for k in range(len(generators) - 1)]
+    return Basis(ring, tuple(generators), tuple(origins), complete=True)
+
+
+def _degree(leads: list[tuple[tuple[int, ...], Fraction]], pair: tuple[int, int]) -> int:
+    return sum(map(max, leads[pair[0]][0], leads[pair[1]][0]))
+
+
+def _cofactors(
+    ring: Ring, one: tuple[tuple[int, ...], Fraction], other: tuple[tuple[int, ...], Fraction]
+) -> tuple[Polynomial, Polynomial]:
+    """What brings the two leading terms to their least common multiple."""
+    least = tuple(map(max, one[0], other[0]))
+    left = tuple(a - b for a, b in zip(least, one[0], strict=True))
+    right = tuple(a - b for a, b in zip(least, other[0], strict=True))
+    return ring.from_terms({left: 1 / one[1]}), ring.from_terms({right: 1 / other[1]})

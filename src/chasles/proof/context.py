@@ -1,0 +1,166 @@
+"""The stage on which a problem is decided: its ring, its hypotheses as polynomials, what may be divided by.
+
+Only hypotheses about symbols that occur, and that no rule replaces, become polynomials; those on the others are checked
+at the witness and at every counterexample.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+
+from chasles.proof.completion import Basis, stated
+from chasles.proof.ratios import Field, Ratio
+from chasles.proof.rings import Polynomial, make_ring
+from chasles.proof.unfold import Matrix, Unfolder
+from chasles.proof.variables import Untreatable, Variable, Variables, scan
+from chasles.statements import Goal, Hypothesis, Problem
+from chasles.vocabulary import PI, Norm, Rate, Symbol, plain, symbols_of
+
+__all__ = ["Context", "Generator", "build", "describe", "difference", "entries"]
+
+
+@dataclass(frozen=True, slots=True)
+class Generator:
+    """A polynomial that vanishes, and why: a hypothesis, an identity of cosine and sine, a norm, a condition."""
+
+    label: str
+    polynomial: Polynomial
+    hypothesis: Hypothesis | None = None
+
+
+@dataclass(slots=True)
+class Context:
+    """The ring of a problem and what is known in it."""
+
+    problem: Problem
+    variables: tuple[Variable, ...]
+    unfold: Unfolder
+    generators: tuple[Generator, ...]
+    basis: Basis
+    atoms: tuple[tuple[Hypothesis | None, Polynomial], ...]
+    active: tuple[Hypothesis, ...]
+    transcendental: frozenset[int]
+    pi_measures: bool
+
+    @property
+    def field(self) -> Field:
+        return self.unfold.field
+
+
+def build(problem: Problem) -> Context:
+    """The context of a problem; raises `Untreatable` for what the procedure does not treat."""
+    rules = dict(problem.rules)
+    found = Variables()
+    for goal in (*problem.goals, *problem.conditions):
+        scan(found, goal.left, 0, rules)
+        scan(found, goal.right, 0, rules)
+    active = tuple(_active(problem, found))
+    for hypothesis in active:
+        for node in (*hypothesis.subjects, *hypothesis.nonvanishing):
+            scan(found, node, 0, rules)
+    variables = tuple(found.listed(problem.unknowns))
+    order = "grevlex" if any(h.kind in ("rotation", "orthonormal") for h in active) else "lex"
+    ring = make_ring([variable.name for variable in variables], order)
+    if len(set(ring.names)) != len(ring.names):
+        twice = next(name for name in ring.names if ring.names.count(name) > 1)
+        raise Untreatable(f"two different symbols are both named {twice}: rename one")
+    unfold = Unfolder(Field(ring, []), variables, rules)
+    atoms = _declare_atoms(unfold, active)
+    generators = tuple(_generators(unfold, variables, active, found))
+    basis = stated(ring, tuple(g.polynomial for g in generators), complete=order == "grevlex")
+    bare = {k for k, v in enumerate(variables) if v.kind == "entry" and v.order == 0 and v.symbol in found.angles}
+    circle = {k for k, v in enumerate(variables) if v.symbol == PI}
+    pi_measures = bool(circle) or len(bare) > 1
+    return Context(
+        problem, variables, unfold, generators, basis, atoms, active, frozenset(bare | circle), bool(pi_measures and bare)
+    )
+
+
+def _active(problem: Problem, found: Variables) -> Iterator[Hypothesis]:
+    """The hypotheses on symbols that occur freely."""
+    occurring = set(found.orders) | set(found.angles)
+    ruled = {left for left, _ in problem.rules}
+    for hypothesis in problem.hypotheses:
+        symbols = {s for node in hypothesis.subjects for s in _free_symbols(node, dict(problem.rules))}
+        subjects_ruled = hypothesis.equations and any(subject in ruled for subject in hypothesis.subjects)
+        if symbols and symbols <= occurring and not subjects_ruled:
+            yield hypothesis
+
+
+def _free_symbols(node: object, rules: dict[object, object]) -> set[Symbol]:
+    found = Variables()
+    scan(found, node, 0, rules)  # type: ignore[arg-type]
+    return set(found.orders) | set(found.angles)
+
+
+def _declare_atoms(unfold: Unfolder, active: tuple[Hypothesis, ...]) -> tuple[tuple[Hypothesis | None, Polynomial], ...]:
+    declared: list[tuple[Hypothesis | None, Polynomial]] = []
+    for hypothesis in active:
+        for node in hypothesis.nonvanishing:
+            numerator = unfold(node)[0][0].numerator
+            unfold.field.atoms.append(numerator)
+            declared.append((hypothesis, numerator))
+    return tuple(declared)
+
+
+def _generators(
+    unfold: Unfolder, variables: tuple[Variable, ...], active: tuple[Hypothesis, ...], found: Variables
+) -> Iterator[Generator]:
+    ring = unfold.field.ring
+    place = {variable.name: k for k, variable in enumerate(variables)}
+    for hypothesis in active:
+        order = max((found.orders.get(s, 0) for node in hypothesis.subjects for s in symbols_of(node)), default=0)
+        yield from _hypothesis_generators(unfold, hypothesis, order)
+    for variable in variables:
+        if variable.kind == "cos":
+            name = variable.name.removeprefix("cos")
+            c, s = (ring.generators[place[f + name]] for f in ("cos", "sin"))
+            yield Generator(f"circle {name[1:-1]}", s * s + c * c - ring.constant(Fraction(1)))
+    for variable in variables:
+        if variable.kind == "norm":
+            assert variable.node is not None
+            size = unfold(Norm(variable.node))[0][0]
+            square = unfold(variable.node)
+            total = size * size
+            for (entry,) in square:
+                total = total - entry * entry
+            if not total.is_zero:
+                yield Generator(f"norm {variable.name}", total.numerator)
+
+
+def _hypothesis_generators(unfold: Unfolder, hypothesis: Hypothesis, order: int) -> Iterator[Generator]:
+    for number, (left, right) in enumerate(hypothesis.equations):
+        for dots in range(order + 1):
+            one, other = left, right
+            for _ in range(dots):
+                one, other = Rate(one), Rate(other)
+            label = hypothesis.text + (f" ({'d' * dots}ot)" if dots else "")
+            seen: list[Polynomial] = []
+            for i, j, entry in entries(_minus(unfold(one), unfold(other))):
+                numerator = entry.numerator
+                if numerator != 0 and not any(numerator == old or numerator == -old for old in seen):
+                    seen.append(numerator)
+                    yield Generator(f"{label} [{number}: {i + 1}, {j + 1}]", numerator, hypothesis)
+
+
+def _minus(left: Matrix, right: Matrix) -> Matrix:
+    return [[a - b for a, b in zip(one, other, strict=True)] for one, other in zip(left, right, strict=True)]
+
+
+def entries(matrix: Matrix) -> Iterator[tuple[int, int, Ratio]]:
+    """The entries with their places, row by row."""
+    for i, row in enumerate(matrix):
+        for j, entry in enumerate(row):
+            yield i, j, entry
+
+
+def difference(context: Context, goal: Goal) -> Matrix:
+    """What must vanish for the goal to hold: left - right."""
+    return _minus(context.unfold(goal.left), context.unfold(goal.right))
+
+
+def describe(symbols: tuple[Symbol, ...]) -> str:
+    """The symbols' names, for a message."""
+    return ", ".join(plain(symbol) for symbol in symbols)

@@ -1,0 +1,221 @@
+"""Is it true? Reduce what should vanish by what is known; if a remainder is left, look for an exact counterexample."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import islice
+from time import monotonic
+from typing import Any
+
+from chasles.proof import points
+from chasles.proof.completion import Basis, Combination, completed, stated
+from chasles.proof.conditions import Solved, solve_conditions
+from chasles.proof.context import Context, Generator, build, difference, entries
+from chasles.proof.polynomial_text import written
+from chasles.proof.ratios import Ratio
+from chasles.proof.rings import Polynomial
+from chasles.proof.unfold import UndeclaredDivisor
+from chasles.proof.values import is_zero, shown
+from chasles.proof.variables import Untreatable
+from chasles.proof.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed, Undecided, Verdict
+from chasles.statements import Goal, Hypothesis, Problem
+
+__all__ = ["BUDGET", "decide_problem", "pose"]
+
+BUDGET = 20.0
+"""Seconds that a single decision may take before it gives up as undecided."""
+SAMPLES = 40
+
+
+@dataclass(slots=True)
+class _Entry:
+    """One entry of one goal: what must vanish, and how it was found to."""
+
+    goal: Goal
+    label: str
+    place: tuple[int, int]
+    ratio: Ratio
+    cofactors: Combination | None = None
+
+
+def decide_problem(problem: Problem, own: tuple[Hypothesis, ...] = (), budget: float = BUDGET) -> Verdict:
+    """The verdict on a problem; `own` are the hypotheses whose use is reported.
+
+    `Fails` always carries a counterexample and `Holds` a certificate; nothing is concluded from a remainder alone.
+    """
+    deadline = monotonic() + budget
+    try:
+        context = build(problem)
+        conditions, solved = solve_conditions(context)
+        unproved = _entries(context)
+        proved = _prove(context, context.basis, unproved)
+    except UndeclaredDivisor as error:
+        return IllFormed(str(error))
+    except Untreatable as error:
+        return Undecided(str(error))
+    if not proved:
+        found = _refute(context, solved, [e for e in unproved if e.cofactors is None])
+        if found:
+            return Fails(found)
+        whole = completed(context.basis, lambda: monotonic() < deadline)
+        if not _prove(context, whole, unproved):
+            return Undecided("a remainder is left, and no counterexample was found")
+    return _certified(context, conditions, solved, unproved, own)
+
+
+def pose(problem: Problem) -> Verdict:
+    """A condition, with a point that satisfies it together with the hypotheses."""
+    try:
+        context = build(problem)
+        _, solved = solve_conditions(context)
+    except Untreatable as error:
+        return Undecided(str(error))
+    witness = _witness(context, solved)
+    return Posed(witness) if witness is not None else Undecided("no point was found that satisfies the condition")
+
+
+def _entries(context: Context) -> list[_Entry]:
+    found = []
+    for number, goal in enumerate(context.problem.goals):
+        for i, j, ratio in entries(difference(context, goal)):
+            found.append(_Entry(goal, f"{number}:{i},{j}", (i + 1, j + 1), ratio))
+    return found
+
+
+def _prove(context: Context, basis: Basis, todo: list[_Entry]) -> bool:
+    """Try to reduce every entry to zero; each that does gets its cofactors."""
+    for entry in todo:
+        if entry.cofactors is None:
+            cofactors, remainder = basis.reduce(entry.ratio.numerator)
+            if remainder == 0:
+                entry.cofactors = cofactors
+    return all(entry.cofactors is not None for entry in todo)
+
+
+def _solved_ratios(context: Context, solved: tuple[Solved, ...]) -> dict[str, tuple[Polynomial, Polynomial]]:
+    return {s.variable: (s.value.numerator, context.field.power_product(s.value.denominator)) for s in solved}
+
+
+def _refute(context: Context, solved: tuple[Solved, ...], suspects: list[_Entry]) -> Counterexample | None:
+    """The counterexample that is easiest to evaluate by hand among those that a number of sample points give."""
+    best: tuple[int, Counterexample] | None = None
+    used = _used_variables(context, solved, suspects)
+    for point in _limited(context, solved):
+        for entry in suspects:
+            value = points.ratio_at(context, entry.ratio, point)
+            if value is None or is_zero(value):
+                continue
+            left, right = (context.unfold(side)[entry.place[0] - 1][entry.place[1] - 1] for side in (entry.goal.left, entry.goal.right))
+            sides = [points.ratio_at(context, side, point) for side in (left, right)]
+            if sides[0] is None or sides[1] is None:
+                continue
+            texts = [shown(side, _transcendental_name(context)) for side in sides if side is not None]
+            shown_point = {name: point[name] for name in used}
+            found = Counterexample(shown_point, entry.place, texts[0], texts[1], entry.goal.label)
+            cost = sum(_height(x) for x in shown_point.values()) + len(texts[0]) + len(texts[1])
+            if best is None or cost < best[0]:
+                best = cost, found
+            break
+    return best[1] if best else None
+
+
+def _transcendental_name(context: Context) -> str:
+    if context.pi_measures or not context.transcendental:
+        return "pi"
+    return context.variables[min(context.transcendental)].name
+
+
+def _limited(context: Context, solved: tuple[Solved, ...]) -> Any:
+    """Sample points, as many as are useful, given up after a while where they are rare."""
+    return islice(points.sample(context, _solved_ratios(context, solved)), SAMPLES)
+
+
+def _height(value: Fraction) -> int:
+    return 0 if value == 0 else 1 + 2 * (abs(value) != 1) + len(str(abs(value.numerator))) + 3 * (len(str(value.denominator)) if value.denominator != 1 else 0)
+
+
+def _used_variables(context: Context, solved: tuple[Solved, ...], suspects: list[_Entry]) -> list[str]:
+    """The variables on which the question depends, in a reader's order: those that were solved for left out."""
+    ring = context.field.ring
+    polynomials = [p for e in suspects for p in (e.ratio.numerator, context.field.power_product(e.ratio.denominator))]
+    for entry in suspects:
+        for side in (entry.goal.left, entry.goal.right):
+            polynomials += [r.numerator for _, _, r in entries(context.unfold(side))]
+    places = {k for p in polynomials for exponents, _ in ring.terms(p) for k, e in enumerate(exponents) if e}
+    touched = {context.variables[k].symbol for k in places} - {None}
+    names = [v.name for k, v in enumerate(context.variables) if k in places or (v.symbol in touched and v.kind == "entry" and v.order == 0 and k not in context.transcendental)]
+    gone = {s.variable for s in solved} | {context.variables[k].name for k in context.transcendental}
+    return sorted(name for name in names if name not in gone)
+
+
+def _witness(context: Context, solved: tuple[Solved, ...]) -> points.Point | None:
+    return next(iter(_limited(context, solved)), None)
+
+
+def _certified(
+    context: Context, conditions: tuple[Generator, ...], solved: tuple[Solved, ...], done: list[_Entry], own: tuple[Hypothesis, ...]
+) -> Verdict:
+    witness = _witness(context, solved)
+    if witness is None:
+        return Undecided("it follows from its hypotheses, but no point was found that satisfies them all")
+    unused = _drop_unneeded(context, solved, done, own)
+    used = _used_hypotheses(context, solved, done)
+    needs = tuple(h.text for h in context.active if h in used)
+    certificate = _certificate(context, conditions, solved, done, witness)
+    if needs:
+        return HoldsUnder(needs, certificate, witness, unused)
+    return Holds(certificate, witness, unused)
+
+
+def _used_hypotheses(context: Context, solved: tuple[Solved, ...], done: list[_Entry]) -> set[Hypothesis]:
+    places = {k for entry in done for k in (entry.cofactors or {})} | {k for s in solved for k in s.cofactors}
+    used = {h for k in places if (h := context.generators[k].hypothesis) is not None}
+    denominators = [e.ratio.denominator for e in done] + [s.value.denominator for s in solved]
+    for place, (hypothesis, _) in enumerate(context.atoms):
+        if hypothesis is not None and any(len(d) > place and d[place] for d in denominators):
+            used.add(hypothesis)
+    return used
+
+
+def _drop_unneeded(
+    context: Context, solved: tuple[Solved, ...], done: list[_Entry], own: tuple[Hypothesis, ...]
+) -> tuple[str, ...]:
+    """Do without each hypothesis in turn where that is possible; the statement's own that are not needed, by name."""
+    ring = context.field.ring
+    dropped: set[Hypothesis] = set()
+    in_solved = {h for s in solved for k in s.cofactors if (h := context.generators[k].hypothesis) is not None}
+    for hypothesis in context.active:
+        if not hypothesis.equations or hypothesis in in_solved:
+            continue
+        kept = [k for k, g in enumerate(context.generators) if g.hypothesis is None or g.hypothesis not in dropped | {hypothesis}]
+        basis = stated(ring, tuple(context.generators[k].polynomial for k in kept), complete=False)
+        attempts = [basis.reduce(entry.ratio.numerator) for entry in done]
+        if all(remainder == 0 for _, remainder in attempts):
+            dropped.add(hypothesis)
+            for entry, (cofactors, _) in zip(done, attempts, strict=True):
+                entry.cofactors = {kept[k]: c for k, c in cofactors.items()}
+    used = _used_hypotheses(context, solved, done)
+    return tuple(h.text for h in own if h not in used)
+
+
+def _certificate(
+    context: Context, conditions: tuple[Generator, ...], solved: tuple[Solved, ...], done: list[_Entry], witness: points.Point
+) -> dict[str, Any]:
+    """All that a checker needs, as text: cofactors on the stated hypotheses by name, and a point that satisfies them."""
+    write: Callable[[Polynomial], str] = lambda p: written(context.field.ring, p)  # noqa: E731
+    names = [g.label for g in context.generators]
+    return {
+        "solved": {
+            s.variable: {
+                "numerator": write(s.value.numerator),
+                "denominator": list(s.value.denominator),
+                "conditions": {conditions[k].label: write(c) for k, c in s.conditions.items()},
+                "cofactors": {names[k]: write(c) for k, c in s.cofactors.items()},
+            }
+            for s in solved
+        },
+        "entries": {e.label: {names[k]: write(c) for k, c in (e.cofactors or {}).items()} for e in done},
+        "witness": {name: str(value) for name, value in sorted(witness.items())},
+    }

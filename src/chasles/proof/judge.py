@@ -1,0 +1,118 @@
+"""Every sentence of the book gets its verdict here, and beside a printed slip the verdict on what stands in for it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from time import perf_counter
+from typing import Any
+
+from chasles.proof.decide import BUDGET, decide_problem, pose
+from chasles.proof.verdict import Assumed, Defined, IllFormed, Undecided, Verdict
+from chasles.statements import Claim, Condition, Definition, Entry, Inverse, Postulate, Statement, Theorem, problem_of
+from chasles.statements.inversion import problems_of_inverse
+from chasles.statements.problem import default_form
+from chasles.vocabulary import Misfit
+
+__all__ = ["Correction", "Decision", "Judge"]
+
+Sentence = Statement | Theorem | Inverse
+
+
+@dataclass(frozen=True, slots=True)
+class Correction:
+    """What stands in for a print that does not: its form ("reading" or "corrected") and the verdict on it."""
+
+    form: str
+    verdict: Verdict
+
+
+@dataclass(frozen=True, slots=True)
+class Decision:
+    """The verdict on a sentence as printed, what stands in for it, and how long it took.
+
+    `given` says in which form each given statement was used.
+    """
+
+    statement: Sentence
+    verdict: Verdict
+    correction: Correction | None = None
+    given: dict[str, str] = field(default_factory=dict)
+    milliseconds: float = 0.0
+
+    @property
+    def certificate(self) -> Any:
+        """The certificate of the form that stands, if one was made."""
+        verdict = self.correction.verdict if self.correction and not self.verdict.true else self.verdict
+        return getattr(verdict, "certificate", None)
+
+
+class Judge:
+    """Decides sentences, each once; a given claim that fails is used in the form that stands in for it."""
+
+    def __init__(self, budget: float = BUDGET) -> None:
+        self.budget = budget
+        self._decisions: dict[int, Decision] = {}
+
+    def decide_all(self, entries: Iterable[Entry]) -> Iterator[tuple[Entry, Decision]]:
+        """The decisions, one at a time, in the order of the entries."""
+        for entry in entries:
+            yield entry, self.decide(entry.statement)
+
+    def decide(self, sentence: Sentence) -> Decision:
+        """The decision on one sentence; those on which it rests are decided first where that matters."""
+        known = self._decisions.get(id(sentence))
+        if known is None:
+            known = self._decisions[id(sentence)] = self._decide(sentence)
+        return known
+
+    def standing(self, statement: Statement) -> str:
+        """The form in which a given statement is used: printed, unless that fails and another form stands in."""
+        if statement.fault or not isinstance(statement, Claim):
+            return default_form(statement)
+        decision = self.decide(statement)
+        if decision.verdict.true or decision.correction is None:
+            return "printed"
+        return decision.correction.form
+
+    def _decide(self, sentence: Sentence) -> Decision:
+        started = perf_counter()
+        given = {f"{g.number}/{g.part}": self.standing(g) for g in sentence.given}
+        if isinstance(sentence, Inverse):
+            verdict = self._inverse(sentence)
+        else:
+            verdict = self._form(sentence, "printed")
+        correction = None
+        if isinstance(sentence, Statement) and not verdict.true:
+            form = "reading" if sentence.reading is not None else "corrected"
+            if sentence.form_exists(form):
+                correction = Correction(form, self._form(sentence, form))
+        return Decision(sentence, verdict, correction, given, (perf_counter() - started) * 1000)
+
+    def _form(self, sentence: Statement | Theorem, form: str) -> Verdict:
+        """The verdict on one form of a sentence."""
+        try:
+            problem = problem_of(sentence, form, self.standing)
+        except Misfit as misfit:
+            return IllFormed(str(misfit))
+        except TypeError as error:
+            return Undecided(str(error))
+        match sentence:
+            case Definition():
+                return Defined()
+            case Postulate():
+                return Assumed()
+            case Condition():
+                return pose(problem) if sentence.on else self._posed(sentence, form)
+            case _:
+                return decide_problem(problem, sentence.assuming, self.budget)
+
+    def _posed(self, sentence: Condition, form: str) -> Verdict:
+        """A condition that says no more than its named hypotheses: decided to follow from them, and then posed."""
+        problem = problem_of(sentence, form, self.standing)
+        verdict = decide_problem(problem, sentence.assuming, self.budget)
+        return pose(problem) if verdict.true else verdict
+
+    def _inverse(self, sentence: Inverse) -> Verdict:
+        problem = problems_of_inverse(sentence, self.standing)
+        return decide_problem(problem, sentence.assuming, self.budget)

@@ -1,0 +1,93 @@
+"""Fractions without greatest common divisors: a numerator over powers of declared, nonvanishing atoms.
+
+Nothing is ever cancelled, because a fraction vanishes exactly when its numerator does; and what is divided by stays in
+sight, as the list of atoms.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from chasles.proof.rings import Polynomial, Ring
+
+__all__ = ["Field", "Ratio"]
+
+
+@dataclass(slots=True)
+class Field:
+    """A ring together with the atoms that may be divided by, in the order in which they were declared."""
+
+    ring: Ring
+    atoms: list[Polynomial]
+
+    def ratio(self, numerator: Polynomial) -> Ratio:
+        """A polynomial as a fraction."""
+        return Ratio(self, numerator, ())
+
+    def constant(self, value: Fraction | int) -> Ratio:
+        return Ratio(self, self.ring.constant(Fraction(value)), ())
+
+    def power_product(self, exponents: tuple[int, ...]) -> Polynomial:
+        """The product of the atoms with the given exponents."""
+        total = self.ring.constant(Fraction(1))
+        for atom, exponent in zip(self.atoms, exponents, strict=False):
+            for _ in range(exponent):
+                total = total * atom
+        return total
+
+
+@dataclass(frozen=True, slots=True)
+class Ratio:
+    """numerator / product of atom_k ** denominator[k]; trailing zeros of the exponents are left out."""
+
+    field: Field
+    numerator: Polynomial
+    denominator: tuple[int, ...]
+
+    def __add__(self, other: Ratio) -> Ratio:
+        if self.denominator == other.denominator:
+            return Ratio(self.field, self.numerator + other.numerator, self.denominator)
+        common = _largest(self.denominator, other.denominator)
+        return Ratio(self.field, self.over(common) + other.over(common), common)
+
+    def __neg__(self) -> Ratio:
+        return Ratio(self.field, -self.numerator, self.denominator)
+
+    def __sub__(self, other: Ratio) -> Ratio:
+        return self + (-other)
+
+    def __mul__(self, other: Ratio) -> Ratio:
+        return Ratio(self.field, self.numerator * other.numerator, _product(self.denominator, other.denominator))
+
+    def over(self, denominator: tuple[int, ...]) -> Polynomial:
+        """The numerator over a denominator that this one's divides."""
+        missing = tuple(
+            wanted - (self.denominator[k] if k < len(self.denominator) else 0) for k, wanted in enumerate(denominator)
+        )
+        return self.numerator * self.field.power_product(missing) if any(missing) else self.numerator
+
+    def divided(self, constant: Fraction, exponents: tuple[int, ...]) -> Ratio:
+        """The fraction divided by a constant times a product of atoms."""
+        numerator = self.numerator if constant == 1 else self.numerator * self.field.ring.constant(1 / constant)
+        return Ratio(self.field, numerator, _product(self.denominator, exponents))
+
+    @property
+    def is_zero(self) -> bool:
+        return bool(self.numerator == 0)
+
+
+def _largest(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:
+    size = max(len(one), len(other))
+    return tuple(max(a, b) for a, b in zip(_padded(one, size), _padded(other, size), strict=True))
+
+
+def _product(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:
+    if not one or not other:
+        return one or other
+    size = max(len(one), len(other))
+    return tuple(a + b for a, b in zip(_padded(one, size), _padded(other, size), strict=True))
+
+
+def _padded(exponents: tuple[int, ...], size: int) -> tuple[int, ...]:
+    return exponents + (0,) * (size - len(exponents))

@@ -1,0 +1,126 @@
+"""Polynomials with rational coefficients behind one small surface, on python-flint or on SymPy's own rings.
+
+Both give the same answers: division by a single polynomial has a unique result in a given term order. The environment
+variable CHASLES_POLYNOMIALS=sympy chooses SymPy where flint is installed too.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from functools import cache
+from typing import Any, Protocol
+
+__all__ = ["Polynomial", "Ring", "backend", "make_ring"]
+
+Polynomial = Any
+Exponents = tuple[int, ...]
+
+
+class Ring(Protocol):
+    """A polynomial ring; its polynomials support + - * with each other and with integers."""
+
+    names: tuple[str, ...]
+    generators: tuple[Polynomial, ...]
+
+    def constant(self, value: Fraction) -> Polynomial: ...
+    def from_terms(self, terms: dict[Exponents, Fraction]) -> Polynomial: ...
+    def terms(self, polynomial: Polynomial) -> list[tuple[Exponents, Fraction]]: ...
+    def leading(self, polynomial: Polynomial) -> tuple[Exponents, Fraction]: ...
+    def divide(self, polynomial: Polynomial, divisor: Polynomial) -> tuple[Polynomial, Polynomial]: ...
+    def derivative(self, polynomial: Polynomial, variable: int) -> Polynomial: ...
+
+
+class _FlintRing:
+    def __init__(self, names: Sequence[str], order: str) -> None:
+        import flint
+
+        self.names = tuple(names)
+        kind = flint.Ordering.lex if order == "lex" else flint.Ordering.degrevlex
+        self._context = flint.fmpq_mpoly_ctx.get([f"x{i}" for i in range(max(len(names), 1))], kind)
+        self._rational = flint.fmpq
+        self.generators = tuple(self._context.gens())[: len(names)]
+
+    def constant(self, value: Fraction) -> Polynomial:
+        return self._context.constant(self._rational(value.numerator, value.denominator))
+
+    def from_terms(self, terms: dict[Exponents, Fraction]) -> Polynomial:
+        pad = () if self.names else (0,)
+        return self._context.from_dict(
+            {exponents + pad: self._rational(c.numerator, c.denominator) for exponents, c in terms.items()}
+        )
+
+    def terms(self, polynomial: Polynomial) -> list[tuple[Exponents, Fraction]]:
+        size = len(self.names)
+        return [(tuple(map(int, m))[:size], _fraction(c)) for m, c in polynomial.to_dict().items()]
+
+    def leading(self, polynomial: Polynomial) -> tuple[Exponents, Fraction]:
+        return tuple(map(int, polynomial.monomial(0))), _fraction(polynomial.coefficient(0))
+
+    def divide(self, polynomial: Polynomial, divisor: Polynomial) -> tuple[Polynomial, Polynomial]:
+        quotient, remainder = divmod(polynomial, divisor)
+        return quotient, remainder
+
+    def derivative(self, polynomial: Polynomial, variable: int) -> Polynomial:
+        return polynomial.derivative(variable)
+
+
+def _fraction(value: Any) -> Fraction:
+    return Fraction(int(value.p), int(value.q))
+
+
+class _SympyRing:
+    def __init__(self, names: Sequence[str], order: str) -> None:
+        from sympy import QQ, Symbol
+        from sympy.polys.rings import PolyRing
+
+        self.names = tuple(names)
+        symbols = [Symbol(f"x{i}") for i in range(max(len(names), 1))]
+        self._ring = PolyRing(symbols, QQ, "lex" if order == "lex" else "grevlex")
+        self._rationals = QQ
+        self.generators = tuple(self._ring.gens)[: len(names)]
+
+    def constant(self, value: Fraction) -> Polynomial:
+        return self._ring.ground_new(self._rationals(value.numerator, value.denominator))
+
+    def from_terms(self, terms: dict[Exponents, Fraction]) -> Polynomial:
+        pad = () if self.names else (0,)
+        return self._ring.from_dict(
+            {exponents + pad: self._rationals(c.numerator, c.denominator) for exponents, c in terms.items()}
+        )
+
+    def terms(self, polynomial: Polynomial) -> list[tuple[Exponents, Fraction]]:
+        size = len(self.names)
+        return [(tuple(m)[:size], self._fraction(c)) for m, c in polynomial.terms()]
+
+    def leading(self, polynomial: Polynomial) -> tuple[Exponents, Fraction]:
+        return tuple(polynomial.LM), self._fraction(polynomial.LC)
+
+    def divide(self, polynomial: Polynomial, divisor: Polynomial) -> tuple[Polynomial, Polynomial]:
+        quotient, remainder = polynomial.div(divisor)
+        return quotient, remainder
+
+    def derivative(self, polynomial: Polynomial, variable: int) -> Polynomial:
+        return polynomial.diff(self.generators[variable])
+
+    def _fraction(self, value: Any) -> Fraction:
+        return Fraction(int(self._rationals.numer(value)), int(self._rationals.denom(value)))
+
+
+@cache
+def backend() -> str:
+    """Which polynomials are in use: "flint" or "sympy"."""
+    if os.environ.get("CHASLES_POLYNOMIALS", "") == "sympy":
+        return "sympy"
+    try:
+        import flint  # noqa: F401
+    except ImportError:
+        return "sympy"
+    return "flint"
+
+
+def make_ring(names: Iterable[str], order: str = "lex") -> Ring:
+    """The ring of polynomials in the named variables, the first the largest, in the order "lex" or "grevlex"."""
+    names = tuple(names)
+    return _FlintRing(names, order) if backend() == "flint" else _SympyRing(names, order)

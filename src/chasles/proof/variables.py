@@ -1,0 +1,165 @@
+"""Which variables does a problem have? One for each entry of each free symbol and of its rates, two for each angle,
+one for each norm.
+
+An angle phi that occurs with the multiples q of itself is measured by the cosine and sine of u phi, where u is the
+largest rational of which all these q are whole multiples: phi/2 if the half-angle occurs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from math import gcd, lcm
+
+from chasles.vocabulary import Call, Group, Negative, Node, Norm, Number, Quotient, Rate, Scale, Sum, Symbol, children, plain
+
+__all__ = ["Untreatable", "Variable", "Variables", "angle_multiples", "entry_name", "scan"]
+
+
+class Untreatable(ValueError):
+    """An expression that the decision procedure does not treat; the message names it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """A variable of the ring: an "entry" of a symbol's `order`-th rate, a "cos", a "sin" or a "norm"."""
+
+    kind: str
+    name: str
+    symbol: Symbol | None = None
+    order: int = 0
+    row: int = 0
+    column: int = 0
+    node: Node | None = None
+
+
+@dataclass(slots=True)
+class Variables:
+    """What the scan of a problem finds."""
+
+    orders: dict[Symbol, int] = field(default_factory=dict)
+    angles: dict[Symbol, Fraction] = field(default_factory=dict)
+    angle_orders: dict[Symbol, int] = field(default_factory=dict)
+    norms: dict[Node, None] = field(default_factory=dict)
+
+    def listed(self, unknowns: tuple[Symbol, ...]) -> Iterator[Variable]:
+        """The variables from largest to smallest in the term order.
+
+        The entries of a vector's rates are ordered so that e.e - 1 and its derivatives have coprime leading terms:
+        then they are a Groebner basis as they stand.
+        """
+        for node in self.norms:
+            yield Variable("norm", f"|{plain(node)}|", node=node)
+        ranked = sorted(self.orders.items(), key=lambda item: item[0] not in unknowns)
+        highest = max(self.orders.values(), default=0)
+        for order in range(highest, -1, -1):
+            for symbol, known in ranked:
+                if order <= known:
+                    yield from _entries(symbol, order)
+        for symbol, unit in self.angles.items():
+            name = angle_name(symbol, unit)
+            yield Variable("sin", f"sin({name})", symbol)
+            yield Variable("cos", f"cos({name})", symbol)
+
+
+def angle_name(symbol: Symbol, unit: Fraction) -> str:
+    """The angle whose cosine and sine are the variables: phi, phi/2, 3phi/4."""
+    above = "" if unit.numerator == 1 else str(unit.numerator)
+    return f"{above}{symbol.name}" + (f"/{unit.denominator}" if unit.denominator != 1 else "")
+
+
+def entry_name(symbol: Symbol, order: int, row: int, column: int) -> str:
+    """The name of one entry of a symbol or of its rate: e_1, Q_12, a_dot_3, phi."""
+    rows, columns = symbol.shape
+    stem = symbol.name + (f"_{'d' * order}ot" if order else "")
+    if (rows, columns) == (1, 1):
+        return stem
+    return f"{stem}_{row + 1}" if columns == 1 else f"{stem}_{row + 1}{column + 1}"
+
+
+def _entries(symbol: Symbol, order: int) -> Iterator[Variable]:
+    rows, columns = symbol.shape
+    places = [(i, j) for i in range(rows) for j in range(columns)]
+    turn = (order - 1) % len(places)
+    places = places[::-1] if order == 0 else places[turn:] + places[:turn]
+    for i, j in places:
+        yield Variable("entry", entry_name(symbol, order, i, j), symbol, order, i, j)
+
+
+def scan(found: Variables, node: Node, order: int, rules: Mapping[Node, Node]) -> None:
+    """Record the variables that the `order`-th rate of an expression needs, once the rules are applied."""
+    if node in rules:
+        scan(found, rules[node], order, rules)
+        return
+    match node:
+        case Symbol():
+            _scan_symbol(found, node, order, rules)
+        case Rate(of):
+            scan(found, of, order + 1, rules)
+        case Call(function, argument):
+            if function not in ("sin", "cos"):
+                raise Untreatable(f"the function {function} in {plain(node)} is not treated: only sin and cos are")
+            for symbol, multiple in angle_multiples(argument, rules).items():
+                _scan_angle(found, symbol, multiple, order)
+        case Norm(of):
+            scan(found, of, order, rules)
+            found.norms[of] = None
+        case _:
+            for part in children(node):
+                scan(found, part, order, rules)
+
+
+def _scan_symbol(found: Variables, symbol: Symbol, order: int, rules: Mapping[Node, Node]) -> None:
+    if symbol.stands_for is not None:
+        scan(found, symbol.stands_for, order, rules)
+        return
+    if symbol.constant:
+        found.orders.setdefault(symbol, 0)
+        return
+    rate, free = Rate(symbol), 0
+    while free < order and rate not in rules:
+        rate, free = Rate(rate), free + 1
+    found.orders[symbol] = max(found.orders.get(symbol, 0), free)
+    if free < order:
+        scan(found, rules[rate], order - free - 1, rules)
+
+
+def _scan_angle(found: Variables, symbol: Symbol, multiple: Fraction, order: int) -> None:
+    old = found.angles.get(symbol)
+    new = abs(multiple)
+    if old is not None:
+        new = Fraction(gcd(old.numerator, new.numerator), lcm(old.denominator, new.denominator))
+    found.angles[symbol] = new
+    found.angle_orders[symbol] = max(found.angle_orders.get(symbol, 0), order)
+    if order:
+        found.orders[symbol] = max(found.orders.get(symbol, 0), order)
+
+
+def angle_multiples(argument: Node, rules: Mapping[Node, Node]) -> dict[Symbol, Fraction]:
+    """An angle as a sum of rational multiples of symbols; raises `Untreatable` for any other argument."""
+    total: dict[Symbol, Fraction] = {}
+    for symbol, multiple in _linear(argument, Fraction(1), rules):
+        total[symbol] = total.get(symbol, Fraction(0)) + multiple
+    return {symbol: multiple for symbol, multiple in total.items() if multiple}
+
+
+def _linear(node: Node, scale: Fraction, rules: Mapping[Node, Node]) -> Iterator[tuple[Symbol, Fraction]]:
+    match node:
+        case _ if node in rules:
+            yield from _linear(rules[node], scale, rules)
+        case Symbol():
+            yield node, scale
+        case Group(of):
+            yield from _linear(of, scale, rules)
+        case Negative(term):
+            yield from _linear(term, -scale, rules)
+        case Sum(terms):
+            for term in terms:
+                yield from _linear(term, scale, rules)
+        case Scale(Number(value), term) | Scale(term, Number(value)):
+            yield from _linear(term, scale * value, rules)
+        case Quotient(numerator, Number(value)):
+            yield from _linear(numerator, scale / value, rules)
+        case _:
+            raise Untreatable(f"{plain(node)} is no angle: an angle is a sum of rational multiples of symbols")

@@ -1,0 +1,50 @@
+"""SENTENCES: what the book says, as data. A declaration holds no verdict and no code; `load` reads the whole book."""
+
+from chasles.statements.chapter import Chapter, DeclarationError, Entry, Section, load
+from chasles.statements.forms import Always, Exists, Iff, Minimum, Unique
+from chasles.statements.hypotheses import (
+    Hypothesis,
+    nonzero,
+    orthonormal,
+    perpendicular,
+    positive,
+    rotation,
+    symmetric,
+    unit,
+)
+from chasles.statements.inversion import Branch, Inverse
+from chasles.statements.problem import Goal, Problem, problem_of
+from chasles.statements.statement import Claim, Condition, Definition, Kernel, Postulate, Statement, Theorem
+
+__all__ = [
+    "Always",
+    "Branch",
+    "Chapter",
+    "Claim",
+    "Condition",
+    "DeclarationError",
+    "Definition",
+    "Entry",
+    "Exists",
+    "Goal",
+    "Hypothesis",
+    "Iff",
+    "Inverse",
+    "Kernel",
+    "Minimum",
+    "Postulate",
+    "Problem",
+    "Section",
+    "Statement",
+    "Theorem",
+    "Unique",
+    "load",
+    "nonzero",
+    "orthonormal",
+    "perpendicular",
+    "positive",
+    "problem_of",
+    "rotation",
+    "symmetric",
+    "unit",
+]

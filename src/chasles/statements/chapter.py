@@ -1,0 +1,139 @@
+"""The whole book as one object: every statement, by name and by number, in the order in which it was declared."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from importlib import import_module
+from types import ModuleType
+
+from chasles.statements.inversion import Inverse
+from chasles.statements.statement import Statement, Theorem
+
+__all__ = ["Chapter", "DeclarationError", "Entry", "Section", "load"]
+
+Sentence = Statement | Theorem | Inverse
+
+
+class DeclarationError(ValueError):
+    """The declarations contradict each other: a number said twice, a statement resting on a later one."""
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """A heading of the book; the statements declared below it belong to it."""
+
+    number: str
+    title: str
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """A statement with its name (that of the variable that holds it) and its section."""
+
+    name: str
+    section: Section
+    statement: Sentence
+
+    @property
+    def number(self) -> str:
+        return self.statement.number
+
+    @property
+    def key(self) -> tuple[str, int]:
+        return self.statement.number, self.statement.part
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """The statements of a book. Raises `DeclarationError` if two have one number and part, or one rests on a later one."""
+
+    title: str
+    entries: tuple[Entry, ...]
+
+    def __post_init__(self) -> None:
+        seen: dict[tuple[str, int], str] = {}
+        order = {id(entry.statement): place for place, entry in enumerate(self.entries)}
+        for place, entry in enumerate(self.entries):
+            number, part = entry.key
+            if entry.key in seen:
+                raise DeclarationError(
+                    f"{seen[entry.key]} and {entry.name} are both declared as ({number}), part {part}: "
+                    "give the second another `part`"
+                )
+            seen[entry.key] = entry.name
+            for given in entry.statement.given:
+                if order.get(id(given), -1) >= place:
+                    raise DeclarationError(f"{entry.name} ({number}) rests on ({given.number}), which comes after it")
+
+    @cached_property
+    def sections(self) -> tuple[Section, ...]:
+        return tuple(dict.fromkeys(entry.section for entry in self.entries))
+
+    @cached_property
+    def numbers(self) -> tuple[str, ...]:
+        """Every number once, in the book's order."""
+        return tuple(sorted({entry.number for entry in self.entries}, key=_place))
+
+    def __iter__(self) -> Iterator[Entry]:
+        return iter(self.entries)
+
+    def select(self, numbers: Sequence[str] = (), sections: Sequence[str] = ()) -> tuple[Entry, ...]:
+        """The entries with one of the numbers, or of one of the sections; all without either.
+
+        Raises KeyError naming the first number or section that the book does not have.
+        """
+        for number in numbers:
+            if number not in self.numbers and number not in {entry.name for entry in self.entries}:
+                raise KeyError(number)
+        for section in sections:
+            if not any(_within(known.number, section) for known in self.sections):
+                raise KeyError(section)
+        return tuple(
+            entry
+            for entry in self.entries
+            if not (numbers or sections)
+            or entry.number in numbers
+            or entry.name in numbers
+            or any(_within(entry.section.number, section) for section in sections)
+        )
+
+
+def _within(number: str, section: str) -> bool:
+    return number == section or number.startswith(section + ".")
+
+
+def _place(number: str) -> tuple[int, list[tuple[int, str]], str]:
+    """Where a number stands in the book: 3.9a before 3.9b before 3.10, equations before theorems before text."""
+    kinds = ("Thm", "Cor", "text", "Ex")
+    kind = next((i + 1 for i, word in enumerate(kinds) if number.startswith(word)), 0)
+    return kind, [(int(digits), letters) for digits, letters in re.findall(r"(\d+)([a-z]*)", number)], number
+
+
+def load(package: str = "chasles.derivations") -> Chapter:
+    """The chapter that a package of declarations declares: its `SECTIONS`, module by module.
+
+    Raises `DeclarationError` for contradictory declarations, and ModuleNotFoundError if there is no such package.
+    """
+    book = import_module(package)
+    entries: list[Entry] = []
+    seen: set[int] = set()
+    for name in book.SECTIONS:
+        for entry in _entries(import_module(f"{package}.{name}"), seen):
+            seen.add(id(entry.statement))
+            entries.append(entry)
+    return Chapter(getattr(book, "TITLE", package), tuple(entries))
+
+
+def _entries(module: ModuleType, seen: set[int]) -> Iterator[Entry]:
+    """The statements that a module declares; those that it imports are `seen` already."""
+    section: Section | None = None
+    for name, value in vars(module).items():
+        if isinstance(value, Section):
+            section = value
+        elif isinstance(value, Statement | Theorem | Inverse) and id(value) not in seen:
+            if section is None:
+                raise DeclarationError(f"{module.__name__}.{name} is declared before any Section")
+            yield Entry(name, section, value)

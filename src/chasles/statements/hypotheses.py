@@ -1,0 +1,118 @@
+"""The named hypotheses: the only side conditions that a statement may assume.
+
+Each says what it means as equations between words and as expressions that do not vanish; nothing else is known of it.
+A free equation is not among them, so that no conclusion can be assumed.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from fractions import Fraction
+
+from chasles.vocabulary import Block, Cofactor, Dot, Identity, Node, Number, Symbol, Transpose, latex, plain
+
+__all__ = ["Hypothesis", "nonzero", "orthonormal", "perpendicular", "positive", "rotation", "symmetric", "unit"]
+
+
+@dataclass(frozen=True, slots=True)
+class Hypothesis:
+    """A named side condition on `subjects`: its `equations` hold and its `nonvanishing` expressions are not zero."""
+
+    kind: str
+    subjects: tuple[Node, ...]
+    equations: tuple[tuple[Node, Node], ...] = ()
+    nonvanishing: tuple[Node, ...] = ()
+    latex: str = ""
+    text: str = ""
+
+
+def _symbol(subject: Node, kind: str) -> None:
+    if not isinstance(subject, Symbol) or subject.stands_for is not None:
+        raise TypeError(f"{kind} is said of a symbol, and {subject} is an expression")
+
+
+def unit(vector: Node) -> Hypothesis:
+    """The vector has length one."""
+    _symbol(vector, "unit")
+    equation = (Dot(vector, vector), Number(Fraction(1)))
+    return Hypothesis("unit", (vector,), (equation,), (), rf"\|{latex(vector)}\| = 1", f"|{plain(vector)}| = 1")
+
+
+def nonzero(expression: Node, letter: str = "") -> Hypothesis:
+    """The scalar is not zero; `letter` says it in LaTeX in the reader's terms (phi != 0 rather than 1 - cos(phi) != 0)."""
+    if not expression.is_scalar:
+        raise TypeError(f"nonzero is said of a scalar, and {expression} is {expression.shape[0]} x {expression.shape[1]}")
+    said = letter or rf"{latex(expression)} \neq 0"
+    text = _plain_of(letter) if letter else f"{plain(expression)} != 0"
+    return Hypothesis("nonzero", (expression,), (), (expression,), said, text)
+
+
+def positive(quantity: Node) -> Hypothesis:
+    """The scalar is greater than zero, as a mass is; a proof uses only that it is not zero."""
+    _symbol(quantity, "positive")
+    return Hypothesis("positive", (quantity,), (), (quantity,), f"{latex(quantity)} > 0", f"{plain(quantity)} > 0")
+
+
+def symmetric(matrix: Node) -> Hypothesis:
+    """The matrix equals its transpose."""
+    _symbol(matrix, "symmetric")
+    equation = (matrix, Transpose(matrix))
+    return Hypothesis(
+        "symmetric", (matrix,), (equation,), (), rf"{latex(matrix)} = {latex(matrix)}^T", f"{plain(matrix)} is symmetric"
+    )
+
+
+def rotation(matrix: Node) -> Hypothesis:
+    """The matrix is proper orthogonal; the 21 quadrics that say so are already a Groebner basis."""
+    _symbol(matrix, "rotation")
+    return Hypothesis(
+        "rotation", (matrix,), _proper_orthogonal(matrix), (), rf"{latex(matrix)} \in SO(3)", f"{plain(matrix)} is a rotation"
+    )
+
+
+def orthonormal(first: Node, second: Node, third: Node) -> Hypothesis:
+    """The three vectors are orthonormal and right-handed: as columns they make a rotation."""
+    triad = (first, second, third)
+    for vector in triad:
+        _symbol(vector, "orthonormal")
+    names = ", ".join(map(plain, triad))
+    letters = ", ".join(map(latex, triad))
+    return Hypothesis(
+        "orthonormal",
+        triad,
+        _proper_orthogonal(Block((triad,))),
+        (),
+        rf"\{{ {letters} \}} \text{{ orthonormal, right-handed}}",
+        f"{names} are orthonormal and right-handed",
+    )
+
+
+def perpendicular(one: Node, other: Node) -> Hypothesis:
+    """The two vectors are at right angles."""
+    _symbol(one, "perpendicular")
+    _symbol(other, "perpendicular")
+    equation = (Dot(one, other), Number(Fraction(0)))
+    return Hypothesis(
+        "perpendicular",
+        (one, other),
+        (equation,),
+        (),
+        rf"{latex(one)} \perp {latex(other)}",
+        f"{plain(one)} is perpendicular to {plain(other)}",
+    )
+
+
+def _proper_orthogonal(matrix: Node) -> tuple[tuple[Node, Node], ...]:
+    identity = Identity(3)
+    return (
+        (Transpose(matrix) @ matrix, identity),
+        (matrix @ Transpose(matrix), identity),
+        (matrix, Cofactor(matrix)),
+    )
+
+
+def _plain_of(letter: str) -> str:
+    """A short LaTeX condition in plain text."""
+    text = letter.replace(r"\neq", "!=").replace(r"\pi", "pi").replace(r"\|", "|")
+    return re.sub(r"\\(?:mathbf|boldsymbol)\{([^}]*)\}", r"\1", text).replace("\\", "")

@@ -1,0 +1,119 @@
+"""What exactly must be decided? A statement as goals, rules, conditions and hypotheses: words only, no algebra.
+
+The prover and the checker of certificates both start here, and from nowhere else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from chasles.statements.hypotheses import Hypothesis
+from chasles.statements.statement import Claim, Condition, Definition, Statement, Theorem, is_rule
+from chasles.vocabulary import Contract, Identity, Inverse, Misfit, Negative, Node, Sum, Symbol, members_of, replace
+from chasles.vocabulary.families import indices_of
+
+__all__ = ["Goal", "Problem", "default_form", "problem_of"]
+
+Decidable = Statement | Theorem
+
+
+@dataclass(frozen=True, slots=True)
+class Goal:
+    """Two sides to be proved equal, entry by entry."""
+
+    label: str
+    left: Node
+    right: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """For all values of the symbols that satisfy `hypotheses` and `conditions`, with `rules` applied: the goals hold.
+
+    `rules` replace symbols (or rates of symbols); `unknowns` are the symbols that the conditions must determine.
+    """
+
+    goals: tuple[Goal, ...]
+    rules: tuple[tuple[Node, Node], ...] = ()
+    conditions: tuple[Goal, ...] = ()
+    unknowns: tuple[Symbol, ...] = ()
+    hypotheses: tuple[Hypothesis, ...] = ()
+
+
+def default_form(statement: Statement) -> str:
+    """The form that stands for a statement that is not decided: as read where the print does not fit."""
+    if not statement.fault:
+        return "printed"
+    return "reading" if statement.reading is not None else "corrected"
+
+
+def problem_of(
+    statement: Decidable, form: str = "printed", standing: Callable[[Statement], str] = default_form
+) -> Problem:
+    """The problem that decides a statement in one of its forms; `standing` says which form of a given one stands for it.
+
+    Raises `Misfit` if that form does not fit together, and TypeError if a given statement cannot be used.
+    """
+    rules: list[tuple[Node, Node]] = []
+    conditions: list[Goal] = []
+    unknowns: dict[Symbol, None] = {}
+    for given in statement.given:
+        left, right = given.form(standing(given))
+        if isinstance(given, Condition) and given.on:
+            conditions.append(Goal(f"({given.number})", left, right))
+            unknowns |= dict.fromkeys(given.on)
+        elif isinstance(given, Condition):
+            continue
+        elif is_rule(given):
+            rules.append((left, right))
+        elif indices_of(left):
+            rules += [(one, other) for one, other in members_of(left, right)]
+        else:
+            raise TypeError(
+                f"({statement.number}) is given ({given.number}), whose left side {left} is no symbol: "
+                "state it as a Condition on what it determines"
+            )
+    hypotheses = tuple(dict.fromkeys(_hypotheses(statement)))
+    goals = tuple(_goals(statement, form))
+    return Problem(goals, tuple(rules), tuple(conditions), tuple(unknowns), hypotheses)
+
+
+def _hypotheses(statement: Decidable) -> Iterator[Hypothesis]:
+    """What the statement and all that it rests on assume, its own first."""
+    yield from statement.assuming
+    for given in statement.given:
+        yield from _hypotheses(given)
+
+
+def _goals(statement: Decidable, form: str) -> Iterator[Goal]:
+    if isinstance(statement, Theorem):
+        for part in statement.forms:
+            for label, left, right in part.equations():
+                yield Goal(label, left, right)
+        return
+    left, right = statement.form(form)
+    if fault := (statement.fault if form == "printed" else left.fault or right.fault):
+        raise Misfit(fault)
+    if isinstance(statement, Definition) or (isinstance(statement, Condition) and statement.on):
+        return
+    match statement:
+        case Claim(multiplies=Statement() as other):
+            yield _multiple(statement, other, left, right)
+        case Claim(solves=Statement() as other):
+            assert isinstance(left, Symbol)
+            yield Goal("it solves the equation", *(replace(side, {left: right}) for side in other.printed))
+        case _ if isinstance(left, Inverse):
+            identity = Identity(left.shape[0])
+            yield Goal("the matrix times its inverse", Contract((left.of, right)), identity)
+            yield Goal("the inverse times its matrix", Contract((right, left.of)), identity)
+        case _:
+            for one, another in members_of(left, right):
+                yield Goal("", one, another)
+
+
+def _multiple(statement: Claim, other: Statement, left: Node, right: Node) -> Goal:
+    difference: Node = Sum((other.left, Negative(other.right)))
+    if statement.by is not None:
+        difference = statement.by * difference if statement.by.is_scalar else Contract((statement.by, difference))
+    return Goal(f"it is a multiple of ({other.number})", Sum((left, Negative(right))), difference)

@@ -1,0 +1,165 @@
+"""The roles a printed equation can play: it defines, it restricts, it is postulated, or it claims and is decided."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace as with_fields
+from typing import ClassVar
+
+from chasles.statements.forms import Form
+from chasles.statements.hypotheses import Hypothesis
+from chasles.vocabulary import Misfit, Node, Rate, Symbol, plain, replace
+from chasles.vocabulary.measure import added
+
+__all__ = ["Claim", "Condition", "Definition", "Kernel", "Postulate", "Statement", "Theorem"]
+
+Equation = tuple[Node, Node]
+
+
+@dataclass(frozen=True, slots=True)
+class Kernel:
+    """A request to emit the right side as a function `of` the given symbols; `name` defaults to the statement's."""
+
+    of: tuple[Symbol, ...]
+    name: str = ""
+    results: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Statement:
+    """An equation of the book, exactly as printed, with what it rests on.
+
+    `number` is the book's; `part` tells apart the equations of one number. `given` names earlier statements, `assuming`
+    named hypotheses. `reading` is the equation's right side (or both sides) where a mark was lost in the scan,
+    `corrected` what is right where the print is wrong: each is decided beside the print and stands in for it.
+    Raises `Misfit` if the sides do not fit together and neither a reading nor a correction is given.
+    """
+
+    role: ClassVar[str] = "statement"
+
+    number: str
+    left: Node
+    right: Node
+    says: str = ""
+    part: int = 1
+    given: tuple[Statement, ...] = ()
+    assuming: tuple[Hypothesis, ...] = ()
+    reading: Node | Equation | None = None
+    corrected: Node | Equation | None = None
+    sign: str = "="
+    kernel: Kernel | None = None
+    fault: str | None = field(init=False, default=None)
+
+    def __post_init__(self) -> None:
+        fault = self._find_fault()
+        if fault and self.reading is None and self.corrected is None:
+            raise Misfit(
+                f"({self.number}) does not fit: {fault}. If the book prints it so, give its `reading` or `corrected` form"
+            )
+        object.__setattr__(self, "fault", fault)
+
+    def _find_fault(self) -> str | None:
+        if self.left.fault or self.right.fault:
+            return self.left.fault or self.right.fault
+        assert self.left.measure is not None
+        assert self.right.measure is not None
+        try:
+            added(self.left.measure, self.right.measure, (plain(self.left), plain(self.right)), "equate")
+        except Misfit as misfit:
+            return str(misfit)
+        return None
+
+    @property
+    def printed(self) -> Equation:
+        """Both sides as the book prints them."""
+        return self.left, self.right
+
+    def form(self, which: str) -> Equation:
+        """Both sides of the "printed", "reading" or "corrected" form; raises KeyError if there is none."""
+        if which == "printed":
+            return self.printed
+        other = {"reading": self.reading, "corrected": self.corrected}[which]
+        if other is None:
+            raise KeyError(f"({self.number}) has no {which} form")
+        return (self.left, other) if isinstance(other, Node) else other
+
+    def form_exists(self, which: str) -> bool:
+        """Whether the statement has a form of that name."""
+        return which == "printed" or {"reading": self.reading, "corrected": self.corrected}[which] is not None
+
+    def at(self, values: Mapping[Node, Node]) -> Statement:
+        """The same statement said of other symbols."""
+        return with_fields(self, left=replace(self.left, values), right=replace(self.right, values), kernel=None)
+
+
+@dataclass(frozen=True, eq=False)
+class Definition(Statement):
+    """Introduces its left side, a symbol."""
+
+    role: ClassVar[str] = "definition"
+    sign: str = r"\equiv"
+
+
+@dataclass(frozen=True, eq=False)
+class Condition(Statement):
+    """Restricts the symbols `on` which it is posed; together with others it may determine them.
+
+    A condition that says no more than a named hypothesis names it in `assuming` and is `on` nothing.
+    """
+
+    role: ClassVar[str] = "condition"
+    on: tuple[Symbol, ...] = ()
+
+    def at(self, values: Mapping[Node, Node]) -> Condition:
+        moved = tuple(values.get(symbol, symbol) for symbol in self.on)
+        assert all(isinstance(symbol, Symbol) for symbol in moved)
+        return with_fields(
+            self,
+            left=replace(self.left, values),
+            right=replace(self.right, values),
+            on=tuple(s for s in moved if isinstance(s, Symbol)),
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Postulate(Statement):
+    """A law of nature, assumed."""
+
+    role: ClassVar[str] = "postulate"
+
+
+@dataclass(frozen=True, eq=False)
+class Claim(Statement):
+    """Says that its sides are equal whenever what is given and assumed holds; decided.
+
+    `multiplies` and `by`: the claim is the given equation multiplied from the left; then what is decided is that
+    left - right = by (its left - its right), for every value of the symbols, whether or not the equation holds.
+    `solves`: what is decided is that the left side, set to the right side, solves that equation.
+    """
+
+    role: ClassVar[str] = "claim"
+    multiplies: Statement | None = None
+    by: Node | None = None
+    solves: Statement | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Theorem:
+    """A theorem of the book: its `forms` generate the equations that are decided."""
+
+    role: ClassVar[str] = "theorem"
+
+    number: str
+    says: str
+    forms: tuple[Form, ...]
+    given: tuple[Statement, ...] = ()
+    assuming: tuple[Hypothesis, ...] = ()
+    part: int = 1
+    kernel: None = None
+    fault: None = None
+
+
+def is_rule(statement: Statement) -> bool:
+    """Whether the left side is a symbol, or the rate of one, that the right side can stand for."""
+    left = statement.left
+    return isinstance(left, Symbol) or (isinstance(left, Rate) and isinstance(left.of, Symbol))

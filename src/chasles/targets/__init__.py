@@ -1,0 +1,30 @@
+"""LANGUAGES: kernels as text in C, as generalised ufuncs and as array-API Python; a folder here is a language.
+
+`render` makes the text, `write` puts it below a folder, `stale` compares it with what lies there, `discover` finds
+the languages.
+"""
+
+from __future__ import annotations
+
+from chasles.targets.emit import MANIFEST, render
+from chasles.targets.kernel import Check, EmissionError, Heading, Kernel, signature
+from chasles.targets.target import COMMAND, Page, Target, discover
+from chasles.targets.tree import Difference, Written, stale, write
+
+__all__ = [
+    "COMMAND",
+    "MANIFEST",
+    "Check",
+    "Difference",
+    "EmissionError",
+    "Heading",
+    "Kernel",
+    "Page",
+    "Target",
+    "Written",
+    "discover",
+    "render",
+    "signature",
+    "stale",
+    "write",
+]

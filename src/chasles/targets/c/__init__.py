@@ -1,0 +1,39 @@
+"""C99: one header, a file for every section of the book, and a self-test that needs no Python."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from chasles.targets.c.functions import PRECISIONS, Function, batch, single
+from chasles.targets.c.vectors import vectors
+from chasles.targets.kernel import EmissionError, Kernel
+from chasles.targets.target import COMMAND, Page, Target
+
+__all__ = ["TARGET"]
+
+
+def _pages(kernels: tuple[Kernel, ...]) -> Iterator[Page]:
+    functions = {kernel.name: _functions(kernel) for kernel in kernels}
+    _require_distinct([function.name for group in functions.values() for function in group])
+    yield Page("include/chasles.h", "chasles.h.jinja", {"command": COMMAND, "groups": list(functions.values())})
+    for section in dict.fromkeys(kernel.heading.section for kernel in kernels):
+        groups = [functions[kernel.name] for kernel in kernels if kernel.heading.section == section]
+        values = {"command": COMMAND, "section": section, "groups": groups}
+        yield Page(f"src/{section}.c", "section.c.jinja", values)
+    checks = [check for kernel in kernels for check in vectors(kernel)]
+    yield Page("test/self_test.c", "self_test.c.jinja", {"command": COMMAND, "checks": checks})
+
+
+def _functions(kernel: Kernel) -> tuple[Function, ...]:
+    """The functions of a kernel: one item, then a batch, each in both precisions."""
+    return tuple(make(kernel, precision) for make in (single, batch) for precision in PRECISIONS)
+
+
+def _require_distinct(names: list[str]) -> None:
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise EmissionError(f"several functions would be called {', '.join(twice)}; rename a kernel")
+
+
+TARGET = Target("c", Path(__file__).parent, _pages)

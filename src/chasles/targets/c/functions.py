@@ -1,0 +1,101 @@
+"""Which C functions does a kernel become? For either precision one that takes an item and one that takes a batch."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from chasles.lowering.program import Argument, Result
+from chasles.targets.c.language import DIALECTS, RESERVED
+from chasles.targets.constants import DOUBLE, SINGLE, Precision
+from chasles.targets.contract import contract, summary
+from chasles.targets.kernel import Kernel
+from chasles.targets.layout import listed
+from chasles.targets.names import Names
+from chasles.targets.spelling import spelled
+
+__all__ = ["PRECISIONS", "Function", "batch", "public_name", "single"]
+
+PRECISIONS = (DOUBLE, SINGLE)
+
+
+@dataclass(frozen=True, slots=True)
+class Function:
+    """A C function as the templates lay it out: `comment` and `lines` line by line, the prototype without its end."""
+
+    name: str
+    comment: tuple[str, ...]
+    prototype: str
+    lines: tuple[str, ...]
+
+
+def public_name(kernel: Kernel, precision: Precision, variant: str = "") -> str:
+    """The name in the header: chasles_NAME, chasles_NAMEf, chasles_NAME_batch, chasles_NAME_batchf."""
+    return f"chasles_{kernel.name}{variant}{precision.suffix}"
+
+
+def single(kernel: Kernel, precision: Precision) -> Function:
+    """The function that computes one item and stores it once all of it is known."""
+    program = kernel.program
+    text = spelled(program, DIALECTS[precision])
+    name = public_name(kernel, precision)
+    inputs = [_input(word, item, precision) for word, item in zip(text.arguments, program.arguments, strict=True)]
+    outputs = [_output(word, item, precision) for word, item in zip(text.results, program.results, strict=True)]
+    stores = [
+        f"{word}[{position}] = {entry};" if item.shape else f"*{word} = {entry};"
+        for word, item, entries in zip(text.results, program.results, text.entries, strict=True)
+        for position, entry in enumerate(entries)
+    ]
+    if precision is DOUBLE:
+        given = [_shown(word, item) for word, item in zip(text.arguments, program.arguments, strict=True)]
+        returned = [_shown(word, item) for word, item in zip(text.results, program.results, strict=True)]
+        comment = contract(kernel, given, returned)
+    else:
+        comment = summary(kernel, f"{public_name(kernel, DOUBLE)} in single precision")
+    return Function(name, _comment(comment), _prototype(name, [*inputs, *outputs]), (*text.lines, *stores))
+
+
+def batch(kernel: Kernel, precision: Precision) -> Function:
+    """The function that computes `count` items, each input and output with a step of its own."""
+    program = kernel.program
+    names = Names(RESERVED)
+    words = [names.take(item.name) for item in program.parameters]
+    count, index = names.take("count"), names.take("i")
+    steps = [names.take(f"{word}_step") for word in words]
+    parameters, places = [f"size_t {count}"], []
+    for position, (word, step) in enumerate(zip(words, steps, strict=True)):
+        is_input = position < len(program.arguments)
+        parameters.append(f"{'const ' if is_input else ''}{precision.name} *{word}, ptrdiff_t {step}")
+        by_value = is_input and not program.arguments[position].shape
+        places.append(f"{word}[{index} * {step}]" if by_value else f"{word} + {index} * {step}")
+    name = public_name(kernel, precision, "_batch")
+    lines = (
+        f"for (ptrdiff_t {index} = 0; {index} < (ptrdiff_t){count}; {index}++) {{",
+        *(f"    {line}" for line in listed(f"{public_name(kernel, precision)}(", places, ");")),
+        "}",
+    )
+    comment = _comment(summary(kernel, f"{public_name(kernel, precision)} for a batch"))
+    return Function(name, comment, _prototype(name, parameters), lines)
+
+
+def _input(word: str, item: Argument, precision: Precision) -> str:
+    return f"const {precision.name} {_shown(word, item)}" if item.shape else f"{precision.name} {word}"
+
+
+def _output(word: str, item: Result, precision: Precision) -> str:
+    return f"{precision.name} {_shown(word, item)}" if item.shape else f"{precision.name} *{word}"
+
+
+def _shown(word: str, item: Argument | Result) -> str:
+    """The name with its size, as in a declaration."""
+    return f"{word}[{math.prod(item.shape)}]" if item.shape else word
+
+
+def _prototype(name: str, parameters: Sequence[str]) -> str:
+    return "\n".join(listed(f"void {name}(", parameters, ")"))
+
+
+def _comment(lines: Sequence[str]) -> tuple[str, ...]:
+    """The lines of a comment, none of which ends it or begins another."""
+    return tuple(line.replace("*/", "* /").replace("/*", "/ *") for line in lines)

@@ -1,0 +1,80 @@
+"""What does the C self-test compare? Every exact vector of a kernel, in both precisions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from chasles.targets.c.functions import PRECISIONS, public_name
+from chasles.targets.c.language import RESERVED
+from chasles.targets.constants import DOUBLE, Precision, literal
+from chasles.targets.kernel import Check, Exact, Kernel
+from chasles.targets.names import Names
+
+__all__ = ["Comparison", "Vector", "vectors"]
+
+_EPSILON = {"double": "DBL_EPSILON", "float": "FLT_EPSILON"}
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """One output of a vector: what it is called, how many entries it has, and where they are."""
+
+    what: str
+    compare: str
+    size: int
+    got: str
+    expected: str
+    tolerance: str
+
+
+@dataclass(frozen=True, slots=True)
+class Vector:
+    """A C function that calls a kernel once and compares what it gives."""
+
+    function: str
+    lines: tuple[str, ...]
+    comparisons: tuple[Comparison, ...]
+
+
+def vectors(kernel: Kernel) -> Iterator[Vector]:
+    """The vectors of the kernel, by precision and in their order."""
+    for precision in PRECISIONS:
+        for number, check in enumerate(kernel.checks, start=1):
+            yield _vector(kernel, check, precision, number)
+
+
+def _vector(kernel: Kernel, check: Check, precision: Precision, number: int) -> Vector:
+    program, names = kernel.program, Names(RESERVED)
+    lines, passed, comparisons = [], [], []
+    for argument, entries in zip(program.arguments, check.inputs, strict=True):
+        word = names.take(argument.name)
+        passed.append(word if argument.shape else f"{word}[0]")
+        lines.append(_array(precision, word, entries, precision))
+    function = public_name(kernel, precision)
+    for result, entries in zip(program.results, check.outputs, strict=True):
+        word = names.take(result.name)
+        expected = names.take(f"{word}_expected")
+        passed.append(word)
+        lines += [_array(DOUBLE, expected, entries, DOUBLE), f"{precision.name} {word}[{len(entries)}];"]
+        what = f'"{function}, vector {number}: {result.name}"'
+        tolerance = f"{check.tolerance}.0 * {_EPSILON[precision.name]}"
+        compare = f"compare{precision.suffix}"
+        comparisons.append(Comparison(what, compare, len(entries), word, expected, tolerance))
+    lines.append(f"{function}({', '.join(passed)});")
+    return Vector(f"{kernel.name}_vector_{number}{precision.suffix}", tuple(lines), tuple(comparisons))
+
+
+def _array(kind: Precision, word: str, entries: Sequence[Exact], precision: Precision) -> str:
+    values = ", ".join(_number(entry, precision) for entry in entries)
+    return f"const {kind.name} {word}[{len(entries)}] = {{{values}}};"
+
+
+def _number(entry: Exact, precision: Precision) -> str:
+    """The C constant of an exact number; a numeral is handed to the compiler as it stands."""
+    if not isinstance(entry, str):
+        return literal(Fraction(entry), precision)[0]
+    if entry == "nan":
+        return "NAN"
+    return f"{entry if set(entry) & set('.eE') else entry + '.0'}{precision.suffix}"

@@ -1,0 +1,117 @@
+"""Which files come out? All the text of generated/, as a pure function of the kernels and the languages."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Iterable
+from pathlib import Path, PurePosixPath
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined, TemplateError
+
+from chasles.lowering.program import Op
+from chasles.targets.contract import cited, operations
+from chasles.targets.kernel import EmissionError, Kernel, signature
+from chasles.targets.target import COMMAND, Page, Target
+
+__all__ = ["MANIFEST", "render"]
+
+MANIFEST = "MANIFEST.toml"
+_INDEX = Path(__file__).parent / "templates"
+
+
+def render(kernels: Iterable[Kernel], targets: Iterable[Target]) -> dict[str, str]:
+    """The text of every file, by its path below generated/ with forward slashes; the manifest is the last.
+
+    The same kernels in the same order give the same bytes. Raises EmissionError where two kernels share a name, two
+    files a path, or a target cannot spell a kernel.
+    """
+    kernels = tuple(kernels)
+    _require_distinct((kernel.name for kernel in kernels), "kernels are called")
+    pages: dict[str, str] = {}
+    for target in targets:
+        try:
+            made = [(f"{target.name}/{page.path}", _filled(target.templates, page)) for page in target.pages(kernels)]
+        except EmissionError as error:
+            raise EmissionError(f"target {target.name}: {error}") from error
+        _require_distinct([*pages, *(path for path, _ in made)], "files are to be written to")
+        pages |= made
+    pages |= _index(kernels, [*pages])
+    return pages
+
+
+def _index(kernels: tuple[Kernel, ...], paths: list[str]) -> dict[str, str]:
+    """The files at the top of generated/."""
+    files = [*paths, "README.md", "__init__.py"]
+    folders = sorted({path.split("/")[0] for path in paths})
+    values = {
+        "command": COMMAND,
+        "files": [_quoted(path) for path in sorted(files)],
+        "folders": ", ".join(f"`{folder}`" for folder in folders),
+        "kernels": [_entry(kernel) for kernel in kernels],
+    }
+    names = ("README.md", "__init__.py", MANIFEST)
+    return {name: _filled(_INDEX, Page(name, f"{name}.jinja", values)) for name in names}
+
+
+def _entry(kernel: Kernel) -> dict[str, object]:
+    """A kernel as the manifest and the table of the README show it."""
+    heading, counts = kernel.heading, kernel.program.operations
+    assumes = ", ".join(heading.hypotheses) or "nothing"
+    return {
+        "name": kernel.name,
+        "number": _quoted(heading.number),
+        "says": _quoted(heading.says),
+        "verdict": _quoted(heading.verdict),
+        "hypotheses": ", ".join(_quoted(hypothesis) for hypothesis in heading.hypotheses),
+        "signature": _quoted(signature(kernel.program)),
+        "operations": _inline_table({op.value: counts[op] for op in Op if counts[op]}),
+        "derivation": _quoted(heading.derivation),
+        "section": _quoted(heading.section),
+        "checks": len(kernel.checks),
+        "row": [
+            _cell(text)
+            for text in (cited(heading.number), heading.verdict, assumes, operations(kernel.program).split(":")[0])
+        ],
+        "code": f"`{signature(kernel.program)}`",
+    }
+
+
+def _filled(templates: Path, page: Page) -> str:
+    """The page's text. Raises EmissionError where the template is missing, wrong, or asks for what is not there."""
+    path = PurePosixPath(page.path)
+    if path.is_absolute() or ".." in path.parts or not path.parts:
+        raise EmissionError(f"a page's path must lie below the target's folder, not at {page.path!r}")
+    environment = Environment(
+        loader=FileSystemLoader(templates),
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=False,
+    )
+    try:
+        return environment.get_template(page.template).render(page.values)
+    except TemplateError as error:
+        raise EmissionError(f"template {page.template}: {type(error).__name__}: {error}") from error
+
+
+def _require_distinct(names: Iterable[str], what: str) -> None:
+    twice = [name for name, count in Counter(names).items() if count > 1]
+    if twice:
+        raise EmissionError(f"several {what} {', '.join(twice)}")
+
+
+def _quoted(text: str) -> str:
+    """A TOML basic string; JSON spells it alike."""
+    return json.dumps(text, ensure_ascii=False)
+
+
+def _inline_table(values: dict[str, int]) -> str:
+    """A TOML inline table."""
+    return f"{{ {', '.join(f'{key} = {value}' for key, value in values.items())} }}" if values else "{}"
+
+
+def _cell(text: str) -> str:
+    """A text in a Markdown table."""
+    return text.replace("|", "\\|")

@@ -1,0 +1,82 @@
+"""What is a language to us? A folder: a package whose `TARGET` says which pages it has, and the pages' templates.
+
+Adding a language is adding a folder, here or anywhere else; nothing is registered.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from importlib import import_module
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
+from types import ModuleType
+
+from chasles.targets.kernel import EmissionError, Kernel
+
+__all__ = ["COMMAND", "Page", "Target", "discover"]
+
+COMMAND = "chasles emit"
+"""What makes every generated file, as its head says."""
+
+_HOME = Path(__file__).parent
+
+
+@dataclass(frozen=True, slots=True)
+class Page:
+    """A file to be written: `path` below the target's folder, the template's file name, and what it is filled with."""
+
+    path: str
+    template: str
+    values: Mapping[str, object]
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """A language: its name (also its folder in generated/), the folder of its templates, and its pages."""
+
+    name: str
+    templates: Path
+    pages: Callable[[tuple[Kernel, ...]], Iterable[Page]]
+
+
+def discover(folders: Iterable[Path] = ()) -> tuple[Target, ...]:
+    """Every language that has a folder here, by name, then those of `folders` in their order.
+
+    Raises EmissionError where a folder holds no target, or two targets have one name.
+    """
+    here = sorted(path.parent for path in _HOME.glob("*/__init__.py"))
+    targets = [_loaded(folder, f"{__package__}.{folder.name}") for folder in here]
+    targets += [_loaded(Path(folder), f"{__package__}.added.{Path(folder).name}") for folder in folders]
+    names = [target.name for target in targets]
+    for name in names:
+        if names.count(name) > 1:
+            raise EmissionError(f"two targets are called {name!r}; rename one of the folders")
+    return tuple(targets)
+
+
+def _loaded(folder: Path, name: str) -> Target:
+    """The TARGET of the package in `folder`."""
+    module = import_module(name) if folder.parent == _HOME else _executed(folder, name)
+    target = getattr(module, "TARGET", None)
+    if not isinstance(target, Target):
+        raise EmissionError(f"{folder} is no target: its __init__.py must set TARGET to a Target")
+    if target.name != folder.name:
+        raise EmissionError(f"{folder} holds the target {target.name!r}; the folder must have the target's name")
+    return target
+
+
+def _executed(folder: Path, name: str) -> ModuleType:
+    entrance = folder / "__init__.py"
+    spec = spec_from_file_location(name, entrance, submodule_search_locations=[str(folder)])
+    if spec is None or spec.loader is None or not entrance.is_file():
+        raise EmissionError(f"{folder} is no target: there is no __init__.py in it")
+    module = module_from_spec(spec)
+    sys.modules[name] = module
+    try:
+        spec.loader.exec_module(module)
+    except Exception as error:
+        del sys.modules[name]
+        raise EmissionError(f"the target in {folder} does not load: {type(error).__name__}: {error}") from error
+    return module
