@@ -5,3 +5,6 @@ if __name__ != "chasles.derivations":
         f"the derivations were imported as {__name__!r}; import them as 'chasles.derivations', "
         "so that no statement exists twice"
     )
+
+TITLE = "Fundamentals of Rigid-Body Mechanics"
+SECTIONS = ("s02_screw", "s03_fixed_point", "s04_twist")

@@ -6,22 +6,23 @@ hypotheses, a product of atoms; the multipliers of the conditions are the certif
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
-from itertools import product
+from itertools import combinations_with_replacement
 from operator import add, mul
 
 from chasles.proof.completion import Combination
 from chasles.proof.context import Context, Generator, describe, difference, entries
+from chasles.proof.points import Point, evaluate
 from chasles.proof.ratios import Ratio
 from chasles.proof.rings import Polynomial
 from chasles.proof.variables import Untreatable
 
-__all__ = ["Solved", "solve_conditions"]
+__all__ = ["Solved", "satisfying_point", "solve_conditions"]
 
-LARGEST_POWER = 8
+LARGEST_POWER = 16
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,9 +75,10 @@ def _linear(
     """M and v with condition = M u - v."""
     ring = context.field.ring
     matrix = [[ring.derivative(c.polynomial, place) for place in places] for c in conditions]
+    zero = ring.constant(Fraction(0))
     constants = []
     for condition, row in zip(conditions, matrix, strict=True):
-        rest = reduce(add, (m * ring.generators[p] for m, p in zip(row, places, strict=True))) - condition.polynomial
+        rest = reduce(add, (m * ring.generators[p] for m, p in zip(row, places, strict=True)), zero) - condition.polynomial
         constants.append(rest)
     for polynomial in (*constants, *(m for row in matrix for m in row)):
         if any(ring.derivative(polynomial, place) != 0 for place in places):
@@ -155,7 +157,7 @@ def _as_atoms(context: Context, determinant: Polynomial) -> tuple[tuple[int, ...
     """The determinant as a constant times powers of the atoms, modulo the hypotheses."""
     ring, field = context.field.ring, context.field
     if determinant != 0:
-        for exponents in sorted(product(range(LARGEST_POWER + 1), repeat=len(field.atoms)), key=sum):
+        for exponents in _exponents(len(field.atoms)):
             candidate = _reduced(context, field.power_product(exponents))
             if candidate == 0:
                 continue
@@ -166,3 +168,52 @@ def _as_atoms(context: Context, determinant: Polynomial) -> tuple[tuple[int, ...
         f"the conditions determine {describe(context.problem.unknowns)} only where a determinant is not zero "
         "that no hypothesis declares nonzero"
     )
+
+
+def _exponents(size: int) -> Iterator[tuple[int, ...]]:
+    """Exponents of so many atoms, the least total first."""
+    for total in range(LARGEST_POWER + 1):
+        for first in combinations_with_replacement(range(size), total):
+            yield tuple(first.count(k) for k in range(size))
+
+
+def satisfying_point(context: Context, candidates: Iterable[Point]) -> Point | None:
+    """A point at which the conditions hold: the unknowns solved for exactly, those left free set to zero."""
+    conditions = tuple(_polynomials(context))
+    places = [k for k, v in enumerate(context.variables) if v.kind == "entry" and v.symbol in context.problem.unknowns]
+    if not conditions:
+        return next(iter(candidates), None)
+    matrix, constants = _linear(context, conditions, places)
+    names = [context.variables[place].name for place in places]
+    for point in candidates:
+        rows = [
+            [evaluate(context, entry, point).get(0, Fraction(0)) for entry in (*line, constant)]
+            for line, constant in zip(matrix, constants, strict=True)
+        ]
+        solution = _eliminated(rows)
+        if solution is not None:
+            return point | dict(zip(names, solution, strict=True))
+    return None
+
+
+def _eliminated(rows: list[list[Fraction]]) -> list[Fraction] | None:
+    """A solution of the linear system whose last column is the right side; None if there is none."""
+    size = len(rows[0]) - 1
+    pivots: list[int] = []
+    for column in range(size):
+        done = len(pivots)
+        row = next((r for r in range(done, len(rows)) if rows[r][column]), None)
+        if row is None:
+            continue
+        rows[done], rows[row] = rows[row], rows[done]
+        rows[done] = [x / rows[done][column] for x in rows[done]]
+        for r, line in enumerate(rows):
+            if r != done and line[column]:
+                rows[r] = [x - line[column] * y for x, y in zip(line, rows[done], strict=True)]
+        pivots.append(column)
+    if any(line[-1] for line in rows[len(pivots) :]):
+        return None
+    solution = [Fraction(0)] * size
+    for row, column in enumerate(pivots):
+        solution[column] = rows[row][-1]
+    return solution

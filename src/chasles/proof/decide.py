@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import islice
 from time import monotonic
@@ -11,7 +11,7 @@ from typing import Any
 
 from chasles.proof import points
 from chasles.proof.completion import Basis, Combination, completed, stated
-from chasles.proof.conditions import Solved, solve_conditions
+from chasles.proof.conditions import Solved, satisfying_point, solve_conditions
 from chasles.proof.context import Context, Generator, build, difference, entries
 from chasles.proof.polynomial_text import written
 from chasles.proof.ratios import Ratio
@@ -21,8 +21,9 @@ from chasles.proof.values import is_zero, shown
 from chasles.proof.variables import Untreatable
 from chasles.proof.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed, Undecided, Verdict
 from chasles.statements import Goal, Hypothesis, Problem
+from chasles.vocabulary import Symbol
 
-__all__ = ["BUDGET", "decide_problem", "pose"]
+__all__ = ["BUDGET", "decide_problem", "determining", "pose"]
 
 BUDGET = 20.0
 """Seconds that a single decision may take before it gives up as undecided."""
@@ -65,14 +66,19 @@ def decide_problem(problem: Problem, own: tuple[Hypothesis, ...] = (), budget: f
     return _certified(context, conditions, solved, unproved, own)
 
 
+def determining(problem: Problem, symbols: tuple[Symbol, ...]) -> Problem:
+    """The problem whose conditions are what was to be decided, on the given symbols besides those already determined."""
+    conditions = (*problem.conditions, *problem.goals)
+    return replace(problem, goals=(), conditions=conditions, unknowns=(*problem.unknowns, *symbols))
+
+
 def pose(problem: Problem) -> Verdict:
     """A condition, with a point that satisfies it together with the hypotheses."""
     try:
         context = build(problem)
-        _, solved = solve_conditions(context)
+        witness = satisfying_point(context, islice(points.sample(context, {}), SAMPLES))
     except Untreatable as error:
         return Undecided(str(error))
-    witness = _witness(context, solved)
     return Posed(witness) if witness is not None else Undecided("no point was found that satisfies the condition")
 
 

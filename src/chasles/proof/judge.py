@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from time import perf_counter
 from typing import Any
 
-from chasles.proof.decide import BUDGET, decide_problem, pose
+from chasles.proof.decide import BUDGET, decide_problem, determining, pose
 from chasles.proof.verdict import Assumed, Defined, IllFormed, Undecided, Verdict
-from chasles.statements import Claim, Condition, Definition, Entry, Inverse, Postulate, Statement, Theorem, problem_of
+from chasles.statements import Claim, Condition, Definition, Entry, Inverse, Postulate, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import problems_of_inverse
 from chasles.statements.problem import default_form
 from chasles.vocabulary import Misfit
@@ -103,13 +103,18 @@ class Judge:
             case Postulate():
                 return Assumed()
             case Condition():
-                return pose(problem) if sentence.on else self._posed(sentence, form)
+                return self._posed(sentence, problem)
             case _:
                 return decide_problem(problem, sentence.assuming, self.budget)
 
-    def _posed(self, sentence: Condition, form: str) -> Verdict:
-        """A condition that says no more than its named hypotheses: decided to follow from them, and then posed."""
-        problem = problem_of(sentence, form, self.standing)
+    def _posed(self, sentence: Condition, problem: Problem) -> Verdict:
+        """A condition is posed if a point satisfies it.
+
+        One that determines its symbols does so by its own equations; one that says no more than its named hypotheses,
+        or gives its solution, must first be decided to follow.
+        """
+        if sentence.on and sentence.solution is None:
+            return pose(determining(problem, sentence.on))
         verdict = decide_problem(problem, sentence.assuming, self.budget)
         return pose(problem) if verdict.true else verdict
 

@@ -9,9 +9,10 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from chasles.statements.hypotheses import Hypothesis
-from chasles.statements.statement import Claim, Condition, Definition, Statement, Theorem, is_rule
-from chasles.vocabulary import Contract, Identity, Inverse, Misfit, Negative, Node, Sum, Symbol, members_of, replace
+from chasles.statements.statement import Claim, Condition, Definition, Statement, Theorem, bare, is_rule
+from chasles.vocabulary import Contract, Identity, Inverse, Misfit, Negative, Node, Sum, Symbol, column, members_of, replace
 from chasles.vocabulary.families import indices_of
+from chasles.vocabulary.nodes import lifted
 
 __all__ = ["Goal", "Problem", "default_form", "problem_of"]
 
@@ -60,13 +61,17 @@ def problem_of(
     unknowns: dict[Symbol, None] = {}
     for given in statement.given:
         left, right = given.form(standing(given))
+        if isinstance(given, Condition) and given.solution is not None:
+            raise TypeError(
+                f"({statement.number}) is given ({given.number}), which leaves {given.on[0]} free: let it restate that"
+            )
         if isinstance(given, Condition) and given.on:
-            conditions.append(Goal(f"({given.number})", left, right))
+            conditions += _equations(f"({given.number})", left, right)
             unknowns |= dict.fromkeys(given.on)
         elif isinstance(given, Condition):
             continue
         elif is_rule(given):
-            rules.append((left, right))
+            rules.append((bare(left), right))
         elif indices_of(left):
             rules += [(one, other) for one, other in members_of(left, right)]
         else:
@@ -95,25 +100,40 @@ def _goals(statement: Decidable, form: str) -> Iterator[Goal]:
     left, right = statement.form(form)
     if fault := (statement.fault if form == "printed" else left.fault or right.fault):
         raise Misfit(fault)
-    if isinstance(statement, Definition) or (isinstance(statement, Condition) and statement.on):
-        return
     match statement:
-        case Claim(multiplies=Statement() as other):
-            yield _multiple(statement, other, left, right)
+        case Definition():
+            return
+        case Condition(on=(symbol, *_), solution=Node() as solution):
+            yield Goal("its solution satisfies it", *(replace(side, {symbol: solution}) for side in (left, right)))
+        case Condition(on=(_, *_)):
+            yield from _equations("", left, right)
+        case Claim(restates=Statement() as other):
+            yield _multiple(statement, (other,), left, right)
+        case Claim(restates=tuple() as others):
+            yield _multiple(statement, others, left, right)
         case Claim(solves=Statement() as other):
             assert isinstance(left, Symbol)
             yield Goal("it solves the equation", *(replace(side, {left: right}) for side in other.printed))
-        case _ if isinstance(left, Inverse):
-            identity = Identity(left.shape[0])
-            yield Goal("the matrix times its inverse", Contract((left.of, right)), identity)
-            yield Goal("the inverse times its matrix", Contract((right, left.of)), identity)
         case _:
-            for one, another in members_of(left, right):
-                yield Goal("", one, another)
+            yield from _equations("", left, right)
 
 
-def _multiple(statement: Claim, other: Statement, left: Node, right: Node) -> Goal:
-    difference: Node = Sum((other.left, Negative(other.right)))
+def _equations(label: str, left: Node, right: Node) -> Iterator[Goal]:
+    """An equation as what it says without inverses and indices."""
+    if isinstance(left, Inverse):
+        identity = Identity(left.shape[0])
+        yield Goal(label or "the matrix times its inverse", Contract((left.of, right)), identity)
+        yield Goal(label or "the inverse times its matrix", Contract((right, left.of)), identity)
+        return
+    for one, another in members_of(left, right):
+        yield Goal(label, one, another)
+
+
+def _multiple(statement: Claim, others: tuple[Statement, ...], left: Node, right: Node) -> Goal:
+    differences: list[Node] = [Sum((other.left, Negative(other.right))) for other in others]
+    difference = differences[0] if len(differences) == 1 else column(*differences)
     if statement.by is not None:
-        difference = statement.by * difference if statement.by.is_scalar else Contract((statement.by, difference))
-    return Goal(f"it is a multiple of ({other.number})", Sum((left, Negative(right))), difference)
+        by = lifted(statement.by)
+        difference = by * difference if by.is_scalar else Contract((by, difference))
+    numbers = ", ".join(f"({other.number})" for other in others)
+    return Goal(f"it is a multiple of {numbers}", Sum((left, Negative(right))), difference)

@@ -8,19 +8,22 @@ from typing import ClassVar
 
 from chasles.statements.forms import Form
 from chasles.statements.hypotheses import Hypothesis
-from chasles.vocabulary import Misfit, Node, Rate, Symbol, plain, replace
+from chasles.vocabulary import At, Misfit, Node, Rate, Symbol, plain, replace
 from chasles.vocabulary.measure import added
 
-__all__ = ["Claim", "Condition", "Definition", "Kernel", "Postulate", "Statement", "Theorem"]
+__all__ = ["Claim", "Condition", "Definition", "Kernel", "Postulate", "Statement", "Theorem", "bare", "is_rule"]
 
 Equation = tuple[Node, Node]
 
 
 @dataclass(frozen=True, slots=True)
 class Kernel:
-    """A request to emit the right side as a function `of` the given symbols; `name` defaults to the statement's."""
+    """A request to emit the right side as a function `of` the given symbols and rates of symbols.
 
-    of: tuple[Symbol, ...]
+    `name` defaults to the statement's. With several `results`, the right side is a column of blocks, one for each.
+    """
+
+    of: tuple[Node, ...]
     name: str = ""
     results: tuple[str, ...] = ()
 
@@ -104,11 +107,13 @@ class Definition(Statement):
 class Condition(Statement):
     """Restricts the symbols `on` which it is posed; together with others it may determine them.
 
-    A condition that says no more than a named hypothesis names it in `assuming` and is `on` nothing.
+    A condition that says no more than a named hypothesis names it in `assuming` and is `on` nothing. One that leaves
+    its symbol some freedom gives a `solution` with that freedom in it, as a line has p = p_1 + lambda (p_2 - p_1).
     """
 
     role: ClassVar[str] = "condition"
     on: tuple[Symbol, ...] = ()
+    solution: Node | None = None
 
     def at(self, values: Mapping[Node, Node]) -> Condition:
         moved = tuple(values.get(symbol, symbol) for symbol in self.on)
@@ -132,14 +137,14 @@ class Postulate(Statement):
 class Claim(Statement):
     """Says that its sides are equal whenever what is given and assumed holds; decided.
 
-    `multiplies` and `by`: the claim is the given equation multiplied from the left; then what is decided is that
-    left - right = by (its left - its right), for every value of the symbols, whether or not the equation holds.
-    `solves`: what is decided is that the left side, set to the right side, solves that equation.
+    `restates` and `by`: the claim is the given equation (or several, stacked) multiplied from the left; then what is
+    decided is that left - right = by (its left - its right), for every value of the symbols, whether or not the
+    equation holds. `solves`: what is decided is that the left side, set to the right side, solves that equation.
     """
 
     role: ClassVar[str] = "claim"
-    multiplies: Statement | None = None
-    by: Node | None = None
+    restates: Statement | tuple[Statement, ...] | None = None
+    by: Node | int | None = None
     solves: Statement | None = None
 
 
@@ -159,7 +164,20 @@ class Theorem:
     fault: None = None
 
 
+def bare(node: Node) -> Node:
+    """The quantity without the argument with which it is printed: p for p(t), its rate for the rate of p(t)."""
+    match node:
+        case At(of):
+            return bare(of)
+        case Rate(of):
+            return Rate(bare(of))
+        case _:
+            return node
+
+
 def is_rule(statement: Statement) -> bool:
     """Whether the left side is a symbol, or the rate of one, that the right side can stand for."""
-    left = statement.left
+    left = bare(statement.left)
+    if isinstance(left, Symbol) and left.stands_for is not None:
+        return False
     return isinstance(left, Symbol) or (isinstance(left, Rate) and isinstance(left.of, Symbol))

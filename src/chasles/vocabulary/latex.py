@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
+
 from chasles.vocabulary.nodes import At, Identity, Node, Number, Symbol, Zero
 from chasles.vocabulary.spelling import Level, Piece, spell
 
 __all__ = ["latex"]
 
 BRACKETS = (("(", ")"), ("[", "]"), (r"\{", r"\}"))
+NUMBER = r"(?:\d+|\\frac\{\d+\}\{\d+\})"
+BEGINS_WITH_NUMBER = re.compile(NUMBER)
+ENDS_WITH_NUMBER = re.compile(rf"(?:^|[ -]){NUMBER}$")
+CLOSED = (")", "]", r"\}", r"\|", r"\end{bmatrix}")
 INFIX = {"dot": r"\cdot", "cross": r"\times"}
 
 
@@ -33,11 +40,16 @@ class _Latex:
     def product(self, factors: list[str]) -> str:
         return " ".join(factors)
 
+    def numbers_meet(self, left: str, right: str) -> bool:
+        return bool(ENDS_WITH_NUMBER.search(left) and BEGINS_WITH_NUMBER.match(right))
+
     def fraction(self, numerator: Piece, denominator: Piece) -> Piece:
         depth = max(numerator.depth, denominator.depth)
         return Piece(rf"\frac{{{numerator.text}}}{{{denominator.text}}}", Level.PRODUCT, depth)
 
     def power(self, base: str, exponent: str) -> str:
+        if not base.endswith(CLOSED) and _takes_no_superscript(base):
+            base = f"{{{base}}}"
         return f"{base}^{exponent}" if len(exponent) == 1 else f"{base}^{{{exponent}}}"
 
     def infix(self, sign: str, left: str, right: str) -> str:
@@ -47,10 +59,12 @@ class _Latex:
         command = rf"\{name}" if name in ("sin", "cos", "det") else rf"\text{{{name}}}"
         if argument.level is Level.ATOM and argument.depth == 0 and "{" not in argument.text:
             return Piece(f"{command} {argument.text}", Level.PRODUCT)
-        return Piece(f"{command}{self.brackets(argument.text, argument.depth)}", Level.ATOM, argument.depth + 1)
+        return Piece(f"{command}{self.brackets(argument.text, argument.depth)}", Level.POWER, argument.depth + 1)
 
-    def norm(self, text: str) -> str:
-        return rf"\|{text}\|"
+    def norm(self, of: Piece) -> Piece:
+        if r"\|" in of.text:
+            of = Piece(self.brackets(of.text, of.depth), Level.ATOM, of.depth + 1)
+        return Piece(rf"\|{of.text}\|", Level.ATOM, of.depth)
 
     def rate(self, of: Node, text: str, order: int) -> str:
         dots = r"\d" + "d" * (order - 1) + "ot"
@@ -58,6 +72,10 @@ class _Latex:
         stem = text.removesuffix(argument) if argument else text
         cut = _end_of_stem(stem)
         return f"{dots}{{{stem[:cut]}}}{stem[cut:]}{argument}"
+
+    def derivative(self, text: str, order: int) -> str:
+        power = f"^{order}" if order > 1 else ""
+        return rf"\frac{{d{power}}}{{dt{power}}} {text}"
 
     def subscripted(self, text: str, subscript: str) -> str:
         return f"{text}_{{{subscript}}}" if len(subscript) > 1 else f"{text}_{subscript}"
@@ -69,12 +87,22 @@ class _Latex:
 
 def _end_of_stem(text: str) -> int:
     """Where a letter's subscripts and primes begin: the dot of a rate stands over what comes before."""
+    return next((position for position, _ in _decorations(text) if position), len(text))
+
+
+def _takes_no_superscript(text: str) -> bool:
+    """Whether the letter has a superscript already; TeX takes a second one directly behind a prime only."""
+    marks = "".join(mark for _, mark in _decorations(text))
+    return "^" in marks or "'_" in marks
+
+
+def _decorations(text: str) -> Iterator[tuple[int, str]]:
+    """The places of subscripts, superscripts and primes outside all braces."""
     depth = 0
     for position, mark in enumerate(text):
         depth += {"{": 1, "}": -1}.get(mark, 0)
-        if depth == 0 and position and mark in "_^'":
-            return position
-    return len(text)
+        if depth == 0 and mark in "_^'":
+            yield position, mark
 
 
 def latex(node: Node) -> str:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from chasles.vocabulary.nodes import Identity, Node, Number, Symbol, Zero
+import re
+
+from chasles.vocabulary.nodes import At, Identity, Node, Number, Symbol, Zero
 from chasles.vocabulary.spelling import Level, Piece, spell
 
 __all__ = ["plain"]
 
 BRACKETS = ("()", "[]", "{}")
 INFIX = {"dot": ".", "cross": "x"}
+ENDS_WITH_NUMBER = re.compile(r"(?:^|[ /-])\d+$")
 
 
 class _Plain:
@@ -20,7 +23,7 @@ class _Plain:
 
     def number(self, number: Number) -> Piece:
         value = number.value
-        level = Level.NEGATIVE if value < 0 else Level.ATOM if value.denominator == 1 else Level.PRODUCT
+        level = Level.NEGATIVE if value < 0 else Level.ATOM if value.denominator == 1 else Level.QUOTIENT
         return Piece(str(value), level)
 
     def brackets(self, text: str, depth: int) -> str:
@@ -30,10 +33,13 @@ class _Plain:
     def product(self, factors: list[str]) -> str:
         return " ".join(factors)
 
+    def numbers_meet(self, left: str, right: str) -> bool:
+        return bool(ENDS_WITH_NUMBER.search(left)) and right[0].isdigit()
+
     def fraction(self, numerator: Piece, denominator: Piece) -> Piece:
         above = numerator if numerator.level >= Level.PRODUCT else self._grouped(numerator)
         below = denominator if denominator.level >= Level.POWER else self._grouped(denominator)
-        return Piece(f"{above.text} / {below.text}", Level.PRODUCT, max(above.depth, below.depth))
+        return Piece(f"{above.text} / {below.text}", Level.QUOTIENT, max(above.depth, below.depth))
 
     def _grouped(self, piece: Piece) -> Piece:
         return Piece(self.brackets(piece.text, piece.depth), Level.ATOM, piece.depth + 1)
@@ -47,14 +53,20 @@ class _Plain:
     def function(self, name: str, argument: Piece) -> Piece:
         return Piece(f"{name}({argument.text})", Level.ATOM, argument.depth)
 
-    def norm(self, text: str) -> str:
-        return f"|{text}|"
+    def norm(self, of: Piece) -> Piece:
+        inner = self._grouped(of) if "|" in of.text else of
+        return Piece(f"|{inner.text}|", Level.ATOM, inner.depth)
 
     def rate(self, of: Node, text: str, order: int) -> str:
-        return f"{text}_{'d' * order}ot" if isinstance(of, Symbol) else f"d{order if order > 1 else ''}/dt {text}"
+        argument = f"({of.argument})" if isinstance(of, At) else ""
+        return f"{text.removesuffix(argument)}_{'d' * order}ot{argument}"
+
+    def derivative(self, text: str, order: int) -> str:
+        power = f"^{order}" if order > 1 else ""
+        return f"d{power}/dt{power} {text}"
 
     def subscripted(self, text: str, subscript: str) -> str:
-        return f"{text}_{subscript}".replace("\\", "").replace("mathbf", "").replace("{", "").replace("}", "")
+        return re.sub(r"\\(?:mathbf|boldsymbol)?|[{}]", "", f"{text}_{subscript}")
 
     def block(self, rows: list[list[str]]) -> str:
         return "[" + "; ".join(", ".join(row) for row in rows) + "]"

@@ -1,11 +1,14 @@
 """How is an expression written out? One walk over the nodes decides the brackets; a style spells the pieces.
 
 A style is a table of spellings (LaTeX, plain text). Brackets are put where precedence asks for them, round inside
-square inside curly, and where the author put them.
+square inside curly, and where the author put them. Precedence, from loose to tight: sums; a leading minus; dots and
+crosses; quotients on one line; products; powers. A quotient on one line is never a bare factor of a product: `1/2 a`
+can be read in two ways. Nor do two numbers meet in a product, nor bars of a norm stand directly within another's.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 from typing import Protocol
@@ -49,9 +52,10 @@ class Level(IntEnum):
     SUM = 1
     NEGATIVE = 2
     DOT = 3
-    PRODUCT = 4
-    POWER = 5
-    ATOM = 6
+    QUOTIENT = 4
+    PRODUCT = 5
+    POWER = 6
+    ATOM = 7
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,12 +75,14 @@ class Style(Protocol):
     def number(self, number: Number) -> Piece: ...
     def brackets(self, text: str, depth: int) -> str: ...
     def product(self, factors: list[str]) -> str: ...
+    def numbers_meet(self, left: str, right: str) -> bool: ...
     def fraction(self, numerator: Piece, denominator: Piece) -> Piece: ...
     def power(self, base: str, exponent: str) -> str: ...
     def infix(self, sign: str, left: str, right: str) -> str: ...
     def function(self, name: str, argument: Piece) -> Piece: ...
-    def norm(self, text: str) -> str: ...
+    def norm(self, of: Piece) -> Piece: ...
     def rate(self, of: Node, text: str, order: int) -> str: ...
+    def derivative(self, text: str, order: int) -> str: ...
     def subscripted(self, text: str, subscript: str) -> str: ...
     def block(self, rows: list[list[str]]) -> str: ...
 
@@ -103,6 +109,13 @@ def spell(node: Node, style: Style) -> Piece:
     def joined(pieces: list[Piece], text: str, level: Level) -> Piece:
         return Piece(text, level, max(piece.depth for piece in pieces))
 
+    def product(factors: Sequence[Node]) -> Piece:
+        pieces = [bracketed(factor, Level.PRODUCT) for factor in factors]
+        for k in range(1, len(pieces)):
+            if style.numbers_meet(pieces[k - 1].text, pieces[k].text):
+                pieces[k] = grouped(pieces[k], pieces[k].depth)
+        return joined(pieces, style.product([piece.text for piece in pieces]), Level.PRODUCT)
+
     match node:
         case Symbol():
             return Piece(style.symbol(node), Level.ATOM)
@@ -122,18 +135,14 @@ def spell(node: Node, style: Style) -> Piece:
             piece = bracketed(term, Level.DOT)
             return Piece(f"-{piece.text}", Level.NEGATIVE, piece.depth)
         case Scale(factor, term, trailing):
-            pieces = [bracketed(factor, Level.PRODUCT), bracketed(term, Level.PRODUCT)]
-            if trailing:
-                pieces.reverse()
-            return joined(pieces, style.product([piece.text for piece in pieces]), Level.PRODUCT)
+            return product((term, factor) if trailing else (factor, term))
         case Contract(factors):
-            pieces = [bracketed(factor, Level.PRODUCT) for factor in factors]
-            return joined(pieces, style.product([piece.text for piece in pieces]), Level.PRODUCT)
+            return product(factors)
         case Quotient(numerator, denominator, slash):
             if not slash:
                 return style.fraction(spell(numerator, style), spell(denominator, style))
             pieces = [bracketed(numerator, Level.PRODUCT), bracketed(denominator, Level.POWER)]
-            return joined(pieces, f"{pieces[0].text}/{pieces[1].text}", Level.PRODUCT)
+            return joined(pieces, f"{pieces[0].text}/{pieces[1].text}", Level.QUOTIENT)
         case Power(base, exponent):
             piece = bracketed(base, Level.ATOM)
             return Piece(style.power(piece.text, str(exponent)), Level.POWER, piece.depth)
@@ -145,8 +154,7 @@ def spell(node: Node, style: Style) -> Piece:
             sign = "dot" if isinstance(node, Dot) else "cross"
             return joined(pieces, style.infix(sign, pieces[0].text, pieces[1].text), Level.DOT)
         case Norm(of):
-            piece = spell(of, style)
-            return Piece(style.norm(piece.text), Level.ATOM, piece.depth)
+            return style.norm(spell(of, style))
         case Call(function, argument):
             return style.function(function, spell(argument, style))
         case Skew(of) | Vect(of) | Trace(of) | Determinant(of) | Cofactor(of):
@@ -161,20 +169,21 @@ def spell(node: Node, style: Style) -> Piece:
             order, of = 1, node.of
             while isinstance(of, Rate):
                 order, of = order + 1, of.of
-            piece = spell(of, style)
-            simple = isinstance(of, Symbol | At | Member)
-            inner = piece if simple else grouped(piece, piece.depth)
-            return Piece(style.rate(of, inner.text, order), Level.ATOM, inner.depth)
+            if isinstance(of.of if isinstance(of, At) else of, Symbol | Member):
+                return Piece(style.rate(of, spell(of, style).text, order), Level.ATOM)
+            piece = bracketed(of, Level.ATOM)
+            return Piece(style.derivative(piece.text, order), Level.DOT, piece.depth)
         case At(of, argument):
             piece = bracketed(of, Level.ATOM)
             return Piece(f"{piece.text}({argument})", Level.ATOM, piece.depth)
         case Group(of, brackets):
             piece = spell(of, style)
-            return grouped(piece, {"()": 0, "[]": 1, "{}": 2}[brackets])
+            depth = {"()": 0, "[]": 1, "{}": 2}[brackets]
+            return Piece(style.brackets(piece.text, depth), Level.ATOM, max(piece.depth, depth) + 1)
         case Member(family, index):
             return Piece(style.subscripted(family.letter, index.letter) + family.mark, Level.ATOM)
-        case Entry(of, i, j):
-            return Piece(style.subscripted(of.letter_of_entry, i.letter + j.letter), Level.ATOM)
+        case Entry(_, i, j, letter):
+            return Piece(style.subscripted(letter, i.letter + j.letter), Level.ATOM)
         case Kronecker(i, j):
             return Piece(style.subscripted(r"\delta", i.letter + j.letter), Level.ATOM)
         case _:

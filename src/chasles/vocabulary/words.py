@@ -41,6 +41,7 @@ __all__ = [
     "inverse",
     "matrix",
     "norm",
+    "number",
     "over",
     "paren",
     "rate",
@@ -94,7 +95,7 @@ def abbreviation(name: str, letter: str, stands_for: Node, meaning: str) -> Symb
 
 def _bold(letter: str) -> str:
     """The letter in bold, its decorations outside: `p_0'` gives `\\mathbf{p}_0'`."""
-    if letter.startswith("\\math") or letter.startswith("\\bold") or letter.startswith("\\over"):
+    if letter.startswith(("\\math", "\\bold", "\\over", "\\tilde", "\\dot", "[")):
         return letter
     cut = next((i for i, mark in enumerate(letter) if mark in "_^'"), len(letter))
     stem, rest = letter[:cut], letter[cut:]
@@ -159,6 +160,11 @@ def rate(of: Node) -> Rate:
 def at(of: Node, argument: str = "t") -> At:
     """The quantity printed with its argument."""
     return At(of, argument)
+
+
+def number(value: int | Fraction) -> Node:
+    """An exact number standing alone, as on the right side of an equation."""
+    return lifted(value)
 
 
 def over(numerator: Node | int | Fraction, denominator: Node | int | Fraction) -> Quotient:

@@ -16,10 +16,12 @@ __all__ = ["TARGET"]
 def _pages(kernels: tuple[Kernel, ...]) -> Iterator[Page]:
     functions = {kernel.name: _functions(kernel) for kernel in kernels}
     _require_distinct([function.name for group in functions.values() for function in group])
-    yield Page("include/chasles.h", "chasles.h.jinja", {"command": COMMAND, "groups": list(functions.values())})
+    groups = [{"comment": group[0].comment, "functions": group} for group in functions.values()]
+    yield Page("include/chasles.h", "chasles.h.jinja", {"command": COMMAND, "groups": groups})
     for section in dict.fromkeys(kernel.heading.section for kernel in kernels):
-        groups = [functions[kernel.name] for kernel in kernels if kernel.heading.section == section]
-        values = {"command": COMMAND, "section": section, "groups": groups}
+        members = [kernel for kernel in kernels if kernel.heading.section == section]
+        bodies = [function for kernel in members for function in functions[kernel.name]]
+        values = {"command": COMMAND, "section": section, "functions": bodies}
         yield Page(f"src/{section}.c", "section.c.jinja", values)
     checks = [check for kernel in kernels for check in vectors(kernel)]
     yield Page("test/self_test.c", "self_test.c.jinja", {"command": COMMAND, "checks": checks})

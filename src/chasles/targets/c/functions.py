@@ -52,7 +52,7 @@ def single(kernel: Kernel, precision: Precision) -> Function:
         returned = [_shown(word, item) for word, item in zip(text.results, program.results, strict=True)]
         comment = contract(kernel, given, returned)
     else:
-        comment = summary(kernel, f"{public_name(kernel, DOUBLE)} in single precision")
+        comment = summary(kernel, f"{public_name(kernel, DOUBLE)} in single precision.")
     return Function(name, _comment(comment), _prototype(name, [*inputs, *outputs]), (*text.lines, *stores))
 
 
@@ -75,7 +75,7 @@ def batch(kernel: Kernel, precision: Precision) -> Function:
         *(f"    {line}" for line in listed(f"{public_name(kernel, precision)}(", places, ");")),
         "}",
     )
-    comment = _comment(summary(kernel, f"{public_name(kernel, precision)} for a batch"))
+    comment = _comment(summary(kernel, f"{public_name(kernel, precision)} for a batch."))
     return Function(name, comment, _prototype(name, parameters), lines)
 
 

@@ -10,6 +10,7 @@ from chasles.targets.c.functions import PRECISIONS, public_name
 from chasles.targets.c.language import RESERVED
 from chasles.targets.constants import DOUBLE, Precision, literal
 from chasles.targets.kernel import Check, Exact, Kernel
+from chasles.targets.layout import listed
 from chasles.targets.names import Names
 
 __all__ = ["Comparison", "Vector", "vectors"]
@@ -47,17 +48,18 @@ def vectors(kernel: Kernel) -> Iterator[Vector]:
 
 def _vector(kernel: Kernel, check: Check, precision: Precision, number: int) -> Vector:
     program, names = kernel.program, Names(RESERVED)
-    lines, passed, comparisons = [], [], []
+    lines: list[str] = []
+    passed, comparisons = [], []
     for argument, entries in zip(program.arguments, check.inputs, strict=True):
         word = names.take(argument.name)
         passed.append(word if argument.shape else f"{word}[0]")
-        lines.append(_array(precision, word, entries, precision))
+        lines += _array(precision, word, entries)
     function = public_name(kernel, precision)
     for result, entries in zip(program.results, check.outputs, strict=True):
         word = names.take(result.name)
         expected = names.take(f"{word}_expected")
         passed.append(word)
-        lines += [_array(DOUBLE, expected, entries, DOUBLE), f"{precision.name} {word}[{len(entries)}];"]
+        lines += [*_array(DOUBLE, expected, entries), f"{precision.name} {word}[{len(entries)}];"]
         what = f'"{function}, vector {number}: {result.name}"'
         tolerance = f"{check.tolerance}.0 * {_EPSILON[precision.name]}"
         compare = f"compare{precision.suffix}"
@@ -66,9 +68,10 @@ def _vector(kernel: Kernel, check: Check, precision: Precision, number: int) -> 
     return Vector(f"{kernel.name}_vector_{number}{precision.suffix}", tuple(lines), tuple(comparisons))
 
 
-def _array(kind: Precision, word: str, entries: Sequence[Exact], precision: Precision) -> str:
-    values = ", ".join(_number(entry, precision) for entry in entries)
-    return f"const {kind.name} {word}[{len(entries)}] = {{{values}}};"
+def _array(precision: Precision, word: str, entries: Sequence[Exact]) -> tuple[str, ...]:
+    """The lines that declare an array with these entries."""
+    values = [_number(entry, precision) for entry in entries]
+    return listed(f"const {precision.name} {word}[{len(entries)}] = {{", values, "};", closing_line=True)
 
 
 def _number(entry: Exact, precision: Precision) -> str:

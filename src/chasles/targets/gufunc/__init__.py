@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from textwrap import wrap
 
 from chasles.lowering.program import Argument, Result
 from chasles.targets.c.functions import public_name
@@ -16,6 +17,7 @@ from chasles.targets.target import COMMAND, Page, Target
 
 __all__ = ["TARGET"]
 
+_WIDTH = 100
 # The order in which NumPy looks for a loop: the first that takes the inputs without loss.
 _LOOPS = ((SINGLE, "f", "NPY_FLOAT"), (DOUBLE, "d", "NPY_DOUBLE"))
 
@@ -38,7 +40,7 @@ class _Ufunc:
     name: str
     comment: tuple[str, ...]
     loops: tuple[_Loop, ...]
-    types: str
+    types: tuple[str, ...]
     inputs: int
     outputs: int
     operands: int
@@ -93,10 +95,10 @@ def _ufunc(kernel: Kernel) -> _Ufunc:
     return _Ufunc(
         name=kernel.name,
         comment=tuple(
-            line.replace("*/", "* /").replace("/*", "/ *") for line in summary(kernel, f"Loops of {kernel.name}")
+            line.replace("*/", "* /").replace("/*", "/ *") for line in summary(kernel, f"The loops of {kernel.name}.")
         ),
         loops=tuple(_loop(kernel, precision, letter) for precision, letter, _ in _LOOPS),
-        types=", ".join(number for _, _, number in _LOOPS for _ in range(operands)),
+        types=tuple(wrap(", ".join(number for _, _, number in _LOOPS for _ in range(operands)), _WIDTH)),
         inputs=len(program.arguments),
         outputs=len(program.results),
         operands=operands,

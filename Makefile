@@ -1,0 +1,75 @@
+# make          sets up .venv; decides the chapter, emits, compiles and verifies the kernels
+# make test     sets up .venv; runs the tests (ARGS="-k twist" narrows them)
+# make lint | types | compile | wheel | clean
+#
+# PYTHON=python3.12 chooses the interpreter, CC=clang the compiler. Where a compiler and Python.h are at hand, kernels
+# that do not compile are an error; CHASLES_REQUIRE_C=0 goes on with the NumPy kernels.
+
+PYTHON ?= python3
+ARGS ?=
+export CC
+
+VENV := .venv
+BIN := $(VENV)/bin
+PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet
+# One build folder, so that a rebuild compiles only what has changed.
+INSTALL := SKBUILD_BUILD_DIR=$(VENV)/build $(PIP) install --no-build-isolation --editable
+BUILD_FILES := pyproject.toml CMakeLists.txt $(wildcard cmake/*) src/chasles/__init__.py
+C_FILES := $(wildcard generated/c/include/* generated/c/src/* generated/gufunc/*)
+
+.PHONY: all chapter compile test lint types wheel clean
+.DELETE_ON_ERROR:
+
+all: chapter
+
+# The main job. Emitting may change C files, hence the second look at what has to be compiled.
+chapter: compile
+	@$(BIN)/chasles decide
+	@$(BIN)/chasles emit
+	@$(MAKE) --no-print-directory compile
+	@$(BIN)/chasles verify
+
+compile: $(VENV)/.compiled
+	@:
+
+test: $(VENV)/.compiled $(VENV)/.tools
+	@$(BIN)/python -m pytest -n 2 $(ARGS)
+
+lint: $(VENV)/.tools
+	@$(BIN)/ruff check
+	@$(BIN)/ruff format --check
+
+types: $(VENV)/.compiled $(VENV)/.tools
+	@mkdir -p .types/chasles && ln -sfn ../../derivations .types/chasles/derivations
+	@$(BIN)/mypy
+
+wheel: $(VENV)/pyvenv.cfg
+	@$(PIP) wheel --no-deps --wheel-dir dist .
+	@ls dist/*.whl
+
+clean:
+	rm -rf $(VENV) .types build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis .benchmarks
+
+$(VENV)/pyvenv.cfg:
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
+	    || { echo "chasles needs Python 3.11 or newer as '$(PYTHON)'; make PYTHON=... names another" >&2; exit 1; }
+	@echo "Setting up $(VENV): a minute or so, most of it downloads"
+	@$(PYTHON) -m venv $(VENV) >/dev/null || { rm -rf $(VENV); \
+	    echo "'$(PYTHON)' cannot make a virtual environment: install the Debian package python3-venv" >&2; exit 1; }
+
+$(VENV)/.buildtools: pyproject.toml | $(VENV)/pyvenv.cfg
+	@$(BIN)/python -c 'import tomllib; t = tomllib.load(open("pyproject.toml", "rb")); \
+	    print(*t["build-system"]["requires"], *t["project"]["optional-dependencies"]["build"], sep="\n")' >$@.txt
+	@$(PIP) install --requirement $@.txt
+	@touch $@
+
+$(VENV)/.compiled: $(BUILD_FILES) $(C_FILES) | $(VENV)/.buildtools
+	@echo "Installing chasles and compiling its kernels"
+	@test -n '$(C_FILES)' && sh cmake/can_compile.sh '$(CC)' $(BIN)/python && able=1 || able=0; \
+	    CHASLES_REQUIRE_C=$${CHASLES_REQUIRE_C:-$$able} $(INSTALL) '.[fast]'
+	@touch $@
+
+$(VENV)/.tools: pyproject.toml | $(VENV)/.compiled
+	@echo "Installing the test tools"
+	@$(INSTALL) '.[test,dev]'
+	@touch $@

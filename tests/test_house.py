@@ -1,0 +1,219 @@
+"""The house around the code: what is imported when, what is said when a tool is missing, what is built."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import zipfile
+from importlib import metadata
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
+
+import pytest
+
+import chasles
+
+ROOT = Path(__file__).resolve().parents[1]
+CC = os.environ.get("CC", "cc")
+pytestmark = pytest.mark.skipif(not (ROOT / "pyproject.toml").exists(), reason="needs the checkout")
+
+
+def run(*command: str | Path, cwd: Path = ROOT, **environment: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        command, cwd=cwd, env={**os.environ, **environment}, capture_output=True, text=True, check=False
+    )
+
+
+def succeed(*command: str | Path, cwd: Path = ROOT, **environment: str) -> str:
+    done = run(*command, cwd=cwd, **environment)
+    assert done.returncode == 0, f"{done.args}\n{done.stdout}\n{done.stderr}"
+    return done.stdout
+
+
+def can_compile(cc: str = CC, python: str | Path = sys.executable) -> subprocess.CompletedProcess[str]:
+    return run("sh", ROOT / "cmake" / "can_compile.sh", cc, python)
+
+
+needs_c = pytest.mark.skipif(can_compile().returncode != 0, reason="no C compiler or no Python.h on this machine")
+
+
+def test_one_version() -> None:
+    version = chasles.__version__
+    assert metadata.version("chasles") == version
+    assert f"\nversion: {version}\n" in (ROOT / "CITATION.cff").read_text("utf-8")
+    assert f"\n## {version}" in (ROOT / "CHANGELOG.md").read_text("utf-8")
+
+
+def test_import_is_light() -> None:
+    code = (
+        "import sys, time; start = time.perf_counter(); import chasles; took = time.perf_counter() - start\n"
+        "print(took, *{'sympy', 'numpy', 'click', 'rich'} & set(sys.modules))"
+    )
+    runs = [succeed(sys.executable, "-c", code).split() for _ in range(5)]
+    assert all(len(words) == 1 for words in runs), runs
+    assert min(float(words[0]) for words in runs) < 0.15
+
+
+def test_kernels_do_without_sympy() -> None:
+    code = "import sys, chasles.kernels; sys.exit('sympy' in sys.modules)"
+    for backend in ("", "numpy"):
+        succeed(sys.executable, "-c", code, CHASLES_BACKEND=backend)
+
+
+@pytest.mark.parametrize("name", ["prove", "load"])
+def test_a_submodule_does_not_hide_the_function_of_its_name(name: str) -> None:
+    code = f"import chasles, chasles.prove, chasles.statements, sys; sys.exit(not callable(chasles.{name}))"
+    succeed(sys.executable, "-c", code)
+
+
+def test_unknown_names_are_named() -> None:
+    with pytest.raises(AttributeError, match=r"no attribute 'proove'; it offers .*prove"):
+        chasles.proove  # noqa: B018
+
+
+def test_the_book_has_one_name() -> None:
+    spec = spec_from_file_location("derivations", ROOT / "derivations" / "__init__.py")
+    assert spec is not None
+    assert spec.loader is not None
+    with pytest.raises(ImportError, match=r"import them as 'chasles\.derivations'"):
+        spec.loader.exec_module(module_from_spec(spec))
+
+
+@pytest.mark.parametrize(("cc", "package"), [("no-such-compiler", "gcc"), ("false", "libc6-dev")])
+def test_missing_compiler_is_named(cc: str, package: str) -> None:
+    done = can_compile(cc)
+    assert done.returncode == 1
+    assert f"install the Debian package {package}, then" in done.stderr
+    assert done.stderr.count("\n") == 1
+
+
+@needs_c
+def test_missing_python_header_is_named(tmp_path: Path) -> None:
+    python = tmp_path / "python"
+    python.write_text(f"#!/bin/sh\necho {tmp_path}\n", "utf-8")
+    python.chmod(0o755)
+    done = can_compile(python=python)
+    assert done.returncode == 1
+    assert f"No Python.h in {tmp_path}" in done.stderr
+    assert "install the Debian package python3-dev, then" in done.stderr
+
+
+def copy_of_checkout(to: Path) -> Path:
+    shutil.copytree(ROOT, to, ignore=shutil.ignore_patterns(".*", "build", "dist", "__pycache__"))
+    return to
+
+
+def wheel(tmp: Path, **environment: str) -> Path:
+    """The only wheel that pip builds from a fresh copy of the checkout, with the tools of this environment."""
+    source = copy_of_checkout(tmp / "source")
+    options = ("--no-build-isolation", "--no-deps", "--wheel-dir", tmp / "dist")
+    succeed(sys.executable, "-m", "pip", "wheel", *options, source, cwd=tmp, **environment)
+    (built,) = (tmp / "dist").iterdir()
+    return built
+
+
+def in_wheel(built: Path, code: str) -> str:
+    """What the code prints where only the wheel and its dependencies can be imported, far from the checkout."""
+    site = built.parent / "site"
+    with zipfile.ZipFile(built) as archive:
+        archive.extractall(site)
+    dependencies = next(path for path in sys.path if path.endswith("site-packages"))
+    # -S leaves out .pth files, and with them the editable installation.
+    path = os.pathsep.join((str(site), dependencies))
+    return succeed(sys.executable, "-S", "-c", code, cwd=site.parent, PYTHONPATH=path, CHASLES_BACKEND="")
+
+
+WHERE = "import chasles.derivations as d, chasles.kernels as k; print(k.backend, len(dir(k)) > 1, d.__file__)"
+EXPECTED = {"chasles/py.typed", "chasles/derivations/__init__.py", "chasles/generated/numpy/kernels.py"}
+
+
+@pytest.mark.slow
+@needs_c
+def test_wheel_with_compiled_kernels(tmp_path: Path) -> None:
+    built = wheel(tmp_path, CHASLES_REQUIRE_C="1")
+    assert "-cp311-abi3-" in built.name or sys.platform == "win32"
+    names = set(zipfile.ZipFile(built).namelist())
+    assert names.issuperset(EXPECTED)
+    assert any(name.startswith("chasles/_kernels.") for name in names)
+    assert not [name for name in names if not name.startswith(("chasles/", "chasles-"))]
+    assert in_wheel(built, WHERE).split()[:2] == ["c", "True"]
+
+
+@pytest.mark.slow
+def test_wheel_without_a_compiler(tmp_path: Path) -> None:
+    built = wheel(tmp_path, CC="false", CHASLES_REQUIRE_C="0")
+    assert built.name == f"chasles-{chasles.__version__}-py3-none-any.whl"
+    assert set(zipfile.ZipFile(built).namelist()).issuperset(EXPECTED)
+    backend, has_kernels, book = in_wheel(built, WHERE).split()
+    assert (backend, has_kernels) == ("numpy", "True")
+    assert Path(book).is_relative_to(tmp_path)
+
+
+@pytest.mark.slow
+def test_compiled_kernels_can_be_insisted_on(tmp_path: Path) -> None:
+    with pytest.raises(AssertionError, match="CMake configuration failed"):
+        wheel(tmp_path, CC="false", CHASLES_REQUIRE_C="1")
+
+
+@pytest.fixture(scope="module")
+def c_library(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The prefix into which CMake has installed the C library, its self-test passed."""
+    tmp = tmp_path_factory.mktemp("c_library")
+    succeed(cmake(), "-S", ROOT, "-B", tmp / "build")
+    succeed(cmake(), "--build", tmp / "build")
+    succeed(cmake().with_name("ctest"), "--test-dir", tmp / "build", "--no-tests=error")
+    succeed(cmake(), "--install", tmp / "build", "--prefix", tmp / "prefix")
+    return tmp / "prefix"
+
+
+def cmake() -> Path:
+    beside_python = Path(sys.executable).parent
+    found = shutil.which("cmake", path=f"{beside_python}{os.pathsep}{os.environ['PATH']}")
+    assert found, "cmake comes with the `test` extra"
+    return Path(found)
+
+
+CONSUMER = """\
+#include <chasles.h>
+#include <stdio.h>
+
+int main(void)
+{
+    const double e[3] = {0.0, 0.0, 1.0}, d[3] = {0.0, 0.0, 6.0};
+    double pitch;
+    chasles_pitch_of_motion(e, 2.0, d, &pitch);
+    printf("%g\\n", pitch);
+    return 0;
+}
+"""
+CONSUMER_CMAKE = """\
+cmake_minimum_required(VERSION 3.21)
+project(consumer LANGUAGES C)
+find_package(chasles 0.1 REQUIRED)
+add_executable(consumer consumer.c)
+target_link_libraries(consumer PRIVATE chasles::chasles)
+"""
+
+
+@pytest.mark.slow
+@needs_c
+def test_c_library_is_found_by_cmake(c_library: Path, tmp_path: Path) -> None:
+    (tmp_path / "consumer.c").write_text(CONSUMER, "utf-8")
+    (tmp_path / "CMakeLists.txt").write_text(CONSUMER_CMAKE, "utf-8")
+    succeed(cmake(), "-S", tmp_path, "-B", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={c_library}")
+    succeed(cmake(), "--build", tmp_path / "build")
+    assert succeed(tmp_path / "build" / "consumer") == "3\n"
+
+
+@pytest.mark.slow
+@needs_c
+@pytest.mark.skipif(shutil.which("pkg-config") is None, reason="no pkg-config on this machine")
+def test_c_library_is_found_by_pkg_config(c_library: Path, tmp_path: Path) -> None:
+    moved = shutil.copytree(c_library, tmp_path / "moved")
+    (folder,) = (path.parent for path in moved.rglob("chasles.pc"))
+    flags = succeed("pkg-config", "--cflags", "--libs", "chasles", PKG_CONFIG_PATH=str(folder)).split()
+    (tmp_path / "consumer.c").write_text(CONSUMER, "utf-8")
+    succeed(*CC.split(), "consumer.c", *flags, "-o", "consumer", cwd=tmp_path)
+    assert succeed(tmp_path / "consumer") == "3\n"

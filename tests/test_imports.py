@@ -1,0 +1,161 @@
+"""Imports go one way: a room knows the rooms before it, the book knows words and sentences, nothing knows the book."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from importlib.util import resolve_name
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+pytestmark = pytest.mark.skipif(not (ROOT / "pyproject.toml").exists(), reason="needs the checkout")
+
+# Rooms, and the modules beside them, each after everything it may import.
+ORDER = (
+    "vocabulary",
+    "statements",
+    "proof",
+    "prove",
+    "exact",
+    "lowering",
+    "bounds",
+    "targets",
+    "kernels",
+    "numerics",
+    "report",
+    "cli",
+)
+# SymPy and floating point come in behind the door of `proof`.
+SYMBOLS_ONLY = ("vocabulary", "statements")
+COMPUTING = ("sympy", "flint", "numpy", "mpmath")
+BOOK = "derivations"
+BOOK_MAY_IMPORT = ("vocabulary", "statements")
+EXERCISES_MAY_IMPORT = (*BOOK_MAY_IMPORT, "exact")
+
+
+def imported_names(module: str, is_package: bool, tree: ast.Module) -> Iterator[tuple[int, str]]:
+    """Line and absolute dotted name of everything imported anywhere in the module, named dynamic imports included."""
+    package = module if is_package else module.rpartition(".")[0]
+    for node in ast.walk(tree):
+        match node:
+            case ast.Import(names=names):
+                yield from ((node.lineno, alias.name) for alias in names)
+            case ast.ImportFrom(module=origin, names=names, level=level):
+                base = resolve_name("." * level + (origin or ""), package)
+                yield from ((node.lineno, f"{base}.{alias.name}") for alias in names)
+            case ast.Call(
+                func=ast.Name(id=called) | ast.Attribute(attr=called), args=[ast.Constant(value=str(name)), *_]
+            ):
+                if called in ("import_module", "__import__"):
+                    yield node.lineno, name
+
+
+def objection(module: str, name: str) -> str | None:
+    """Why the module may not import the name, or None if it may."""
+    top, _, rest = name.partition(".")
+    home, target = module.split(".")[1:2], rest.split(".")[0]
+    unit = home[0] if home else ""
+    if top == BOOK:
+        return "the book is imported as chasles.derivations"
+    if unit == BOOK:
+        return objection_in_book(module, top, rest)
+    if top != "chasles":
+        return f"{unit} computes nothing" if unit in SYMBOLS_ONLY and top in COMPUTING else None
+    if target == BOOK:
+        return "src reaches the book through load() only"
+    if unit == "" or target in (unit, "__version__"):
+        return None
+    if unit not in ORDER or target not in ORDER:
+        return f"{unit if unit not in ORDER else name} has no place in ORDER"
+    if unit == "kernels":
+        return "the kernels stand alone"
+    return None if ORDER.index(target) < ORDER.index(unit) else f"{target} comes after {unit}"
+
+
+def objection_in_book(module: str, top: str, rest: str) -> str | None:
+    """The same for a module of the book, which may look back at earlier sections and never forward."""
+    if top != "chasles":
+        return None if top == "__future__" else "the book computes nothing"
+    target, *inner = rest.split(".")
+    exercise = module.startswith(f"chasles.{BOOK}.exercises")
+    if target != BOOK:
+        return None if target in (EXERCISES_MAY_IMPORT if exercise else BOOK_MAY_IMPORT) else f"not {target}"
+    here = module.split(".")[2:]
+    own_part = inner[: len(here)] == here
+    return None if own_part or place(inner) < place(here) else "it does not come earlier in the book"
+
+
+def place(inner: list[str]) -> tuple[bool, list[str]]:
+    """Sorts as the book does: notation, the sections by their numbers, the exercises."""
+    return inner[:1] == ["exercises"], inner
+
+
+def objections(module: str, source: str, is_package: bool = False) -> list[str]:
+    """One line for each import the module may not make."""
+    found = imported_names(module, is_package, ast.parse(source))
+    return [f"{module}:{line}: {name}: {why}" for line, name in found if (why := objection(module, name))]
+
+
+def project_modules() -> Iterator[tuple[str, Path]]:
+    """Dotted name and file of every module of src and of the book."""
+    for folder, prefix in ((ROOT / "src" / "chasles", ("chasles",)), (ROOT / BOOK, ("chasles", BOOK))):
+        for path in sorted(folder.rglob("*.py")):
+            inner = path.relative_to(folder).with_suffix("").parts
+            yield ".".join((*prefix, *(inner[:-1] if path.stem == "__init__" else inner))), path
+
+
+def test_imports_go_one_way() -> None:
+    modules = list(project_modules())
+    assert {"chasles", "chasles.kernels", "chasles.derivations"} <= {module for module, _ in modules}
+    found = [objections(name, path.read_text("utf-8"), path.stem == "__init__") for name, path in modules]
+    assert not [line for lines in found for line in lines]
+
+
+@pytest.mark.parametrize(
+    ("module", "source"),
+    [
+        ("chasles.vocabulary.words", "from chasles.statements import Claim"),
+        ("chasles.vocabulary.words", "def f():\n    from ..proof.unfold import unfold"),
+        ("chasles.vocabulary.words", "import sympy"),
+        ("chasles.statements.load", "import chasles"),
+        ("chasles.statements.load", "from chasles import prove"),
+        ("chasles.statements.load", "from chasles.derivations import s02_screw"),
+        ("chasles.statements.load", "import importlib\nimportlib.import_module('chasles.derivations.notation')"),
+        ("chasles.proof.decide", "from derivations import notation"),
+        ("chasles.proof.decide", "from .. import targets"),
+        ("chasles.prove", "from chasles.lowering.program import Program"),
+        ("chasles.proof.decide", "import chasles.prove"),
+        ("chasles.targets.c", "from chasles import kernels"),
+        ("chasles.kernels", "from chasles.vocabulary import words"),
+        ("chasles.newcomer", "from chasles.vocabulary import words"),
+        ("chasles.cli", "import chasles.newcomer"),
+        ("chasles.derivations.notation", "from chasles.proof import decide"),
+        ("chasles.derivations.notation", "import sympy"),
+        ("chasles.derivations.s02_screw", "from chasles.exact import line"),
+        ("chasles.derivations.s02_screw", "from chasles.derivations.s04_twist import twist"),
+        ("chasles.derivations.s02_screw", "from .exercises.x3_01 import answer"),
+        ("chasles.derivations.notation", "from .s02_screw import screw_axis"),
+        ("chasles.derivations.exercises.x3_01", "from .x3_02 import answer"),
+    ],
+)
+def test_an_import_the_other_way_is_found(module: str, source: str) -> None:
+    assert len(objections(module, source, is_package=module == "chasles.kernels")) == 1
+
+
+@pytest.mark.parametrize(
+    ("module", "source"),
+    [
+        ("chasles.statements.claim", "from ..vocabulary.words import Sum\nfrom . import load"),
+        ("chasles.prove", "from chasles.proof.decide import decide\nimport sympy"),
+        ("chasles.targets.c", "from chasles import __version__"),
+        ("chasles.numerics.verify", "from chasles import kernels"),
+        ("chasles.derivations", "import chasles.derivations.s02_screw"),
+        ("chasles.derivations.s04_twist", "from chasles.derivations import notation, s02_screw"),
+        ("chasles.derivations.s04_twist", "from .notation import e, phi\nfrom .s02_screw import screw_axis"),
+        ("chasles.derivations.exercises.x3_02", "from chasles.exact import line\nfrom ..s04_twist import twist"),
+    ],
+)
+def test_an_import_the_right_way_is_let_through(module: str, source: str) -> None:
+    assert objections(module, source) == []
