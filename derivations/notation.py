@@ -30,6 +30,7 @@ one = Identity(3)
 O = Zero(3, 3)
 O_43 = Zero(4, 3, r"\mathbf{O}_{43}")
 O_34 = Zero(3, 4, r"\mathbf{O}_{34}")
+unit_columns = (column(1, 0, 0), column(0, 1, 0), column(0, 0, 1))
 zero = Zero(3, 1, r"\mathbf{0}")
 
 # Rotation

@@ -2,7 +2,6 @@
 
 from chasles.derivations.notation import *
 from chasles.derivations.s02_screw import (
-    displacement_of_landmark,
     linear_scalar,
     linear_vector,
     euler_rodrigues_scalar,
@@ -12,6 +11,7 @@ from chasles.derivations.s02_screw import (
     phi_is_not_zero,
     pose,
     rotation_from_axis_angle,
+    screw_axis_point,
 )
 from chasles.derivations.s03_fixed_point import (
     Q_is_a_rotation,
@@ -21,15 +21,20 @@ from chasles.derivations.s03_fixed_point import (
 )
 from chasles.statements import (
     Always,
+    Branch,
     Claim,
     Condition,
+    Cover,
     Definition,
     Iff,
+    Inverse,
     Kernel,
     Minimum,
     Section,
     Theorem,
+    half_turn,
     nonzero,
+    symmetric,
     unit,
 )
 from chasles.vocabulary import (
@@ -51,6 +56,7 @@ from chasles.vocabulary import (
     row,
     sin,
     tr,
+    vect,
 )
 
 general_instantaneous_motion = Section("3.4", "General Instantaneous Motion of a Rigid Body")
@@ -162,6 +168,13 @@ instant_direction = Definition(
 )
 
 instant_moment = Definition("3.55", n_, cross(p, e_), part=2, says="The moment of the instant screw axis.")
+
+minimum_velocity_by_landmark = Claim(
+    "text 3.4.1 d",
+    v0, dot(rate(a), omega) / norm(omega),
+    says="The signed magnitude of the least velocity, from the velocity of the landmark.",
+    given=(minimum_velocity, minimum_velocity_projects_like_all, velocity_of_point),
+)
 
 axial_velocity_of_landmark = Definition(
     "3.57",
@@ -513,6 +526,141 @@ euler_rodrigues_rates = Claim(
         angular_velocity_matrix,
         angular_velocity,
     ),
+)
+
+rotation_from_linear_invariants = Claim(
+    "text 3.4.2 f",
+    Q, q_0 * one + CPM(q) + q @ q.T / (1 + q_0),
+    says="The rotation from its linear invariants.",
+    given=(rotation_from_axis_angle, linear_vector, linear_scalar),
+    assuming=(nonzero(1 + cos(phi), r"\phi \neq \pi"),),
+    kernel=Kernel(of=(q, q_0)),
+)
+
+rotation_from_euler_rodrigues = Claim(
+    "text 3.4.2 f",
+    Q, (q_0**2 - dot(q, q)) * one + 2 * q @ q.T + 2 * q_0 * CPM(q),
+    part=2,
+    says="The rotation from its Euler-Rodrigues parameters.",
+    given=(rotation_from_axis_angle, euler_rodrigues_vector, euler_rodrigues_scalar),
+    kernel=Kernel(of=(q, q_0)),
+)
+
+linear_invariants = Claim(
+    "text 3.4.2 g",
+    column(q, q_0), column(vect(Q), (tr(Q) - 1) / 2),
+    says="The linear invariants from the rotation.",
+    given=(rotation_from_axis_angle, linear_vector, linear_scalar),
+    kernel=Kernel(of=(Q,), results=("q", "q_0")),
+)
+
+# At a half-turn Q + 1 = 2 e e^T: each column that is not zero is along the axis.
+_half_turn_is_a_rotation = Cover("a half-turn is a rotation", Q.T @ Q, one, assuming=(half_turn(Q),))
+_axis_of_half_turn = tuple(((Q + one) @ unit_column, norm((Q + one) @ unit_column)) for unit_column in unit_columns)
+
+natural_invariants = Inverse(
+    "text 3.4.2 h",
+    of=rotation_from_axis_angle,
+    says="The natural invariants from the rotation.",
+    assuming=(Q_is_a_rotation,),
+    branches=(
+        Branch(
+            "neither the identity nor a half-turn",
+            where=norm(vect(Q)),
+            values=((e, vect(Q) / norm(vect(Q))), (cos(phi), (tr(Q) - 1) / 2), (sin(phi), norm(vect(Q)))),
+        ),
+        *(
+            Branch(
+                f"a half-turn about an axis that is not normal to axis {k}",
+                where=length,
+                values=((e, along / length), (cos(phi), number(-1)), (sin(phi), number(0))),
+                assuming=(half_turn(Q),),
+            )
+            for k, (along, length) in enumerate(_axis_of_half_turn, start=1)
+        ),
+    ),
+    covers=(
+        _half_turn_is_a_rotation,
+        Cover(
+            "a rotation without an axial vector is the identity or has trace -1",
+            (tr(Q) + 1) * (Q - one), O,
+            assuming=(Q_is_a_rotation, symmetric(Q)),
+        ),
+        Cover(
+            "at a half-turn not all three columns vanish",
+            sum((length**2 for _, length in _axis_of_half_turn[1:]), _axis_of_half_turn[0][1] ** 2), number(4),
+            assuming=(half_turn(Q),),
+        ),
+    ),
+    gives=(e, phi),
+    kernel=Kernel(of=(Q,), results=("e", "phi")),
+)
+
+euler_rodrigues_parameters = Inverse(
+    "text 3.4.2 i",
+    of=rotation_from_euler_rodrigues,
+    says="The Euler-Rodrigues parameters from the rotation.",
+    assuming=(Q_is_a_rotation,),
+    branches=(
+        Branch(
+            "not a half-turn",
+            where=norm(column(2 * vect(Q), 1 + tr(Q))),
+            values=(
+                (q, 2 * vect(Q) / norm(column(2 * vect(Q), 1 + tr(Q)))),
+                (q_0, (1 + tr(Q)) / norm(column(2 * vect(Q), 1 + tr(Q)))),
+            ),
+        ),
+        *(
+            Branch(
+                f"a half-turn about an axis that is not normal to axis {k}",
+                where=length,
+                values=((q, along / length), (q_0, number(0))),
+                assuming=(half_turn(Q),),
+            )
+            for k, (along, length) in enumerate(_axis_of_half_turn, start=1)
+        ),
+    ),
+    covers=(
+        _half_turn_is_a_rotation,
+        Cover(
+            "the first branch leaves out only trace -1",
+            norm(column(2 * vect(Q), 1 + tr(Q))) ** 2, 4 * (1 + tr(Q)),
+        ),
+        Cover(
+            "at a half-turn not all three columns vanish",
+            sum((length**2 for _, length in _axis_of_half_turn[1:]), _axis_of_half_turn[0][1] ** 2), number(4),
+            assuming=(half_turn(Q),),
+        ),
+    ),
+    gives=(q, q_0),
+    kernel=Kernel(of=(Q,), results=("q", "q_0")),
+)
+
+screw_of_motion = Inverse(
+    "text 3.4.2 j",
+    of=rotation_from_axis_angle,
+    says="The screw of a motion: Plücker array of its axis, translation along it, angle.",
+    assuming=(Q_is_a_rotation,),
+    given=(screw_axis_point,),
+    branches=natural_invariants.branches,
+    covers=natural_invariants.covers,
+    gives=(column(e, cross(p_0, e)), dot(e, a_ - a), phi),
+    kernel=Kernel(of=(Q, a, a_), results=("axis", "d_0", "phi")),
+)
+
+instant_screw = Claim(
+    "text 3.4.1 c",
+    column(column(e_, n_), pitch_),
+    column(column(omega / norm(omega), cross(p_0_, omega / norm(omega))), dot(rate(a), omega) / norm(omega) ** 2),
+    says="The instant screw: Plücker array of its axis, and pitch.",
+    given=(
+        instant_direction,
+        instant_moment.at({p: p_0_}),
+        pitch_of_instant_screw,
+        minimum_velocity_by_landmark,
+        instant_screw_point,
+    ),
+    kernel=Kernel(of=(omega, rate(a), a), results=("axis", "pitch")),
 )
 
 phi_is_not_pi = nonzero(1 + cos(phi), r"\phi \neq \pi")

@@ -14,6 +14,7 @@ from chasles.lowering.program import Argument, Op, Program, Result, Step
 from chasles.targets import EmissionError, Heading, Kernel, signature
 from chasles.targets.constants import DOUBLE, SINGLE, literal, literals, rounded
 from chasles.targets.dialect import ARITHMETIC, Dialect, call
+from chasles.targets.gufunc.text import c_string
 from chasles.targets.spelling import spelled
 
 PYTHON = Dialect(
@@ -246,3 +247,7 @@ def test_headings_are_plain(bad):
     good = {"number": "3.1", "says": "s", "verdict": "holds", "hypotheses": (), "derivation": "0" * 64}
     with pytest.raises(ValueError, match=r"3\.1"):
         Heading(**good | bad)
+
+
+def test_a_c_string_is_the_text_for_every_compiler():
+    assert c_string('a "b"??/ \\ é\n') == r'"a \"b\"\?\?/ \\ \303\251\n"'

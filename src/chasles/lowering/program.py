@@ -19,6 +19,7 @@ class Op(StrEnum):
 
     INPUT = "input"
     CONSTANT = "constant"
+    NOT_A_NUMBER = "not_a_number"
     ADD = "add"
     SUBTRACT = "subtract"
     MULTIPLY = "multiply"
@@ -36,6 +37,7 @@ class Op(StrEnum):
 ARITY = {
     Op.INPUT: 0,
     Op.CONSTANT: 0,
+    Op.NOT_A_NUMBER: 0,
     Op.ADD: 2,
     Op.SUBTRACT: 2,
     Op.MULTIPLY: 2,
@@ -50,7 +52,9 @@ ARITY = {
     Op.SELECT: 3,
 }
 
-FREE_OF_CHARGE = frozenset({Op.INPUT, Op.CONSTANT, Op.NEGATE, Op.SELECT, Op.LESS, Op.EQUAL})
+FREE_OF_CHARGE = frozenset(
+    {Op.INPUT, Op.CONSTANT, Op.NOT_A_NUMBER, Op.NEGATE, Op.SELECT, Op.LESS, Op.EQUAL}
+)
 
 
 @dataclass(frozen=True, slots=True)

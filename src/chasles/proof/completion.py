@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
+from heapq import heapify, heappop, heappush
 
 from chasles.proof.normal_form import reduce_by
 from chasles.proof.rings import Polynomial, Ring
@@ -65,12 +66,12 @@ def completed(basis: Basis, within_budget: Callable[[], bool]) -> Basis:
     ring = basis.ring
     generators, origins = list(basis.generators), list(basis.origins)
     leads = [ring.leading(g) for g in generators]
-    pairs = [(i, j) for j in range(len(generators)) for i in range(j)]
+    pairs = [(_degree(leads, (i, j)), i, j) for j in range(len(generators)) for i in range(j)]
+    heapify(pairs)
     while pairs:
         if not within_budget():
             return Basis(ring, tuple(generators), tuple(origins), complete=False)
-        pairs.sort(key=lambda pair: -_degree(leads, pair))
-        i, j = pairs.pop()
+        _, i, j = heappop(pairs)
         if not any(a and b for a, b in zip(leads[i][0], leads[j][0], strict=True)):
             continue
         left, right = _cofactors(ring, leads[i], leads[j])
@@ -86,7 +87,9 @@ def completed(basis: Basis, within_budget: Callable[[], bool]) -> Basis:
         origins.append(folded(combination, tuple(origins)))
         generators.append(reduction.remainder)
         leads.append(ring.leading(reduction.remainder))
-        pairs += [(k, len(generators) - 1) for k in range(len(generators) - 1)]
+        last = len(generators) - 1
+        for k in range(last):
+            heappush(pairs, (_degree(leads, (k, last)), k, last))
     return Basis(ring, tuple(generators), tuple(origins), complete=True)
 
 

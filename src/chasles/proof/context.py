@@ -61,7 +61,7 @@ def build(problem: Problem) -> Context:
         for node in (*hypothesis.subjects, *hypothesis.nonvanishing):
             scan(found, node, 0, rules)
     variables = tuple(found.listed(problem.unknowns))
-    order = "grevlex" if any(h.kind in ("rotation", "orthonormal") for h in active) else "lex"
+    order = "grevlex" if any(h.kind in ("rotation", "half_turn", "orthonormal") for h in active) else "lex"
     ring = make_ring([variable.name for variable in variables], order)
     if len(set(ring.names)) != len(ring.names):
         twice = next(name for name in ring.names if ring.names.count(name) > 1)

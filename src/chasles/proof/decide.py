@@ -57,12 +57,15 @@ def decide_problem(problem: Problem, own: tuple[Hypothesis, ...] = (), budget: f
     except Untreatable as error:
         return Undecided(str(error))
     if not proved:
-        found = _refute(context, solved, [e for e in unproved if e.cofactors is None])
-        if found:
-            return Fails(found)
+        suspects = [e for e in unproved if e.cofactors is None]
+        if not _vanish_here_and_there(context, solved, suspects):
+            found = _refute(context, solved, suspects)
+            if found:
+                return Fails(found)
         whole = completed(context.basis, lambda: monotonic() < deadline)
         if not _prove(context, whole, unproved):
-            return Undecided("a remainder is left, and no counterexample was found")
+            found = _refute(context, solved, [e for e in unproved if e.cofactors is None])
+            return Fails(found) if found else Undecided("a remainder is left, and no counterexample was found")
     return _certified(context, conditions, solved, unproved, own)
 
 
@@ -102,6 +105,12 @@ def _prove(context: Context, basis: Basis, todo: list[_Entry]) -> bool:
 
 def _solved_ratios(context: Context, solved: tuple[Solved, ...]) -> dict[str, tuple[Polynomial, Polynomial]]:
     return {s.variable: (s.value.numerator, context.field.power_product(s.value.denominator)) for s in solved}
+
+
+def _vanish_here_and_there(context: Context, solved: tuple[Solved, ...], suspects: list[_Entry]) -> bool:
+    """Whether the entries vanish at a few rich points: then they will vanish everywhere, and a proof is worth its time."""
+    few = islice(points.sample(context, _solved_ratios(context, solved), simple=False), 3)
+    return all(is_zero(points.ratio_at(context, e.ratio, point) or {}) for point in few for e in suspects)
 
 
 def _refute(context: Context, solved: tuple[Solved, ...], suspects: list[_Entry]) -> Counterexample | None:

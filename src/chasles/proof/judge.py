@@ -8,7 +8,7 @@ from time import perf_counter
 from typing import Any
 
 from chasles.proof.decide import BUDGET, decide_problem, determining, pose
-from chasles.proof.verdict import Assumed, Defined, IllFormed, Undecided, Verdict
+from chasles.proof.verdict import Assumed, Defined, Holds, HoldsUnder, IllFormed, Undecided, Verdict
 from chasles.statements import Claim, Condition, Definition, Entry, Inverse, Postulate, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import problems_of_inverse
 from chasles.statements.problem import default_form
@@ -119,5 +119,16 @@ class Judge:
         return pose(problem) if verdict.true else verdict
 
     def _inverse(self, sentence: Inverse) -> Verdict:
-        problem = problems_of_inverse(sentence, self.standing)
-        return decide_problem(problem, sentence.assuming, self.budget)
+        """An inverse holds if each of its branches does and they cover the domain."""
+        needs: dict[str, None] = {}
+        certificates: dict[str, Any] = {}
+        verdict: Verdict | None = None
+        for says, problem in problems_of_inverse(sentence, self.standing):
+            verdict = decide_problem(problem, (), self.budget)
+            if not isinstance(verdict, Holds | HoldsUnder):
+                return verdict
+            needs |= dict.fromkeys(h.text for h in sentence.assuming if h.text in verdict.needs)
+            certificates[says] = verdict.certificate
+        assert isinstance(verdict, Holds | HoldsUnder)
+        unused = tuple(h.text for h in sentence.assuming if h.text not in needs)
+        return HoldsUnder(tuple(needs), {"branches": certificates}, verdict.witness, unused)

@@ -24,6 +24,8 @@ __all__ = ["Point", "evaluate", "ratio_at", "sample", "satisfies"]
 Point = dict[str, Fraction]
 Numbers = list[list[Fraction]]
 
+ATTEMPTS = 400
+SIMPLE_ATTEMPTS = 8
 AXES = ((0, 0, 1), (1, 0, 0), (0, 1, 0))
 UNIT_VECTORS = tuple(
     tuple(Fraction(k, d) for k in numbers)
@@ -54,16 +56,16 @@ def evaluate(context: Context, polynomial: Polynomial, point: Point) -> Value:
     return {power: c for power, c in total.items() if c}
 
 
-def sample(context: Context, solved: dict[str, tuple[Polynomial, Polynomial]], seed: int = 0) -> Iterator[Point]:
-    """Points that satisfy the hypotheses, the norms and the conditions, without end; simple ones first.
+def sample(
+    context: Context, solved: dict[str, tuple[Polynomial, Polynomial]], *, simple: bool = True
+) -> Iterator[Point]:
+    """Points that satisfy the hypotheses, the norms and the conditions, simple ones first, until a number of attempts.
 
     `solved` gives numerator and denominator of each variable that the conditions determine.
     """
-    draw = Random(seed)
-    attempt = 0
-    while True:
+    draw = Random(0)
+    for attempt in range(0 if simple else SIMPLE_ATTEMPTS, ATTEMPTS):
         point = _try(context, solved, draw, attempt)
-        attempt += 1
         if point is not None and satisfies(context, point):
             yield point
 
@@ -78,7 +80,7 @@ def satisfies(context: Context, point: Point) -> bool:
 def _try(
     context: Context, solved: dict[str, tuple[Polynomial, Polynomial]], draw: Random, attempt: int
 ) -> Point | None:
-    rich = attempt >= 8
+    rich = attempt >= SIMPLE_ATTEMPTS
     values: dict[tuple[Symbol, int], Numbers] = {}
     orders: dict[Symbol, int] = {}
     for variable in context.variables:
@@ -170,6 +172,10 @@ def _bind(
             (matrix,) = subjects
             rates = _turning(_rotation(draw, rich), orders.get(matrix, 0), draw, rich)
             values |= {(matrix, k): rate for k, rate in enumerate(rates)}
+        case "half_turn":
+            (matrix,) = subjects
+            rates = _turning(_half_turn(draw, rich), orders.get(matrix, 0), draw, rich)
+            values |= {(matrix, k): rate for k, rate in enumerate(rates)}
         case "orthonormal":
             order = max(orders.get(s, 0) for s in subjects)
             rates = _turning(_rotation(draw, rich), order, draw, rich)
@@ -180,6 +186,9 @@ def _bind(
             values[quantity, 0] = [[Fraction(draw.randint(1, 5))]]
         case "symmetric":
             (matrix,) = subjects
+            if (matrix, 0) in values:
+                values[matrix, 0] = _half_turn(draw, rich)
+                return set(subjects)
             for k in range(orders.get(matrix, 0) + 1):
                 m = _free(matrix.shape, draw, rich)
                 values[matrix, k] = [[m[min(i, j)][max(i, j)] for j in range(len(m))] for i in range(len(m))]
@@ -208,9 +217,12 @@ def _unit_vector(draw: Random, rich: bool) -> tuple[Fraction, ...]:
 
 
 def _rotation(draw: Random, rich: bool) -> Numbers:
+    """A rotation from a quaternion of integers; half of them have a rational sine of their angle too."""
     reach = 3 if rich else 1
     while True:
         x, y, z, w = (draw.randint(-reach, reach) for _ in range(4))
+        if rich and draw.randint(0, 1):
+            x, y, z, _ = draw.choice(PYTHAGOREAN)
         if total := x * x + y * y + z * z + w * w:
             break
     rows = [
@@ -219,6 +231,12 @@ def _rotation(draw: Random, rich: bool) -> Numbers:
         [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
     ]
     return [[Fraction(entry, total) for entry in row] for row in rows]
+
+
+def _half_turn(draw: Random, rich: bool) -> Numbers:
+    """A symmetric rotation other than the identity."""
+    u = _unit_vector(draw, rich)
+    return [[2 * u[i] * u[j] - (i == j) for j in range(3)] for i in range(3)]
 
 
 def _finish(

@@ -4,6 +4,7 @@ from chasles.statements.chapter import Chapter, DeclarationError, Entry, Section
 from chasles.statements.forms import Always, Exists, Iff, Minimum, Unique
 from chasles.statements.hypotheses import (
     Hypothesis,
+    half_turn,
     nonzero,
     orthonormal,
     perpendicular,
@@ -12,7 +13,7 @@ from chasles.statements.hypotheses import (
     symmetric,
     unit,
 )
-from chasles.statements.inversion import Branch, Inverse
+from chasles.statements.inversion import Branch, Cover, Inverse
 from chasles.statements.problem import Goal, Problem, problem_of
 from chasles.statements.statement import Claim, Condition, Definition, Kernel, Postulate, Statement, Theorem
 
@@ -22,6 +23,7 @@ __all__ = [
     "Chapter",
     "Claim",
     "Condition",
+    "Cover",
     "DeclarationError",
     "Definition",
     "Entry",
@@ -38,6 +40,7 @@ __all__ = [
     "Statement",
     "Theorem",
     "Unique",
+    "half_turn",
     "load",
     "nonzero",
     "orthonormal",

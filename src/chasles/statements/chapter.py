@@ -10,7 +10,7 @@ from importlib import import_module
 from types import ModuleType
 
 from chasles.statements.inversion import Inverse
-from chasles.statements.statement import Statement, Theorem
+from chasles.statements.statement import Claim, Statement, Theorem
 
 __all__ = ["Chapter", "DeclarationError", "Entry", "Section", "load"]
 
@@ -48,13 +48,17 @@ class Entry:
 
 @dataclass(frozen=True)
 class Chapter:
-    """The statements of a book. Raises `DeclarationError` if two have one number and part, or one rests on a later one."""
+    """The statements of a book.
+
+    Raises `DeclarationError` if two have one name, or one number and part, or if one rests on itself or a later one.
+    """
 
     title: str
     entries: tuple[Entry, ...]
 
     def __post_init__(self) -> None:
         seen: dict[tuple[str, int], str] = {}
+        names: dict[str, str] = {}
         order = {id(entry.statement): place for place, entry in enumerate(self.entries)}
         for place, entry in enumerate(self.entries):
             number, part = entry.key
@@ -64,9 +68,16 @@ class Chapter:
                     "give the second another `part`"
                 )
             seen[entry.key] = entry.name
-            for given in entry.statement.given:
-                if order.get(id(given), -1) >= place:
-                    raise DeclarationError(f"{entry.name} ({number}) rests on ({given.number}), which comes after it")
+            if entry.name in names:
+                raise DeclarationError(
+                    f"({names[entry.name]}) and ({number}) are both called {entry.name}: give one another name"
+                )
+            names[entry.name] = number
+            for basis in _bases(entry.statement):
+                if order.get(id(basis), -1) >= place:
+                    raise DeclarationError(
+                        f"{entry.name} ({number}) rests on ({basis.number}), which does not come before it"
+                    )
 
     @cached_property
     def sections(self) -> tuple[Section, ...]:
@@ -101,6 +112,16 @@ class Chapter:
         )
 
 
+def _bases(sentence: Sentence) -> Iterator[Statement]:
+    """The statements that a sentence names: what is given, and what it restates, solves or inverts."""
+    yield from sentence.given
+    match sentence:
+        case Claim(restates=Statement() as other) | Claim(solves=Statement() as other) | Inverse(of=other):
+            yield other
+        case Claim(restates=tuple() as others):
+            yield from others
+
+
 def _within(number: str, section: str) -> bool:
     return number == section or number.startswith(section + ".")
 
@@ -118,6 +139,8 @@ def load(package: str = "chasles.derivations") -> Chapter:
     Raises `DeclarationError` for contradictory declarations, and ModuleNotFoundError if there is no such package.
     """
     book = import_module(package)
+    if not hasattr(book, "SECTIONS"):
+        raise DeclarationError(f"{package} has no SECTIONS: list the names of its modules there, in the book's order")
     entries: list[Entry] = []
     seen: set[int] = set()
     for name in book.SECTIONS:

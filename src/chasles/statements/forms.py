@@ -7,6 +7,7 @@ a witness; uniqueness is a left inverse. Nothing is believed that is not one of 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from dataclasses import replace as with_fields
 from typing import Protocol
 
 from chasles.vocabulary import Contract, Dot, Negative, Node, Scale, Sum, Symbol, Zero, replace
@@ -62,7 +63,7 @@ class Minimum:
         squares: list[Node] = [Dot(square, square) for square in self.squares]
         total = squares[0] if len(squares) == 1 else Sum(tuple(squares))
         excess = ("the excess over the least value is a sum of squares", _minus(self.of, self.value), total)
-        there = {self.over: self.at}
+        there: dict[Node, Node] = {self.over: self.at}
         vanish = [("the square vanishes there", replace(s, there), _zero(s)) for s in self.squares]
         return (excess, *vanish)
 
@@ -93,7 +94,7 @@ class Exists:
     right: Node
 
     def equations(self) -> tuple[tuple[str, Node, Node], ...]:
-        here = {self.symbol: self.witness}
+        here: dict[Node, Node] = {self.symbol: self.witness}
         return (("the witness satisfies the equation", replace(self.left, here), replace(self.right, here)),)
 
 
@@ -106,10 +107,7 @@ class Unique:
     by: Node
 
     def equations(self) -> tuple[tuple[str, Node, Node], ...]:
-        from dataclasses import replace as with_fields
-
         other = with_fields(self.symbol, name=f"{self.symbol.name}_other", letter=rf"{self.symbol.letter}^*")
-        difference = _minus(self.residual, replace(self.residual, {self.symbol: other}))
+        there: dict[Node, Node] = {self.symbol: other}
+        difference = _minus(self.residual, replace(self.residual, there))
         return (("two solutions coincide", _minus(self.symbol, other), _times(self.by, difference)),)
-
-

@@ -10,14 +10,29 @@ import re
 from dataclasses import dataclass
 from fractions import Fraction
 
-from chasles.vocabulary import Block, Cofactor, Dot, Identity, Node, Number, Symbol, Transpose, latex, plain
+from chasles.vocabulary import Block, Cofactor, Dot, Identity, Node, Number, Symbol, Trace, Transpose, Zero, latex, plain
+from chasles.vocabulary.measure import added
+from chasles.vocabulary.nodes import measured
 
-__all__ = ["Hypothesis", "nonzero", "orthonormal", "perpendicular", "positive", "rotation", "symmetric", "unit"]
+__all__ = [
+    "Hypothesis",
+    "half_turn",
+    "nonzero",
+    "orthonormal",
+    "perpendicular",
+    "positive",
+    "rotation",
+    "symmetric",
+    "unit",
+]
 
 
 @dataclass(frozen=True, slots=True)
 class Hypothesis:
-    """A named side condition on `subjects`: its `equations` hold and its `nonvanishing` expressions are not zero."""
+    """A named side condition on `subjects`: its `equations` hold and its `nonvanishing` expressions are not zero.
+
+    Raises `Misfit` if the two sides of one of its equations differ in shape or dimension.
+    """
 
     kind: str
     subjects: tuple[Node, ...]
@@ -26,10 +41,19 @@ class Hypothesis:
     latex: str = ""
     text: str = ""
 
+    def __post_init__(self) -> None:
+        for left, right in self.equations:
+            added(measured(left), measured(right), (left, right), f"assume {self.kind}: cannot equate")
+
 
 def _symbol(subject: Node, kind: str) -> None:
     if not isinstance(subject, Symbol) or subject.stands_for is not None:
         raise TypeError(f"{kind} is said of a symbol, and {subject} is an expression")
+
+
+def _scalar(subject: Node, kind: str) -> None:
+    if not subject.is_scalar:
+        raise TypeError(f"{kind} is said of a scalar, and {subject} is {subject.shape[0]} x {subject.shape[1]}")
 
 
 def unit(vector: Node) -> Hypothesis:
@@ -41,8 +65,7 @@ def unit(vector: Node) -> Hypothesis:
 
 def nonzero(expression: Node, letter: str = "") -> Hypothesis:
     """The scalar is not zero; `letter` says it in LaTeX in the reader's terms (phi != 0 rather than 1 - cos(phi) != 0)."""
-    if not expression.is_scalar:
-        raise TypeError(f"nonzero is said of a scalar, and {expression} is {expression.shape[0]} x {expression.shape[1]}")
+    _scalar(expression, "nonzero")
     said = letter or rf"{latex(expression)} \neq 0"
     text = _plain_of(letter) if letter else f"{plain(expression)} != 0"
     return Hypothesis("nonzero", (expression,), (), (expression,), said, text)
@@ -51,6 +74,7 @@ def nonzero(expression: Node, letter: str = "") -> Hypothesis:
 def positive(quantity: Node) -> Hypothesis:
     """The scalar is greater than zero, as a mass is; a proof uses only that it is not zero."""
     _symbol(quantity, "positive")
+    _scalar(quantity, "positive")
     return Hypothesis("positive", (quantity,), (), (quantity,), f"{latex(quantity)} > 0", f"{plain(quantity)} > 0")
 
 
@@ -59,15 +83,44 @@ def symmetric(matrix: Node) -> Hypothesis:
     _symbol(matrix, "symmetric")
     equation = (matrix, Transpose(matrix))
     return Hypothesis(
-        "symmetric", (matrix,), (equation,), (), rf"{latex(matrix)} = {latex(matrix)}^T", f"{plain(matrix)} is symmetric"
+        "symmetric",
+        (matrix,),
+        (equation,),
+        (),
+        rf"{latex(matrix)} = {latex(matrix)}^T",
+        f"{plain(matrix)} is symmetric",
     )
 
 
 def rotation(matrix: Node) -> Hypothesis:
     """The matrix is proper orthogonal; the 21 quadrics that say so are already a Groebner basis."""
     _symbol(matrix, "rotation")
+    _symbol(matrix, "rotation")
     return Hypothesis(
-        "rotation", (matrix,), _proper_orthogonal(matrix), (), rf"{latex(matrix)} \in SO(3)", f"{plain(matrix)} is a rotation"
+        "rotation",
+        (matrix,),
+        _proper_orthogonal(matrix),
+        (),
+        rf"{latex(matrix)} \in SO(3)",
+        f"{plain(matrix)} is a rotation",
+    )
+
+
+def half_turn(matrix: Node) -> Hypothesis:
+    """The matrix is a rotation through the angle pi: it is symmetric, its trace is -1, and Q + 1 has rank one."""
+    _symbol(matrix, "half_turn")
+    equations = (
+        (matrix, Transpose(matrix)),
+        (Trace(matrix), Number(Fraction(-1))),
+        (Cofactor(matrix + Identity(3)), Zero(3, 3)),
+    )
+    return Hypothesis(
+        "half_turn",
+        (matrix,),
+        equations,
+        (),
+        rf"{latex(matrix)} \text{{ is a half-turn}}",
+        f"{plain(matrix)} is a half-turn",
     )
 
 

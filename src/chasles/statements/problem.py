@@ -5,14 +5,30 @@ The prover and the checker of certificates both start here, and from nowhere els
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from dataclasses import replace as with_fields
 
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.statement import Claim, Condition, Definition, Statement, Theorem, bare, is_rule
-from chasles.vocabulary import Contract, Identity, Inverse, Misfit, Negative, Node, Sum, Symbol, column, members_of, replace
+from chasles.statements.varied import demands, visible
+from chasles.vocabulary import (
+    Contract,
+    Identity,
+    Inverse,
+    Misfit,
+    Negative,
+    Node,
+    Sum,
+    Symbol,
+    children,
+    column,
+    members_of,
+    replace,
+)
 from chasles.vocabulary.families import indices_of
-from chasles.vocabulary.nodes import lifted
+from chasles.vocabulary.measure import added
+from chasles.vocabulary.nodes import lifted, measured
 
 __all__ = ["Goal", "Problem", "default_form", "problem_of"]
 
@@ -52,7 +68,7 @@ def default_form(statement: Statement) -> str:
 def problem_of(
     statement: Decidable, form: str = "printed", standing: Callable[[Statement], str] = default_form
 ) -> Problem:
-    """The problem that decides a statement in one of its forms; `standing` says which form of a given one stands for it.
+    """The problem that decides a statement in one of its forms; `standing` says which form stands for a given one.
 
     Raises `Misfit` if that form does not fit together, and TypeError if a given statement cannot be used.
     """
@@ -60,6 +76,8 @@ def problem_of(
     conditions: list[Goal] = []
     unknowns: dict[Symbol, None] = {}
     for given in statement.given:
+        if not isinstance(given, Statement):
+            raise TypeError(f"({statement.number}) is given ({given.number}), a {given.role}: name equations instead")
         left, right = given.form(standing(given))
         if isinstance(given, Condition) and given.solution is not None:
             raise TypeError(
@@ -79,9 +97,59 @@ def problem_of(
                 f"({statement.number}) is given ({given.number}), whose left side {left} is no symbol: "
                 "state it as a Condition on what it determines"
             )
+    _refuse_circles(statement, rules)
     hypotheses = tuple(dict.fromkeys(_hypotheses(statement)))
-    goals = tuple(_goals(statement, form))
-    return Problem(goals, tuple(rules), tuple(conditions), tuple(unknowns), hypotheses)
+    problem = Problem((), tuple(rules), tuple(conditions), tuple(unknowns), hypotheses)
+    if isinstance(statement, Theorem):
+        goals = tuple(_theorem_goals(statement, problem))
+    else:
+        goals = tuple(_goals(statement, form, standing))
+    for goal in goals:
+        added(measured(goal.left), measured(goal.right), (goal.left, goal.right), "equate")
+    return with_fields(problem, goals=goals)
+
+
+def _refuse_circles(statement: Decidable, rules: list[tuple[Node, Node]]) -> None:
+    """Raise TypeError if two rules replace the same symbol differently, or a rule leads back to its own left side."""
+    table: dict[Node, Node] = {}
+    for left, right in rules:
+        if table.setdefault(left, right) != right:
+            raise TypeError(f"({statement.number}) is given two statements that say what {left} is: name one of them")
+    reads = {left: frozenset(_rules_read(right, table)) for left, right in table.items()}
+    for start in table:
+        reached: set[Node] = set()
+        ahead = set(reads[start])
+        while ahead:
+            reached |= ahead
+            ahead = {further for left in ahead for further in reads[left]} - reached
+        if start in reached:
+            raise TypeError(
+                f"({statement.number}) is given statements that say what {start} is by {start} itself: "
+                "state one of them as a Condition"
+            )
+
+
+def _rules_read(node: Node, table: Mapping[Node, Node]) -> Iterator[Node]:
+    """The rules that are applied when the node is read, before any of them is followed."""
+    if node in table:
+        yield node
+    elif isinstance(node, Symbol) and node.stands_for is not None:
+        yield from _rules_read(node.stands_for, table)
+    else:
+        for part in children(node):
+            yield from _rules_read(part, table)
+
+
+def _theorem_goals(statement: Theorem, problem: Problem) -> Iterator[Goal]:
+    restricted = tuple(side for goal in problem.conditions for side in (goal.left, goal.right)) + problem.unknowns
+    for part in statement.forms:
+        try:
+            shown = visible(part, dict(problem.rules), restricted)
+            equations = (*shown.equations(), *demands(shown, problem.hypotheses))
+        except TypeError as error:
+            raise TypeError(f"({statement.number}): {error}") from None
+        for label, left, right in equations:
+            yield Goal(label, left, right)
 
 
 def _hypotheses(statement: Decidable) -> Iterator[Hypothesis]:
@@ -91,12 +159,7 @@ def _hypotheses(statement: Decidable) -> Iterator[Hypothesis]:
         yield from _hypotheses(given)
 
 
-def _goals(statement: Decidable, form: str) -> Iterator[Goal]:
-    if isinstance(statement, Theorem):
-        for part in statement.forms:
-            for label, left, right in part.equations():
-                yield Goal(label, left, right)
-        return
+def _goals(statement: Statement, form: str, standing: Callable[[Statement], str]) -> Iterator[Goal]:
     left, right = statement.form(form)
     if fault := (statement.fault if form == "printed" else left.fault or right.fault):
         raise Misfit(fault)
@@ -108,12 +171,14 @@ def _goals(statement: Decidable, form: str) -> Iterator[Goal]:
         case Condition(on=(_, *_)):
             yield from _equations("", left, right)
         case Claim(restates=Statement() as other):
-            yield _multiple(statement, (other,), left, right)
+            yield _multiple(statement, (other,), standing, left, right)
         case Claim(restates=tuple() as others):
-            yield _multiple(statement, others, left, right)
+            yield _multiple(statement, others, standing, left, right)
         case Claim(solves=Statement() as other):
             assert isinstance(left, Symbol)
-            yield Goal("it solves the equation", *(replace(side, {left: right}) for side in other.printed))
+            yield Goal(
+                "it solves the equation", *(replace(side, {left: right}) for side in other.form(standing(other)))
+            )
         case _:
             yield from _equations("", left, right)
 
@@ -129,8 +194,11 @@ def _equations(label: str, left: Node, right: Node) -> Iterator[Goal]:
         yield Goal(label, one, another)
 
 
-def _multiple(statement: Claim, others: tuple[Statement, ...], left: Node, right: Node) -> Goal:
-    differences: list[Node] = [Sum((other.left, Negative(other.right))) for other in others]
+def _multiple(
+    statement: Claim, others: tuple[Statement, ...], standing: Callable[[Statement], str], left: Node, right: Node
+) -> Goal:
+    sides = [other.form(standing(other)) for other in others]
+    differences: list[Node] = [Sum((one, Negative(another))) for one, another in sides]
     difference = differences[0] if len(differences) == 1 else column(*differences)
     if statement.by is not None:
         by = lifted(statement.by)

@@ -61,7 +61,7 @@ class Entry(Node):
         return (self.of,)
 
     def _measured(self) -> Measure:
-        return uniform((1, 1), measured(self.of).the_dimension(str(self.of)))
+        return uniform((1, 1), measured(self.of).the_dimension(self.of))
 
 
 @_word

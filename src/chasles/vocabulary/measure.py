@@ -8,10 +8,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import product
 
 from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
 
-__all__ = ["Grid", "Measure", "Misfit", "added", "contracted", "entrywise", "scaled", "stacked", "uniform"]
+__all__ = [
+    "Grid",
+    "Measure",
+    "Misfit",
+    "added",
+    "completed",
+    "contracted",
+    "entrywise",
+    "scaled",
+    "stacked",
+    "uniform",
+]
 
 Grid = tuple[tuple[Dimension | None, ...], ...]
 
@@ -34,7 +46,7 @@ class Measure:
     def transposed(self) -> Measure:
         return Measure(tuple(zip(*self.grid, strict=True)))
 
-    def the_dimension(self, what: str) -> Dimension | None:
+    def the_dimension(self, what: object) -> Dimension | None:
         """The one dimension that all entries share; a `Misfit` naming `what` if they differ."""
         found = {d for row in self.grid for d in row if d is not None}
         if len(found) > 1:
@@ -73,8 +85,11 @@ class _Clash(Exception):
         self.one, self.other = one, other
 
 
-def added(first: Measure, second: Measure, names: tuple[str, str], verb: str = "add") -> Measure:
-    """The common measure of two terms of a sum, or of the two sides of an equation."""
+def added(first: Measure, second: Measure, names: tuple[object, object], verb: str = "add") -> Measure:
+    """The common measure of two terms of a sum, or of the two sides of an equation.
+
+    Here and below, `names` are spelled only if there is a `Misfit` to report.
+    """
     if first.shape != second.shape:
         raise Misfit(f"cannot {verb} {names[0]} ({_size(first)}) and {names[1]} ({_size(second)})")
     if first.grid == second.grid:
@@ -89,7 +104,7 @@ def added(first: Measure, second: Measure, names: tuple[str, str], verb: str = "
     return Measure(tuple(rows))
 
 
-def contracted(first: Measure, second: Measure, names: tuple[str, str]) -> Measure:
+def contracted(first: Measure, second: Measure, names: tuple[object, object]) -> Measure:
     """The measure of a matrix product: inner sizes agree, and every product in one entry's sum has one dimension."""
     if first.shape[1] != second.shape[0]:
         raise Misfit(f"cannot multiply {names[0]} ({_size(first)}) by {names[1]} ({_size(second)})")
@@ -111,8 +126,10 @@ def _inner(line: Sequence[Dimension | None], column: Sequence[Dimension | None])
     return total
 
 
-def stacked(rows: Sequence[Sequence[Measure]], names: Sequence[Sequence[str]]) -> Measure:
+def stacked(rows: Sequence[Sequence[Measure]], names: Sequence[Sequence[object]]) -> Measure:
     """The measure of a matrix of blocks: blocks of one row have one height, all rows have one width."""
+    if not rows or not all(rows):
+        raise Misfit("a matrix of blocks has at least one block in each row")
     lines: list[tuple[Dimension | None, ...]] = []
     width = sum(block.shape[1] for block in rows[0])
     for row, row_names in zip(rows, names, strict=True):
@@ -125,6 +142,32 @@ def stacked(rows: Sequence[Sequence[Measure]], names: Sequence[Sequence[str]]) -
             raise Misfit(f"rows of blocks differ in width: {first}; but {here}")
         lines += [sum(parts, ()) for parts in zip(*(block.grid for block in row), strict=True)]
     return Measure(tuple(lines))
+
+
+def completed(measure: Measure, what: object) -> Measure:
+    """The measure with the dimension of a zero filled in where the entries around it fix it.
+
+    The entries of a map from one array to another have the product of a row's and a column's dimension; a `Misfit`
+    naming `what` if they have not. Then neither a determinant nor an inverse has a meaning.
+    """
+    grid = [list(row) for row in measure.grid]
+    rows, columns = measure.shape
+    corners = [
+        (i, j, k, m) for (i, j), (k, m) in product(product(range(rows), range(columns)), repeat=2) if i != k and j != m
+    ]
+    for _ in range(rows * columns):
+        before = [list(row) for row in grid]
+        for i, j, k, m in corners:
+            one, other, opposite = grid[i][m], grid[k][j], grid[k][m]
+            if one is None or other is None or opposite is None:
+                continue
+            expected = one * other / opposite
+            if grid[i][j] not in (None, expected):
+                raise Misfit(f"{what} has entries whose dimensions do not go together: [{grid[i][j]}] and [{expected}]")
+            grid[i][j] = expected
+        if grid == before:
+            break
+    return Measure(tuple(map(tuple, grid)))
 
 
 def _size(measure: Measure) -> str:

@@ -8,12 +8,24 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from contextvars import ContextVar
-from dataclasses import dataclass
+from dataclasses import dataclass, field, fields
 from fractions import Fraction
-from typing import Any, TypeVar
+from functools import reduce
+from itertools import pairwise, permutations
+from typing import Any, TypeVar, dataclass_transform
 
 from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
-from chasles.vocabulary.measure import Measure, Misfit, added, contracted, entrywise, scaled, stacked, uniform
+from chasles.vocabulary.measure import (
+    Measure,
+    Misfit,
+    added,
+    completed,
+    contracted,
+    entrywise,
+    scaled,
+    stacked,
+    uniform,
+)
 
 __all__ = [
     "At",
@@ -133,10 +145,15 @@ class Node:
         return Contract((*(self.factors if isinstance(self, Contract) else (self,)), lifted(other)))
 
     def __pow__(self, exponent: int) -> Power:
+        if not isinstance(exponent, int) or isinstance(exponent, bool):
+            raise TypeError(f"the exponent of {self} is {exponent!r}; it must be a whole number")
         return Power(self, exponent)
 
     def __bool__(self) -> bool:
         raise TypeError("an expression has no truth value; `==` compares spelling, `chasles.prove` decides equality")
+
+    def __reduce__(self) -> tuple[Callable[..., Node], tuple[Any, ...]]:
+        return _copied, (type(self), *(getattr(self, field.name) for field in fields(self)))  # type: ignore[arg-type]
 
     def __str__(self) -> str:
         from chasles.vocabulary.plain import plain
@@ -169,10 +186,16 @@ def printed(write: Callable[[], _N]) -> _N:
         _tolerant.reset(token)
 
 
+def _copied(cls: type[_N], *values: Any) -> _N:
+    """A node with the given fields, as copies and pickles make it; one that does not fit stays so."""
+    return printed(lambda: cls(*values))
+
+
 def _terms(node: Node) -> tuple[Node, ...]:
     return node.terms if isinstance(node, Sum) else (node,)
 
 
+@dataclass_transform(frozen_default=True, field_specifiers=(field,))
 def _word(cls: type[_N]) -> type[_N]:
     """A frozen node whose hash is computed once: proofs look the same nodes up again and again."""
     made = dataclass(frozen=True, slots=True)(cls)
@@ -189,8 +212,8 @@ def _word(cls: type[_N]) -> type[_N]:
     return made
 
 
-def _same(of: Node, rule: str) -> Measure:
-    """The measure of a square matrix all of whose entries share a dimension; `rule` names what asks for it."""
+def _square(of: Node, rule: str) -> Measure:
+    """The measure of a square matrix; `rule` names what asks for one."""
     measure = measured(of)
     if measure.shape[0] != measure.shape[1]:
         raise Misfit(f"{rule} takes a square matrix, and {of} is {measure.shape[0]} x {measure.shape[1]}")
@@ -201,7 +224,7 @@ def _vector(of: Node, rule: str) -> Dimension | None:
     if measured(of).shape != (3, 1):
         rows, columns = of.shape
         raise Misfit(f"{rule} takes a vector (3 x 1), and {of} is {rows} x {columns}")
-    return measured(of).the_dimension(str(of))
+    return measured(of).the_dimension(of)
 
 
 def _times(one: Dimension | None, other: Dimension | None) -> Dimension | None:
@@ -345,8 +368,10 @@ class Contract(Node):
 
     def _measured(self) -> Measure:
         total = measured(self.factors[0])
-        for index, factor in enumerate(self.factors[1:]):
-            total = contracted(total, measured(factor), (str(self.factors[index]), str(factor)))
+        for before, factor in pairwise(self.factors):
+            if total.shape[1] != factor.shape[0]:
+                contracted(measured(before), measured(factor), (before, factor))
+            total = contracted(total, measured(factor), (before, factor))
         return total
 
 
@@ -363,9 +388,9 @@ class Power(Node):
     def _measured(self) -> Measure:
         if self.exponent < 1:
             raise Misfit(f"the exponent of {self.base} is {self.exponent}; write a quotient or `inverse` instead")
-        total = measure = _same(self.base, "a power")
+        total = measure = _square(self.base, "a power")
         for _ in range(self.exponent - 1):
-            total = contracted(total, measure, (str(self.base), str(self.base)))
+            total = contracted(total, measure, (self.base, self.base))
         return total
 
 
@@ -392,7 +417,8 @@ class Inverse(Node):
         return (self.of,)
 
     def _measured(self) -> Measure:
-        return entrywise(lambda d: NO_DIMENSION / d, _same(self.of, "an inverse").transposed)
+        of = completed(_square(self.of, "an inverse"), self.of)
+        return entrywise(lambda d: NO_DIMENSION / d, of.transposed)
 
 
 @_word
@@ -405,9 +431,9 @@ class Cofactor(Node):
         return (self.of,)
 
     def _measured(self) -> Measure:
-        if _same(self.of, "a cofactor matrix").shape != (3, 3):
+        if _square(self.of, "a cofactor matrix").shape != (3, 3):
             raise Misfit(f"the cofactor matrix is that of a 3 x 3 matrix, and {self.of} is not")
-        dimension = measured(self.of).the_dimension(str(self.of))
+        dimension = measured(self.of).the_dimension(self.of)
         return uniform((3, 3), _times(dimension, dimension))
 
 
@@ -435,9 +461,9 @@ class Vect(Node):
         return (self.of,)
 
     def _measured(self) -> Measure:
-        if _same(self.of, "an axial vector").shape != (3, 3):
+        if _square(self.of, "an axial vector").shape != (3, 3):
             raise Misfit(f"the axial vector is that of a 3 x 3 matrix, and {self.of} is not")
-        return uniform((3, 1), measured(self.of).the_dimension(str(self.of)))
+        return uniform((3, 1), measured(self.of).the_dimension(self.of))
 
 
 @_word
@@ -450,7 +476,7 @@ class Trace(Node):
         return (self.of,)
 
     def _measured(self) -> Measure:
-        grid = _same(self.of, "a trace").grid
+        grid = _square(self.of, "a trace").grid
         diagonal = Measure((tuple(grid[i][i] for i in range(len(grid))),))
         return uniform(SCALAR, diagonal.the_dimension(f"the diagonal of {self.of}"))
 
@@ -465,11 +491,10 @@ class Determinant(Node):
         return (self.of,)
 
     def _measured(self) -> Measure:
-        grid = _same(self.of, "a determinant").grid
-        total: Dimension | None = NO_DIMENSION
-        for i in range(len(grid)):
-            total = _times(total, grid[i][i])
-        return uniform(SCALAR, total)
+        grid = completed(_square(self.of, "a determinant"), self.of).grid
+        terms = ([row[j] for row, j in zip(grid, order, strict=True)] for order in permutations(range(len(grid))))
+        term = next((term for term in terms if None not in term), [None])
+        return uniform(SCALAR, reduce(_times, term))
 
 
 @_word
@@ -484,7 +509,7 @@ class Norm(Node):
     def _measured(self) -> Measure:
         if measured(self.of).shape[1] != 1:
             raise Misfit(f"the norm is that of a column, and {self.of} is {self.of.shape[0]} x {self.of.shape[1]}")
-        return uniform(SCALAR, measured(self.of).the_dimension(str(self.of)))
+        return uniform(SCALAR, measured(self.of).the_dimension(self.of))
 
 
 @_word
@@ -498,7 +523,11 @@ class Dot(Node):
         return (self.left, self.right)
 
     def _measured(self) -> Measure:
-        return contracted(measured(self.left).transposed, measured(self.right), (str(self.left), str(self.right)))
+        left, right = measured(self.left), measured(self.right)
+        if left.shape[1] != 1 or left.shape != right.shape:
+            sizes = [f"{side} is {side.shape[0]} x {side.shape[1]}" for side in (self.left, self.right)]
+            raise Misfit(f"the scalar product is that of two columns of one height: {sizes[0]}, and {sizes[1]}")
+        return contracted(left.transposed, right, (self.left, self.right))
 
 
 @_word
@@ -543,7 +572,7 @@ class Block(Node):
 
     def _measured(self) -> Measure:
         measures = [[measured(block) for block in row] for row in self.rows]
-        return stacked(measures, [[str(block) for block in row] for row in self.rows])
+        return stacked(measures, self.rows)
 
 
 @_word

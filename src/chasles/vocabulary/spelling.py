@@ -148,7 +148,9 @@ def spell(node: Node, style: Style) -> Piece:
             return Piece(style.power(piece.text, str(exponent)), Level.POWER, piece.depth)
         case Transpose(of) | Inverse(of):
             piece = bracketed(of, Level.ATOM)
-            return Piece(style.power(piece.text, "T" if isinstance(node, Transpose) else "-1"), Level.POWER, piece.depth)
+            return Piece(
+                style.power(piece.text, "T" if isinstance(node, Transpose) else "-1"), Level.POWER, piece.depth
+            )
         case Dot(left, right) | Cross(left, right):
             pieces = [bracketed(left, Level.PRODUCT), bracketed(right, Level.PRODUCT)]
             sign = "dot" if isinstance(node, Dot) else "cross"
@@ -159,8 +161,11 @@ def spell(node: Node, style: Style) -> Piece:
             return style.function(function, spell(argument, style))
         case Skew(of) | Vect(of) | Trace(of) | Determinant(of) | Cofactor(of):
             piece = spell(of, style)
-            return Piece(style.function(FUNCTIONS[type(node)], Piece(f"{piece.text}", Level.SUM, piece.depth)).text,
-                         Level.ATOM, piece.depth + 1)
+            return Piece(
+                style.function(FUNCTIONS[type(node)], Piece(f"{piece.text}", Level.SUM, piece.depth)).text,
+                Level.ATOM,
+                piece.depth + 1,
+            )
         case Block(rows):
             spelled = [[spell(block, style) for block in row] for row in rows]
             depth = max(piece.depth for row in spelled for piece in row)

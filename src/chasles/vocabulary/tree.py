@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import fields, replace as with_fields
+from dataclasses import fields
+from dataclasses import replace as with_fields
 from functools import cache
 from typing import Any
 

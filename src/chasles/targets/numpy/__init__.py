@@ -101,7 +101,7 @@ def _shown(name: str, item: Argument | Result) -> str:
 
 
 def _docstring(lines: tuple[str, ...]) -> tuple[str, ...]:
-    return tuple(line.replace('"', "'") for line in lines)
+    return tuple(line.removeprefix("  ").replace('"', "'") for line in lines)
 
 
 def _pages(kernels: tuple[Kernel, ...]) -> Iterator[Page]:

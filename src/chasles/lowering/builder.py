@@ -1,0 +1,187 @@
+"""Steps as they are asked for: equal steps are one, constants are folded exactly, signs are pulled to the outside.
+
+Nothing is rounded here and nothing is guessed: a product with a constant zero is zero because the zero is structural, as
+on the diagonal of a cross-product matrix; x - x is left to the machine, where it is NaN if x is.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from math import isqrt
+
+from chasles.lowering.program import Op, Step
+from chasles.lowering.refusal import LoweringError
+
+__all__ = ["Builder"]
+
+
+class Builder:
+    """A growing list of steps; every method returns the number of the step that holds what it says."""
+
+    def __init__(self) -> None:
+        self._numbers: dict[Step, int] = {}
+        self._steps: list[Step] = []
+        self.zero = self.constant(0)
+        self.one = self.constant(1)
+
+    @property
+    def steps(self) -> tuple[Step, ...]:
+        """All steps so far, in the order in which they were first asked for."""
+        return tuple(self._steps)
+
+    def value(self, number: int) -> Fraction | None:
+        """The exact value of a constant step, else None."""
+        step = self._steps[number]
+        if step.op is Op.NEGATE:
+            inner = self._steps[step.operands[0]]
+            return -inner.value if inner.op is Op.CONSTANT else None
+        return step.value if step.op is Op.CONSTANT else None
+
+    def constant(self, value: Fraction | int) -> int:
+        """An exact number."""
+        size = self._add(Step(Op.CONSTANT, value=Fraction(abs(value))))
+        return self.negate(size) if value < 0 else size
+
+    def input(self, argument: int, entry: int) -> int:
+        """An entry of an argument."""
+        return self._add(Step(Op.INPUT, argument=argument, entry=entry))
+
+    def not_a_number(self) -> int:
+        """What has no value."""
+        return self._add(Step(Op.NOT_A_NUMBER))
+
+    def add(self, a: int, b: int) -> int:
+        """a + b."""
+        (x, y), (inner_a, inner_b) = (self.value(a), self.value(b)), (self._opposite(a), self._opposite(b))
+        if x is not None and y is not None:
+            return self.constant(x + y)
+        if x == 0 or y == 0:
+            return b if x == 0 else a
+        if inner_b is not None:
+            return self.subtract(a, inner_b)
+        return self.subtract(b, inner_a) if inner_a is not None else self._commuting(Op.ADD, a, b)
+
+    def subtract(self, a: int, b: int) -> int:
+        """a - b."""
+        (x, y), (inner_a, inner_b) = (self.value(a), self.value(b)), (self._opposite(a), self._opposite(b))
+        if x is not None and y is not None:
+            return self.constant(x - y)
+        if y == 0:
+            return a
+        if x == 0:
+            return self.negate(b)
+        if inner_b is not None:
+            return self.add(a, inner_b)
+        if inner_a is not None:
+            return self.negate(self.add(inner_a, b))
+        reverse = self._numbers.get(Step(Op.SUBTRACT, (b, a)))
+        return self.negate(reverse) if reverse is not None else self._add(Step(Op.SUBTRACT, (a, b)))
+
+    def negate(self, a: int) -> int:
+        """-a; no step of its own is made for -0 and -(-a)."""
+        inner = self._opposite(a)
+        if inner is not None:
+            return inner
+        return a if self.value(a) == 0 else self._add(Step(Op.NEGATE, (a,)))
+
+    def multiply(self, a: int, b: int) -> int:
+        """a b."""
+        (x, y), (inner_a, inner_b) = (self.value(a), self.value(b)), (self._opposite(a), self._opposite(b))
+        if x is not None and y is not None:
+            return self.constant(x * y)
+        if x == 0 or y == 0:
+            return self.zero
+        if inner_a is not None or inner_b is not None:
+            product = self.multiply(a if inner_a is None else inner_a, b if inner_b is None else inner_b)
+            return product if inner_a is not None and inner_b is not None else self.negate(product)
+        if x == 1 or y == 1:
+            return b if x == 1 else a
+        if y is not None:
+            a, b, x = b, a, y
+        return self._scaled(x, a, b) if x is not None else self._commuting(Op.MULTIPLY, a, b)
+
+    def divide(self, a: int, b: int) -> int:
+        """a / b; a division by a power of two is a multiplication, which rounds alike."""
+        (x, y), (inner_a, inner_b) = (self.value(a), self.value(b)), (self._opposite(a), self._opposite(b))
+        if y == 0:
+            raise LoweringError("a formula divides by an expression that is zero by construction")
+        if x is not None and y is not None:
+            return self.constant(x / y)
+        if x == 0:
+            return self.zero
+        if inner_a is not None or inner_b is not None:
+            quotient = self.divide(a if inner_a is None else inner_a, b if inner_b is None else inner_b)
+            return quotient if inner_a is not None and inner_b is not None else self.negate(quotient)
+        if y is not None and _is_power_of_two(y):
+            return self.multiply(self.constant(1 / y), a)
+        return self._add(Step(Op.DIVIDE, (a, b)))
+
+    def square_root(self, a: int) -> int:
+        """The nonnegative root of a."""
+        value = self.value(a)
+        if value is not None and value >= 0:
+            above, below = isqrt(value.numerator), isqrt(value.denominator)
+            if Fraction(above, below) ** 2 == value:
+                return self.constant(Fraction(above, below))
+        return self._add(Step(Op.SQUARE_ROOT, (a,)))
+
+    def sine(self, a: int) -> int:
+        """sin a, as an odd function."""
+        inner = self._opposite(a)
+        if inner is not None:
+            return self.negate(self.sine(inner))
+        return self.zero if self.value(a) == 0 else self._add(Step(Op.SINE, (a,)))
+
+    def cosine(self, a: int) -> int:
+        """cos a, as an even function."""
+        inner = self._opposite(a)
+        if inner is not None:
+            return self.cosine(inner)
+        return self.one if self.value(a) == 0 else self._add(Step(Op.COSINE, (a,)))
+
+    def arctangent2(self, y: int, x: int) -> int:
+        """The angle of the point (x, y), in (-pi, pi]."""
+        return self._add(Step(Op.ARCTANGENT2, (y, x)))
+
+    def less(self, a: int, b: int) -> int:
+        """Whether a < b."""
+        return self._add(Step(Op.LESS, (a, b)))
+
+    def equal(self, a: int, b: int) -> int:
+        """Whether a = b."""
+        return self._commuting(Op.EQUAL, a, b)
+
+    def select(self, condition: int, if_true: int, if_false: int) -> int:
+        """One of two steps, by a condition."""
+        if if_true == if_false:
+            return if_true
+        return self._add(Step(Op.SELECT, (condition, if_true, if_false)))
+
+    def _scaled(self, factor: Fraction, constant: int, b: int) -> int:
+        """A constant times b; constants that meet are multiplied exactly."""
+        step = self._steps[b]
+        if step.op is Op.MULTIPLY:
+            inner = self.value(step.operands[0])
+            if inner is not None:
+                return self.multiply(self.constant(factor * inner), step.operands[1])
+        return self._add(Step(Op.MULTIPLY, (constant, b)))
+
+    def _opposite(self, number: int) -> int | None:
+        """The step of which this one is the negative, if it is one."""
+        step = self._steps[number]
+        return step.operands[0] if step.op is Op.NEGATE else None
+
+    def _commuting(self, op: Op, a: int, b: int) -> int:
+        return self._add(Step(op, (a, b) if a <= b else (b, a)))
+
+    def _add(self, step: Step) -> int:
+        number = self._numbers.get(step)
+        if number is None:
+            number = self._numbers[step] = len(self._steps)
+            self._steps.append(step)
+        return number
+
+
+def _is_power_of_two(value: Fraction) -> bool:
+    above, below = abs(value.numerator), value.denominator
+    return above & (above - 1) == 0 and below & (below - 1) == 0

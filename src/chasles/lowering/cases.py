@@ -1,0 +1,70 @@
+"""Values that depend on a comparison: the first case all of whose comparisons come out as said is taken."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from chasles.vocabulary import Node, Symbol
+from chasles.vocabulary.nodes import lifted
+
+__all__ = ["Case", "Choice", "Comparison", "largest_of", "oriented", "vanishes"]
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """left < right, or left = right, or (where it does not hold) the opposite."""
+
+    kind: Literal["less", "equal"]
+    left: Node
+    right: Node
+    holds: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """Where all comparisons come out as said: the values of a choice's symbols, in their order."""
+
+    where: tuple[Comparison, ...]
+    values: tuple[Node, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """The symbols take the values of the first case that applies, and have no value where none does."""
+
+    symbols: tuple[Symbol, ...]
+    cases: tuple[Case, ...]
+
+    @property
+    def is_exhaustive(self) -> bool:
+        """Whether the last case applies whatever comes."""
+        return not self.cases[-1].where
+
+
+def vanishes(scalar: Node, *, holds: bool = True) -> Comparison:
+    """scalar = 0, or scalar != 0."""
+    return Comparison("equal", scalar, lifted(0), holds)
+
+
+def largest_of(symbols: tuple[Symbol, ...], candidates: Sequence[tuple[Node, tuple[Node, ...]]]) -> Choice:
+    """The values beside the largest of the scalars; the first of several that are equally large.
+
+    Each candidate is a scalar and the values that go with it.
+    """
+    cases = []
+    for place, (size, values) in enumerate(candidates):
+        rivals = candidates[place + 1 :]
+        cases.append(Case(tuple(Comparison("less", size, other, holds=False) for other, _ in rivals), values))
+    return Choice(symbols, tuple(cases))
+
+
+def oriented(sign: Symbol, entries: Sequence[Node]) -> Choice:
+    """The sign, 1 or -1, that makes the first of the entries positive that is not zero; 1 where all are zero."""
+    cases = []
+    plus, minus = lifted(1), lifted(-1)
+    for entry in entries:
+        cases.append(Case((Comparison("less", entry, lifted(0)),), (minus,)))
+        cases.append(Case((Comparison("less", lifted(0), entry),), (plus,)))
+    return Choice((sign,), (*cases, Case((), (plus,))))

@@ -1,0 +1,137 @@
+"""What is asked for when a kernel is? Its arguments, its results as expressions, and all that these rest on.
+
+A request is closed: every symbol in it is an argument or is defined in it, and every argument is used.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from dataclasses import replace as with_fields
+
+from chasles.lowering.cases import Case, Choice
+from chasles.lowering.reach import Reach
+from chasles.lowering.refusal import LoweringError
+from chasles.lowering.rewriting import Angle, without_angles
+from chasles.statements import Hypothesis
+from chasles.statements.statement import bare
+from chasles.vocabulary import Node, Rate, Symbol, plain
+
+__all__ = ["Output", "Request", "argument_name", "composed", "meaning_of"]
+
+
+@dataclass(frozen=True, slots=True)
+class Output:
+    """A result: its name in every language, what it means in plain text, and the expression that it holds."""
+
+    name: str
+    meaning: str
+    value: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """A kernel to be made: `outputs` as functions `of` symbols and rates of symbols.
+
+    `rules` define other symbols, each before those that use it; `choices` give symbols values case by case, `angles` by
+    cosine and sine. The program is right wherever the `hypotheses` hold and nothing that is divided by is zero.
+    """
+
+    name: str
+    of: tuple[Node, ...]
+    outputs: tuple[Output, ...]
+    rules: tuple[tuple[Node, Node], ...] = ()
+    hypotheses: tuple[Hypothesis, ...] = ()
+    choices: tuple[Choice, ...] = ()
+    angles: tuple[tuple[Symbol, Angle], ...] = ()
+
+
+def composed(
+    name: str,
+    of: Iterable[Node],
+    outputs: Iterable[Output],
+    *,
+    rules: Mapping[Node, Node] | None = None,
+    hypotheses: Iterable[Hypothesis] = (),
+    choices: Iterable[Choice] = (),
+    angles: Mapping[Symbol, Angle] | None = None,
+) -> Request:
+    """The request with what it does not need left out; cosines and sines of `angles` are written by what is known.
+
+    Raises `LoweringError` for a symbol that is neither an argument nor defined, a definition in a circle, an argument
+    that is not used or is no symbol, and names that no language takes.
+    """
+    of, angles = tuple(map(bare, of)), dict(angles or {})
+    for argument in of:
+        _require_argument(name, argument)
+    rules = {left: right for left, right in (rules or {}).items() if left not in of}
+    table = dict(rules)
+
+    def opened(node: Node) -> Node:
+        return without_angles(node, angles, table)
+
+    rules = {left: opened(right) for left, right in rules.items()}
+    choices = [_opened_choice(choice, opened) for choice in choices]
+    outputs = tuple(with_fields(output, value=opened(output.value)) for output in outputs)
+    hypotheses = tuple(_opened_hypothesis(hypothesis, opened) for hypothesis in hypotheses)
+    reach = Reach(name, of, rules, choices, angles)
+    for output in outputs:
+        reach.follow(output.value)
+    reach.require_all_used()
+    _require_names(name, [argument_name(argument) for argument in of], [output.name for output in outputs])
+    return Request(name, of, outputs, reach.rules, hypotheses, reach.choices, reach.angles)
+
+
+def argument_name(node: Node) -> str:
+    """A symbol's name as an identifier: a_prime for a', a_dot for its rate."""
+    text = plain(node).replace("'", "_prime").replace("~", "_tilde").replace("*", "_star")
+    return re.sub(r"[^A-Za-z0-9]+", "_", text).strip("_")
+
+
+def meaning_of(node: Node) -> str:
+    """What a symbol or a rate means, in plain text; the expression itself for anything else."""
+    match node:
+        case Symbol(meaning=str(text)) if text:
+            return text
+        case Rate(Rate(of)):
+            return f"second time derivative of: {meaning_of(of)}"
+        case Rate(of):
+            return f"time derivative of: {meaning_of(of)}"
+        case _:
+            return plain(node)
+
+
+def _opened_choice(choice: Choice, opened: object) -> Choice:
+    assert callable(opened)
+    cases = []
+    for case in choice.cases:
+        where = tuple(with_fields(c, left=opened(c.left), right=opened(c.right)) for c in case.where)
+        cases.append(Case(where, tuple(map(opened, case.values))))
+    return Choice(choice.symbols, tuple(cases))
+
+
+def _opened_hypothesis(hypothesis: Hypothesis, opened: object) -> Hypothesis:
+    assert callable(opened)
+    return with_fields(hypothesis, nonvanishing=tuple(map(opened, hypothesis.nonvanishing)))
+
+
+def _require_argument(name: str, node: Node) -> None:
+    symbol = node
+    while isinstance(symbol, Rate):
+        symbol = symbol.of
+    if not isinstance(symbol, Symbol) or symbol.stands_for is not None:
+        raise LoweringError(f"{name}: the argument {plain(node)} is an expression; a kernel is of symbols and their rates")
+
+
+def _require_names(name: str, arguments: list[str], outputs: list[str]) -> None:
+    for word in (name, *arguments, *outputs):
+        if not (word.isidentifier() and word.isascii()):
+            raise LoweringError(f"{name}: {word!r} cannot be a name in a program: use letters, digits and underscores")
+    for names in (arguments, outputs):
+        twice = next((word for word in names if names.count(word) > 1), None)
+        if twice:
+            raise LoweringError(f"{name}: two arguments or two results are called {twice}: rename a symbol or a result")
+    shared = next((word for word in outputs if word in arguments), None)
+    if shared:
+        raise LoweringError(f"{name}: {shared} is an argument and a result: give the result another name in `results`")

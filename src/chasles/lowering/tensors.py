@@ -1,0 +1,261 @@
+"""Matrices before their components: combinations of the identity, dyads, cross-product matrices and full grids of steps.
+
+Terms on one tensor are collected into one coefficient, so that e e^T + c (1 - e e^T) + s E becomes
+(1 - c) e e^T + c 1 + s E before any component is written down.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import reduce
+
+from chasles.lowering.builder import Builder
+
+__all__ = ["Column", "CrossProduct", "Dense", "Dyad", "Matrix", "Rows", "Tensor", "Tensors", "Unit", "transposed"]
+
+Column = tuple[int, ...]
+"""The numbers of the steps that hold the entries of a column."""
+Rows = tuple[Column, ...]
+"""The numbers of the steps that hold the entries of a matrix, row by row."""
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """The identity matrix."""
+
+    size: int
+
+
+@dataclass(frozen=True, slots=True)
+class Dyad:
+    """left right^T."""
+
+    left: Column
+    right: Column
+
+
+@dataclass(frozen=True, slots=True)
+class CrossProduct:
+    """The cross-product matrix of a vector."""
+
+    of: Column
+
+
+@dataclass(frozen=True, slots=True)
+class Dense:
+    """A matrix of which nothing is known but its entries."""
+
+    rows: Rows
+
+
+Tensor = Unit | Dyad | CrossProduct | Dense
+
+
+@dataclass(frozen=True, slots=True)
+class Matrix:
+    """A sum of coefficients times tensors; a matrix without terms is zero."""
+
+    shape: tuple[int, int]
+    terms: tuple[tuple[int, Tensor], ...] = ()
+
+
+class Tensors:
+    """Vector and matrix algebra on steps."""
+
+    def __init__(self, builder: Builder) -> None:
+        self.builder = builder
+
+    def dot(self, a: Column, b: Column) -> int:
+        """a . b."""
+        return reduce(self.builder.add, map(self.builder.multiply, a, b))
+
+    def cross(self, a: Column, b: Column) -> Column:
+        """a x b."""
+        times, minus = self.builder.multiply, self.builder.subtract
+        return tuple(minus(times(a[j], b[k]), times(a[k], b[j])) for j, k in ((1, 2), (2, 0), (0, 1)))
+
+    def sum(self, a: Column, b: Column) -> Column:
+        """a + b."""
+        return tuple(map(self.builder.add, a, b))
+
+    def scaled(self, factor: int, a: Column) -> Column:
+        """The column times a scalar."""
+        return tuple(self.builder.multiply(factor, entry) for entry in a)
+
+    def matrix(self, shape: tuple[int, int], terms: tuple[tuple[int, Tensor], ...]) -> Matrix:
+        """The sum of the terms, collected; all cross-product matrices become one."""
+        collected: dict[Tensor, int] = {}
+        turning: list[tuple[int, CrossProduct]] = []
+        for factor, tensor in terms:
+            if isinstance(tensor, CrossProduct):
+                turning.append((factor, tensor))
+            else:
+                collected[tensor] = self.builder.add(collected.get(tensor, self.builder.zero), factor)
+        for factor, tensor in self._one_cross_product(turning):
+            collected[tensor] = factor
+        return Matrix(shape, tuple((f, t) for t, f in collected.items() if self.builder.value(f) != 0))
+
+    def _one_cross_product(self, terms: list[tuple[int, CrossProduct]]) -> list[tuple[int, CrossProduct]]:
+        factors: dict[CrossProduct, int] = {}
+        for factor, tensor in terms:
+            factors[tensor] = self.builder.add(factors.get(tensor, self.builder.zero), factor)
+        if len(factors) < 2:
+            return [(factor, tensor) for tensor, factor in factors.items()]
+        vectors = (self.scaled(factor, tensor.of) for tensor, factor in factors.items())
+        return [(self.builder.one, CrossProduct(reduce(self.sum, vectors)))]
+
+    def plus(self, a: Matrix, b: Matrix) -> Matrix:
+        """a + b."""
+        return self.matrix(a.shape, a.terms + b.terms)
+
+    def times_scalar(self, factor: int, a: Matrix) -> Matrix:
+        """The matrix times a scalar."""
+        return self.matrix(a.shape, tuple((self.builder.multiply(factor, f), t) for f, t in a.terms))
+
+    def divided(self, a: Matrix, divisor: int) -> Matrix:
+        """The matrix divided by a scalar, coefficient by coefficient."""
+        return self.matrix(a.shape, tuple((self.builder.divide(f, divisor), t) for f, t in a.terms))
+
+    def transpose(self, a: Matrix) -> Matrix:
+        """a^T."""
+        rows, columns = a.shape
+        return self.matrix((columns, rows), tuple(self._flipped(f, t) for f, t in a.terms))
+
+    def _flipped(self, factor: int, tensor: Tensor) -> tuple[int, Tensor]:
+        match tensor:
+            case Unit():
+                return factor, tensor
+            case Dyad(left, right):
+                return factor, Dyad(right, left)
+            case CrossProduct():
+                return self.builder.negate(factor), tensor
+            case Dense(rows):
+                return factor, Dense(transposed(rows))
+
+    def applied(self, a: Matrix, x: Column) -> Column:
+        """a x, term by term: the coefficient of a dyad multiplies one scalar."""
+        total: Column = (self.builder.zero,) * a.shape[0]
+        for factor, tensor in a.terms:
+            total = self.sum(total, self._applied(factor, tensor, x))
+        return total
+
+    def _applied(self, factor: int, tensor: Tensor, x: Column) -> Column:
+        match tensor:
+            case Unit():
+                return self.scaled(factor, x)
+            case Dyad(left, right):
+                return self.scaled(self.builder.multiply(factor, self.dot(right, x)), left)
+            case CrossProduct(of):
+                return self.scaled(factor, self.cross(of, x))
+            case Dense(rows):
+                return self.scaled(factor, tuple(self.dot(row, x) for row in rows))
+
+    def product(self, a: Matrix, b: Matrix) -> Matrix:
+        """a b, where the identity and dyads are multiplied as such and all else entry by entry."""
+        shape = (a.shape[0], b.shape[1])
+        terms: list[tuple[int, Tensor]] = []
+        for f, s in a.terms:
+            for g, t in b.terms:
+                terms.append((self.builder.multiply(f, g), self._product(s, t)))
+        return self.matrix(shape, tuple(terms))
+
+    def _product(self, a: Tensor, b: Tensor) -> Tensor:
+        match a, b:
+            case Unit(), _:
+                return b
+            case _, Unit():
+                return a
+            case Dyad(left, right), _:
+                return Dyad(left, self._applied(*self._flipped(self.builder.one, b), right))
+            case _, Dyad(left, right):
+                return Dyad(self._applied(self.builder.one, a, left), right)
+            case _:
+                columns = transposed(self.rows_of(b))
+                return Dense(tuple(tuple(self.dot(row, c) for c in columns) for row in self.rows_of(a)))
+
+    def trace(self, a: Matrix) -> int:
+        """The sum of the diagonal entries."""
+        total = self.builder.zero
+        for factor, tensor in a.terms:
+            match tensor:
+                case Unit(size):
+                    part = self.builder.constant(size)
+                case Dyad(left, right):
+                    part = self.dot(left, right)
+                case CrossProduct():
+                    part = self.builder.zero
+                case Dense(rows):
+                    part = reduce(self.builder.add, (row[i] for i, row in enumerate(rows)))
+            total = self.builder.add(total, self.builder.multiply(factor, part))
+        return total
+
+    def axial(self, a: Matrix) -> Column:
+        """The axial vector of a 3 x 3 matrix."""
+        total: Column = (self.builder.zero,) * 3
+        half = self.builder.divide(self.builder.one, self.builder.constant(2))
+        for factor, tensor in a.terms:
+            match tensor:
+                case Unit():
+                    continue
+                case CrossProduct(of):
+                    part = self.scaled(factor, of)
+                case _:
+                    m, minus = self.rows_of(tensor), self.builder.subtract
+                    twice = tuple(minus(m[k][j], m[j][k]) for j, k in ((1, 2), (2, 0), (0, 1)))
+                    part = self.scaled(self.builder.multiply(half, factor), twice)
+            total = self.sum(total, part)
+        return total
+
+    def rows(self, a: Matrix) -> Rows:
+        """All entries."""
+        zero = (self.builder.zero,) * a.shape[1]
+        total: Rows = (zero,) * a.shape[0]
+        for factor, tensor in a.terms:
+            part = self.rows_of(tensor, factor)
+            total = tuple(map(self.sum, total, part))
+        return total
+
+    def rows_of(self, tensor: Tensor, factor: int | None = None) -> Rows:
+        """The entries of one tensor times a factor; the factor multiplies vectors, not products of their entries."""
+        factor = self.builder.one if factor is None else factor
+        match tensor:
+            case Unit(size):
+                zero = self.builder.zero
+                return tuple(tuple(factor if i == j else zero for j in range(size)) for i in range(size))
+            case Dyad(left, right):
+                return self._dyad(self.scaled(factor, left), right, symmetric=left == right)
+            case CrossProduct(of):
+                x, y, z = self.scaled(factor, of)
+                zero, minus = self.builder.zero, self.builder.negate
+                return (zero, minus(z), y), (z, zero, minus(x)), (minus(y), x, zero)
+            case Dense(rows):
+                return tuple(self.scaled(factor, row) for row in rows)
+
+    def _dyad(self, left: Column, right: Column, *, symmetric: bool) -> Rows:
+        """left right^T; entries below the diagonal repeat those above it where the dyad is symmetric."""
+        order = [
+            [(j, i) if symmetric and j < i else (i, j) for j in range(len(right))] for i in range(len(left))
+        ]
+        return tuple(tuple(self.builder.multiply(left[i], right[j]) for i, j in line) for line in order)
+
+    def determinant(self, rows: Rows) -> int:
+        """The determinant, expanded along the first row."""
+        if len(rows) == 1:
+            return rows[0][0]
+        total = self.builder.zero
+        for j, entry in enumerate(rows[0]):
+            if self.builder.value(entry) == 0:
+                continue
+            minor = self.determinant(tuple(row[:j] + row[j + 1 :] for row in rows[1:]))
+            term = self.builder.multiply(entry, minor)
+            total = self.builder.add(total, term) if j % 2 == 0 else self.builder.subtract(total, term)
+        return total
+
+    def cofactors(self, m: Rows) -> Rows:
+        """The cofactor matrix of a 3 x 3 matrix."""
+        return tuple(self.cross(m[(i + 1) % 3], m[(i + 2) % 3]) for i in range(3))
+
+
+def transposed(rows: Rows) -> Rows:
+    """The rows of the transpose."""
+    return tuple(zip(*rows, strict=True))

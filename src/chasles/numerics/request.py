@@ -1,0 +1,169 @@
+"""What is a kernel asked for? Its inputs as symbols, its outputs, its hypotheses, and its value to any number of digits."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from chasles.lowering.program import Argument, Op, Program
+from chasles.numerics.reference import NoValue, Singular, evaluate
+from chasles.numerics.small_matrices import Matrix
+from chasles.statements import Hypothesis, Kernel, Statement, problem_of
+from chasles.statements.problem import default_form
+from chasles.vocabulary import Block, Call, Node, Symbol, children, plain
+from chasles.vocabulary.nodes import measured
+
+__all__ = ["Input", "Output", "Request", "longest_chain", "request_of"]
+
+ROUNDINGS = 16
+"""How many roundings in a row a kernel may do where its program is not at hand."""
+ROUNDED = (Op.ADD, Op.SUBTRACT, Op.MULTIPLY, Op.DIVIDE, Op.SQUARE_ROOT)
+
+Values = Mapping[Node, Any]
+Reference = Callable[[Values, int], tuple[Matrix, ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class Input:
+    """An argument of the kernel, and the symbol, or rate of a symbol, whose value it is."""
+
+    argument: Argument
+    node: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Output:
+    """A result; `alike` groups its entries (flat, row-major): those of one physical dimension are compared together."""
+
+    name: str
+    shape: tuple[int, ...]
+    alike: tuple[tuple[int, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """What a kernel must compute.
+
+    `reference(values, digits)` gives every output as a matrix whose entries have so many right digits; it may raise
+    `Singular`. `angles` are the inputs that occur in a sine or cosine. `roundings` is the length of the longest chain of
+    rounded operations from an input to an output.
+    """
+
+    name: str
+    inputs: tuple[Input, ...]
+    outputs: tuple[Output, ...]
+    reference: Reference
+    hypotheses: tuple[Hypothesis, ...] = ()
+    rules: Mapping[Node, Node] = field(default_factory=dict)
+    angles: frozenset[Node] = frozenset()
+    roundings: int = ROUNDINGS
+
+    def admits(self, values: Values) -> bool:
+        """Whether nothing vanishes that a hypothesis on the inputs says does not."""
+        for hypothesis in self.hypotheses:
+            for node in hypothesis.nonvanishing:
+                try:
+                    if evaluate(node, values, self.rules, digits=1)[0][0] == 0:
+                        return False
+                except NoValue:
+                    continue
+                except Singular:
+                    return False
+        return True
+
+
+def request_of(
+    name: str,
+    statement: Statement,
+    kernel: Kernel | None = None,
+    program: Program | None = None,
+    standing: Callable[[Statement], str] = default_form,
+) -> Request:
+    """The request of a statement's kernel: the right side of the form that stands, as a function of the kernel's inputs.
+
+    The reference applies what is given to the statement; an input comes before any rule. With a program, names and
+    roundings are the program's. Raises TypeError if the statement asks for no kernel, or if the results are not as
+    many as the blocks of the right side.
+    """
+    kernel = kernel or statement.kernel
+    if kernel is None:
+        raise TypeError(f"({statement.number}) asks for no kernel: give it one, or leave it out")
+    form = standing(statement)
+    problem = problem_of(statement, form, standing)
+    rules = dict(problem.rules)
+    parts = _parts(statement, kernel, statement.form(form)[1])
+    names = [result.name for result in program.results] if program else kernel.results or (plain(statement.left),)
+
+    def reference(values: Values, digits: int) -> tuple[Matrix, ...]:
+        return tuple(evaluate(part, values, rules, digits) for part in parts)
+
+    return Request(
+        name,
+        tuple(map(Input, program.arguments if program else map(_argument, kernel.of), kernel.of)),
+        tuple(map(_output, names, parts)),
+        reference,
+        problem.hypotheses,
+        rules,
+        frozenset(angle for part in parts for angle in _angles(part, frozenset(kernel.of), rules)),
+        longest_chain(program) if program else ROUNDINGS,
+    )
+
+
+def longest_chain(program: Program) -> int:
+    """The most roundings in a row: to first order, so many units in the last place, times the condition, can go wrong.
+
+    A sine, a cosine or an arctangent counts as two: libraries round it to within one unit rather than half of one.
+    """
+    weight = Counter({op: 1 for op in ROUNDED} | {op: 2 for op in (Op.SINE, Op.COSINE, Op.ARCTANGENT2)})
+    chains: list[int] = []
+    for step in program.steps:
+        chains.append(weight[step.op] + max((chains[operand] for operand in step.operands), default=0))
+    return max((chains[entry] for result in program.results for entry in result.entries), default=0)
+
+
+def _parts(statement: Statement, kernel: Kernel, right: Node) -> tuple[Node, ...]:
+    """The expressions of the results: the right side, or its blocks."""
+    if len(kernel.results) <= 1:
+        return (right,)
+    blocks = tuple(row[0] for row in right.rows if len(row) == 1) if isinstance(right, Block) else ()
+    if len(blocks) != len(kernel.results):
+        raise TypeError(
+            f"({statement.number}) has the results {', '.join(kernel.results)}: its right side must be a column of "
+            f"{len(kernel.results)} blocks, and it is {right}"
+        )
+    return blocks
+
+
+def _shape(node: Node) -> tuple[int, ...]:
+    rows, columns = node.shape
+    if columns == 1:
+        return () if rows == 1 else (rows,)
+    return rows, columns
+
+
+def _argument(node: Node) -> Argument:
+    return Argument(plain(node), _shape(node), node.meaning if isinstance(node, Symbol) else "")
+
+
+def _output(name: str, node: Node) -> Output:
+    """The entries of one dimension are alike, and so are those that are zero by construction."""
+    alike: dict[object, list[int]] = {}
+    for place, dimension in enumerate(entry for row in measured(node).grid for entry in row):
+        alike.setdefault(dimension, []).append(place)
+    return Output(name, _shape(node), tuple(map(tuple, alike.values())))
+
+
+def _angles(node: Node, inputs: frozenset[Node], rules: Mapping[Node, Node], inside: bool = False) -> Iterator[Node]:
+    """The inputs that occur in the argument of a sine or cosine, rules applied and abbreviations opened."""
+    if node in inputs:
+        if inside:
+            yield node
+    elif node in rules:
+        yield from _angles(rules[node], inputs, rules, inside)
+    elif isinstance(node, Symbol) and node.stands_for is not None:
+        yield from _angles(node.stands_for, inputs, rules, inside)
+    else:
+        for part in children(node):
+            yield from _angles(part, inputs, rules, inside or isinstance(node, Call))

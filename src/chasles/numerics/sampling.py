@@ -1,0 +1,129 @@
+"""Inputs that satisfy a kernel's hypotheses, as floats: drawn at large, near a singular set, or simple.
+
+A unit vector, a rotation or a triad is made with 50 digits and then rounded: each entry is within half a unit in the
+last place of a point that satisfies the hypothesis exactly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chasles.numerics.draws import Draws, DrawsAtLarge, DrawsNearby, SimpleDraws, turned, unit_of
+from chasles.numerics.request import Request
+from chasles.numerics.small_matrices import Matrix, flipped
+from chasles.statements import Hypothesis
+from chasles.vocabulary import Node
+
+__all__ = ["STRATEGIES", "Sample", "Unsatisfiable", "draw"]
+
+STRATEGIES: dict[str, type[Draws]] = {"generic": DrawsAtLarge, "near": DrawsNearby, "simple": SimpleDraws}
+ATTEMPTS = 200
+
+Sample = dict[Node, NDArray[np.floating]]
+
+
+class Unsatisfiable(ValueError):
+    """No input was found that satisfies the hypotheses; the message names kernel and strategy."""
+
+
+def draw(
+    request: Request,
+    strategy: str,
+    generator: np.random.Generator,
+    dtype: type[np.floating] = np.float64,
+) -> Iterator[Sample]:
+    """Inputs of the kernel without end, arrays of the arguments' shapes and of the given type.
+
+    They satisfy the hypotheses that name inputs, up to rounding; what a hypothesis says is not zero is not. Raises
+    `Unsatisfiable` where the strategy finds no such point, KeyError for an unknown strategy.
+    """
+    draws = STRATEGIES[strategy](generator, np.finfo(dtype).precision + 1)
+    failures = 0
+    while failures < ATTEMPTS:
+        point = _point(request, draws)
+        sample = {
+            given.node: np.array([[float(x) for x in row] for row in point[given.node]], dtype).reshape(given.argument.shape)
+            for given in request.inputs
+        }
+        if request.admits(sample):
+            failures = 0
+            yield sample
+        else:
+            failures += 1
+    raise Unsatisfiable(
+        f"{request.name}: none of {ATTEMPTS} {strategy} inputs satisfies its hypotheses "
+        f"({', '.join(hypothesis.text for hypothesis in request.hypotheses)})"
+    )
+
+
+def _point(request: Request, draws: Draws) -> dict[Node, Matrix]:
+    point: dict[Node, Matrix] = {}
+    for given in request.inputs:
+        point[given.node] = _free(given.node, point, request, draws)
+    for hypothesis in sorted(request.hypotheses, key=lambda h: h.kind == "perpendicular"):
+        if all(subject in point for subject in hypothesis.subjects):
+            point |= _bound(hypothesis, point, request, draws)
+    return point
+
+
+def _free(node: Node, point: dict[Node, Matrix], request: Request, draws: Draws) -> Matrix:
+    """A value that no hypothesis binds; it may be drawn close to that of an earlier input of the same kind."""
+    rows, columns = node.shape
+    if node in request.angles:
+        return [[draws.angle()]]
+    relatives = [other for other in point if other.measure == node.measure]
+    if relatives and columns == 1:
+        related = draws.related([row[0] for row in point[draws.pick(relatives)]])
+        if related is not None:
+            return [[x] for x in related]
+    return [draws.vector(columns) for _ in range(rows)] if columns > 1 else [[x] for x in draws.vector(rows)]
+
+
+def _bound(hypothesis: Hypothesis, point: dict[Node, Matrix], request: Request, draws: Draws) -> dict[Node, Matrix]:
+    """Values of the subjects that satisfy the hypothesis."""
+    subjects = hypothesis.subjects
+    match hypothesis.kind:
+        case "unit":
+            return {subjects[0]: [[x] for x in _unit(subjects[0].shape[0], draws)]}
+        case "rotation":
+            return {subjects[0]: turned(draws.direction(), draws.angle())}
+        case "half_turn":
+            axis = draws.direction()
+            return {subjects[0]: [[2 * a * b - int(i == j) for j, b in enumerate(axis)] for i, a in enumerate(axis)]}
+        case "orthonormal":
+            columns = flipped(turned(draws.direction(), draws.angle()))
+            return {subject: [[x] for x in column] for subject, column in zip(subjects, columns, strict=True)}
+        case "symmetric":
+            m = point[subjects[0]]
+            size = range(len(m))
+            return {subjects[0]: [[m[min(i, j)][max(i, j)] for j in size] for i in size]}
+        case "positive":
+            return {subjects[0]: [[abs(point[subjects[0]][0][0]) or 1]]}
+        case "perpendicular":
+            return _perpendicular(subjects, point, request)
+        case "nonzero":
+            return {}
+        case kind:
+            raise TypeError(f"{request.name}: inputs with the hypothesis {kind} cannot be drawn yet")
+
+
+def _unit(size: int, draws: Draws) -> list[object]:
+    if size == 3:
+        return draws.direction()
+    return unit_of([*draws.direction(), *draws.vector(size - 3)])
+
+
+def _perpendicular(subjects: tuple[Node, ...], point: dict[Node, Matrix], request: Request) -> dict[Node, Matrix]:
+    """The second vector less its component along the first; of unit length still if it has to be."""
+    one, other = ([row[0] for row in point[subject]] for subject in subjects)
+    square = sum(x * x for x in one)
+    if square == 0:
+        return {}
+    share = sum(x * y for x, y in zip(one, other, strict=True)) / square
+    rest = [y - share * x for x, y in zip(one, other, strict=True)]
+    if any(h.kind == "unit" and h.subjects == (subjects[1],) for h in request.hypotheses) and any(rest):
+        rest = unit_of(rest)
+    return {subjects[1]: [[x] for x in rest]}

@@ -1,0 +1,325 @@
+"""Mutants of a statement: what it would say after one small slip of the pen, in words and not in text.
+
+A slip is a sign turned round, a term left out, a transpose added or lost, two factors or blocks in the wrong order, a
+cosine for a sine, a wrong number or exponent, a wrong letter of the same kind. Only slips that fit are mutants; the
+others, which the vocabulary refuses when they are written, are counted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, fields
+from dataclasses import replace as with_fields
+from fractions import Fraction
+from typing import Any
+
+from chasles.statements import Claim, Hypothesis, Statement, Theorem, nonzero
+from chasles.vocabulary import (
+    Block,
+    Call,
+    Contract,
+    Cross,
+    Dot,
+    Entry,
+    Identity,
+    Index,
+    Member,
+    Misfit,
+    Negative,
+    Node,
+    Number,
+    Power,
+    Quotient,
+    Scale,
+    Sum,
+    Symbol,
+    Transpose,
+    Zero,
+    children,
+    rebuilt,
+    symbols_of,
+    walk,
+)
+
+__all__ = ["Mutant", "Mutated", "mutants_of"]
+
+Slip = tuple[str, Node]
+Slips = Callable[[Node], Iterator[Slip]]
+
+
+@dataclass(frozen=True, slots=True)
+class Mutated:
+    """One expression with a slip in it; `slip` names the kind, `before` and `after` the part that changed."""
+
+    slip: str
+    before: Node
+    after: Node
+    whole: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Mutant:
+    """A statement with a slip in the part of it that `where` names."""
+
+    statement: Claim | Theorem
+    form: str
+    where: str
+    change: Mutated
+
+    def __str__(self) -> str:
+        number, change = self.statement.number, self.change
+        return f"({number}) part {self.statement.part}, {self.where}: {change.slip}: {change.before} -> {change.after}"
+
+
+def mutants_of(sentence: Claim | Theorem, form: str, refused: list[str]) -> Iterator[Mutant]:
+    """All mutants of one form of a statement, each spelling once; `refused` collects slips that cannot be written."""
+    if isinstance(sentence, Theorem):
+        yield from _of_theorem(sentence, refused)
+        return
+    sides = sentence.form(form)
+    seen = {sides}
+    slips = _slips(sides, sides)
+    for place, name in ((0, "left side"), (1, "right side")):
+        if place == 0 and sentence.solves is not None:
+            continue
+        for change in _mutated(sides[place], slips, refused):
+            changed = (change.whole, sides[1]) if place == 0 else (sides[0], change.whole)
+            if changed in seen:
+                continue
+            seen.add(changed)
+            made = _written(lambda changed=changed, change=change: _claim(sentence, form, changed, change), refused)
+            if made is not None:
+                yield Mutant(made, form, name, change)
+
+
+def _claim(sentence: Claim, form: str, sides: tuple[Node, Node], change: Mutated) -> Claim:
+    """The claim with other sides. What it divides by, and the original does not, is declared not to be zero."""
+    sides[0].__class__  # noqa: B018
+    return with_fields(
+        sentence,
+        left=sides[0],
+        right=sides[1],
+        reading=None,
+        corrected=None,
+        kernel=None,
+        assuming=(*sentence.assuming, *_new_divisors(change)),
+    )
+
+
+def _of_theorem(theorem: Theorem, refused: list[str]) -> Iterator[Mutant]:
+    for number, part in enumerate(theorem.forms):
+        owned = tuple(node for _, _, node in _form_nodes(part))
+        slips = _slips(owned, owned)
+        seen: set[Any] = {part}
+        for name, place, node in _form_nodes(part):
+            for change in _mutated(node, slips, refused):
+                changed = _with_node(part, name, place, change.whole)
+                if changed in seen:
+                    continue
+                seen.add(changed)
+                forms = (*theorem.forms[:number], changed, *theorem.forms[number + 1 :])
+                assuming = (*theorem.assuming, *_new_divisors(change))
+                if _written(lambda changed=changed: changed.equations(), refused) is None:
+                    continue
+                statement = with_fields(theorem, forms=forms, assuming=assuming)
+                yield Mutant(statement, "printed", f"{type(part).__name__} {name}", change)
+
+
+def _form_nodes(part: Any) -> Iterator[tuple[str, int | None, Node]]:
+    """The expressions of a theorem's form, other than the bare symbols it speaks of."""
+    for field in fields(part):
+        value = getattr(part, field.name)
+        if isinstance(value, tuple):
+            for place, node in enumerate(value):
+                yield field.name, place, node
+        elif isinstance(value, Node) and field.type not in ("Symbol", Symbol):
+            yield field.name, None, value
+
+
+def _with_node(part: Any, name: str, place: int | None, node: Node) -> Any:
+    if place is None:
+        return with_fields(part, **{name: node})
+    old = getattr(part, name)
+    return with_fields(part, **{name: (*old[:place], node, *old[place + 1 :])})
+
+
+def _written(write: Callable[[], Any], refused: list[str]) -> Any:
+    try:
+        return write()
+    except Misfit as misfit:
+        refused.append(str(misfit))
+        return None
+
+
+def _new_divisors(change: Mutated) -> tuple[Hypothesis, ...]:
+    """Hypotheses that what the slip made into a divisor is not zero, so that the slip itself is judged."""
+    old = {node.denominator for node in walk(change.before) if isinstance(node, Quotient)}
+    divisors = [node.denominator for node in walk(change.whole) if isinstance(node, Quotient)]
+    return tuple(nonzero(node) for node in dict.fromkeys(divisors) if node not in old and _varies(node))
+
+
+def _varies(node: Node) -> bool:
+    return any(isinstance(part, Symbol) for part in walk(node))
+
+
+def _slips(sides: tuple[Node, ...], spoken: tuple[Node, ...]) -> list[Slips]:
+    """The kinds of slips; letters and indices are mistaken for others of the same statement."""
+    letters = dict.fromkeys(symbol for side in sides for symbol in symbols_of(side))
+    indices = dict.fromkeys(index for side in spoken for index in _indices(side))
+    return [
+        _signs,
+        _left_out,
+        _transposes,
+        _order,
+        _circular,
+        _numbers,
+        lambda node: _letters(node, tuple(letters)),
+        lambda node: _other_indices(node, tuple(indices)),
+    ]
+
+
+def _mutated(node: Node, slips: list[Slips], refused: list[str]) -> Iterator[Mutated]:
+    """The expression with one slip, at any depth."""
+    for slip in (_whole_sign, *slips):
+        yield from _everywhere(node, slip, refused, top=slip is _whole_sign)
+
+
+def _everywhere(node: Node, slip: Slips, refused: list[str], *, top: bool = False) -> Iterator[Mutated]:
+    try:
+        for kind, after in slip(node):
+            yield Mutated(kind, node, after, after)
+    except Misfit as misfit:
+        refused.append(str(misfit))
+    if top:
+        return
+    parts = children(node)
+    for place, part in enumerate(parts):
+        for inner in _everywhere(part, slip, refused):
+            changed = (*parts[:place], inner.whole, *parts[place + 1 :])
+            whole = _written(lambda changed=changed: rebuilt(node, changed), refused)
+            if whole is not None:
+                yield Mutated(inner.slip, inner.before, inner.after, whole)
+
+
+def _turned(term: Node) -> Node:
+    return term.term if isinstance(term, Negative) else Negative(term)
+
+
+def _is_zero(node: Node) -> bool:
+    return isinstance(node, Zero) or node == Number(Fraction(0))
+
+
+def _whole_sign(node: Node) -> Iterator[Slip]:
+    """The sign of a side that is neither a sum nor a matrix of blocks, which have signs of their own."""
+    if not isinstance(node, Sum | Block) and not _is_zero(node):
+        yield "sign", _turned(node)
+
+
+def _signs(node: Node) -> Iterator[Slip]:
+    match node:
+        case Sum(terms):
+            for place, term in enumerate(terms):
+                yield "sign", Sum((*terms[:place], _turned(term), *terms[place + 1 :]))
+        case Block(rows):
+            for i, row in enumerate(rows):
+                for j, block in enumerate(row):
+                    if not isinstance(block, Sum | Block) and not _is_zero(block):
+                        yield "sign", _with_block(rows, i, j, _turned(block))
+
+
+def _with_block(rows: tuple[tuple[Node, ...], ...], i: int, j: int, block: Node) -> Block:
+    row = (*rows[i][:j], block, *rows[i][j + 1 :])
+    return Block((*rows[:i], row, *rows[i + 1 :]))
+
+
+def _left_out(node: Node) -> Iterator[Slip]:
+    if isinstance(node, Sum):
+        for place in range(len(node.terms)):
+            rest = node.terms[:place] + node.terms[place + 1 :]
+            yield "term left out", rest[0] if len(rest) == 1 else Sum(rest)
+
+
+def _transposes(node: Node) -> Iterator[Slip]:
+    """A lost transpose, and an extra one on a square matrix that is not symmetric by its spelling."""
+    if isinstance(node, Transpose):
+        yield "transpose lost", node.of
+    elif node.measure is not None and node.shape[0] == node.shape[1] > 1 and not isinstance(node, Negative | Sum):
+        if _mirrored(node) != node:
+            yield "transpose added", Transpose(node)
+
+
+def _mirrored(node: Node) -> Node:
+    """The transpose, where spelling alone says what it is."""
+    match node:
+        case Identity() | Zero():
+            return node
+        case Transpose(of):
+            return of
+        case Contract(factors):
+            return Contract(tuple(_mirrored(factor) for factor in reversed(factors)))
+        case Scale(factor, term, trailing):
+            return Scale(factor, _mirrored(term), trailing)
+        case Power(base, exponent) if base.shape != (1, 1):
+            return Power(_mirrored(base), exponent)
+        case _:
+            return node if node.shape == (1, 1) else Transpose(node)
+
+
+def _order(node: Node) -> Iterator[Slip]:
+    match node:
+        case Cross(left, right) if left != right:
+            yield "operands swapped", Cross(right, left)
+        case Contract(factors):
+            for k in range(len(factors) - 1):
+                swapped = (*factors[:k], factors[k + 1], factors[k], *factors[k + 2 :])
+                if swapped != factors and not Dot.__subclasscheck__(type(node)):
+                    yield "factors swapped", Contract(swapped)
+        case Block(rows):
+            for k in range(len(rows) - 1):
+                yield "rows swapped", Block((*rows[:k], rows[k + 1], rows[k], *rows[k + 2 :]))
+            for k in range(len(rows[0]) - 1):
+                exchanged = tuple((*row[:k], row[k + 1], row[k], *row[k + 2 :]) for row in rows)
+                yield "columns swapped", Block(exchanged)
+
+
+def _circular(node: Node) -> Iterator[Slip]:
+    if isinstance(node, Call):
+        yield "sine and cosine", Call({"sin": "cos", "cos": "sin"}[node.function], node.argument)
+
+
+def _numbers(node: Node) -> Iterator[Slip]:
+    match node:
+        case Number(value):
+            yield "number", Number(value + 1)
+            if value > 1:
+                yield "number", Number(value - 1)
+        case Power(base, exponent):
+            yield "exponent", Power(base, exponent + 1)
+            if exponent > 1:
+                yield "exponent", base if exponent == 2 else Power(base, exponent - 1)
+
+
+def _letters(node: Node, letters: tuple[Symbol, ...]) -> Iterator[Slip]:
+    if isinstance(node, Symbol):
+        for letter in letters:
+            if letter != node and letter.size == node.size:
+                yield "letter", letter
+
+
+def _indices(node: Node) -> Iterator[Index]:
+    for part in walk(node):
+        match part:
+            case Member(_, index):
+                yield index
+            case Entry(_, i, j, _):
+                yield from (i, j)
+
+
+def _other_indices(node: Node, indices: tuple[Index, ...]) -> Iterator[Slip]:
+    match node:
+        case Member(family, index):
+            for other in indices:
+                if other != index:
+                    yield "index", Member(family, other)
+        case Entry(of, i, j, letter):
+            yield "indices swapped", Entry(of, j, i, letter)
