@@ -61,7 +61,9 @@ pitch_per_turn = scalar("p", "p", "pitch, in metres per turn", LENGTH)
 p_0 = vector("p_0", "p_0", "position of the point of the screw axis nearest the origin", LENGTH)
 lam = scalar("lambda", r"\lambda", "parameter along a line, in units of a segment of it")
 arc = scalar("lambda", r"\lambda", "signed distance along a line", LENGTH)
-arc_by_omega = scalar("lambda", r"\lambda", "signed distance along an axis, per unit of angular velocity", LENGTH * TIME)
+arc_by_omega = scalar(
+    "lambda", r"\lambda", "signed distance along an axis, per unit of angular velocity", LENGTH * TIME
+)
 alpha = scalar("alpha", r"\alpha", "coefficient of the identity")
 beta = scalar("beta", r"\beta", "coefficient of e e^T")
 A_screw = array("A", "A", "coefficients of the equations of p_0", column(Q - one, e.T))
@@ -142,7 +144,9 @@ L = array("L", "L", "linear invariants' rates from the angular velocity", unifor
 H = array("H", "H", "Euler-Rodrigues parameters' rates from the angular velocity", uniform((4, 3)))
 N_tilde = array("N~", r"\tilde{\mathbf{N}}", "angular velocity from the natural invariants' rates", uniform((3, 4)))
 L_tilde = array("L~", r"\tilde{\mathbf{L}}", "angular velocity from the linear invariants' rates", uniform((3, 4)))
-H_tilde = array("H~", r"\tilde{\mathbf{H}}", "angular velocity from the Euler-Rodrigues parameters' rates", uniform((3, 4)))
+H_tilde = array(
+    "H~", r"\tilde{\mathbf{H}}", "angular velocity from the Euler-Rodrigues parameters' rates", uniform((3, 4))
+)
 F = array("F", "F", "N, L or H", uniform((4, 3)))
 F_tilde = array("F~", r"\tilde{\mathbf{F}}", "the left inverse of N, L or H", uniform((3, 4)))
 T = array("T", "T", "rate of the pose from the twist", matrix((F, O_43), (O, one)))

@@ -1,6 +1,7 @@
 """Section 3.2: general rigid-body motion and its associated screw."""
 
 from chasles.derivations.notation import *
+
 from chasles.statements import (
     Always,
     Claim,

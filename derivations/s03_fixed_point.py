@@ -1,7 +1,8 @@
 """Section 3.3: rotation of a rigid body about a fixed point."""
 
 from chasles.derivations.notation import *
-from chasles.statements import Always, Claim, Definition, Kernel, Section, Theorem, rotation
+
+from chasles.statements import Always, Claim, Definition, Section, Theorem, rotation
 from chasles.vocabulary import CPM, at, cross, dot, number, rate, vect
 
 rotation_about_a_fixed_point = Section("3.3", "Rotation of a Rigid Body About a Fixed Point")

@@ -2,10 +2,10 @@
 
 from chasles.derivations.notation import *
 from chasles.derivations.s02_screw import (
-    linear_scalar,
-    linear_vector,
     euler_rodrigues_scalar,
     euler_rodrigues_vector,
+    linear_scalar,
+    linear_vector,
     natural_scalar,
     natural_vector,
     phi_is_not_zero,
@@ -19,6 +19,7 @@ from chasles.derivations.s03_fixed_point import (
     angular_velocity_matrix,
     angular_velocity_matrix_of_vector,
 )
+
 from chasles.statements import (
     Always,
     Branch,

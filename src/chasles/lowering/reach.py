@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
 
 from chasles.lowering.cases import Choice
 from chasles.lowering.refusal import LoweringError
@@ -77,8 +78,7 @@ class Reach:
                 for part in children(node):
                     self.follow(part)
 
-    def _once(self, node: Node, follow: object) -> None:
-        assert callable(follow)
+    def _once(self, node: Node, follow: Callable[[Any], None]) -> None:
         if node in self._done:
             raise LoweringError(f"{self._kernel}: {plain(node)} is defined by itself")
         self._done[node] = False

@@ -6,7 +6,7 @@ A request is closed: every symbol in it is an argument or is defined in it, and 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 
@@ -102,8 +102,7 @@ def meaning_of(node: Node) -> str:
             return plain(node)
 
 
-def _opened_choice(choice: Choice, opened: object) -> Choice:
-    assert callable(opened)
+def _opened_choice(choice: Choice, opened: Callable[[Node], Node]) -> Choice:
     cases = []
     for case in choice.cases:
         where = tuple(with_fields(c, left=opened(c.left), right=opened(c.right)) for c in case.where)
@@ -111,8 +110,7 @@ def _opened_choice(choice: Choice, opened: object) -> Choice:
     return Choice(choice.symbols, tuple(cases))
 
 
-def _opened_hypothesis(hypothesis: Hypothesis, opened: object) -> Hypothesis:
-    assert callable(opened)
+def _opened_hypothesis(hypothesis: Hypothesis, opened: Callable[[Node], Node]) -> Hypothesis:
     return with_fields(hypothesis, nonvanishing=tuple(map(opened, hypothesis.nonvanishing)))
 
 

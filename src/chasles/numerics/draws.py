@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -9,8 +10,9 @@ import numpy as np
 from chasles.numerics.enclosures import exactly, plain_context
 from chasles.numerics.small_matrices import Matrix, flipped, product
 
-__all__ = ["CONTEXT", "Draws", "DrawsAtLarge", "DrawsNearby", "SimpleDraws", "turned", "unit_of"]
+__all__ = ["CONTEXT", "Draws", "DrawsNearby", "SimpleDraws", "turned", "unit_of"]
 
+AXES = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 CONTEXT = plain_context(50)
 Numbers = list[Any]
 
@@ -31,27 +33,23 @@ def turned(axis: Numbers, angle: Any) -> Matrix:
 
 
 class Draws:
-    """Draws from a seeded generator; `decades` says how close to a singular set the nearest draws come."""
+    """Draws at large, from a seeded generator; `decades` says how close to a singular set the nearest draws come."""
 
     def __init__(self, generator: np.random.Generator, decades: int) -> None:
         self.generator = generator
         self.decades = decades
 
     def angle(self) -> Any:
-        """An angle in radians."""
-        raise NotImplementedError
-
-    def scalar(self) -> Any:
-        """A number."""
-        return self.vector(1)[0]
+        """An angle in radians, within two turns."""
+        return exactly(float(self.generator.uniform(-6.3, 6.3)), CONTEXT)
 
     def vector(self, size: int) -> Numbers:
-        """A column of numbers."""
-        raise NotImplementedError
+        """A column of numbers of the order of one."""
+        return [exactly(float(x), CONTEXT) for x in self.generator.standard_normal(size)]
 
     def direction(self) -> Numbers:
-        """A unit vector in space."""
-        raise NotImplementedError
+        """A unit vector in space, no direction preferred."""
+        return unit_of(Draws.vector(self, 3))
 
     def related(self, other: Numbers) -> Numbers | None:
         """A column that stands in a special relation to another one, or None if this one is drawn by itself."""
@@ -61,48 +59,35 @@ class Draws:
         """True with the given probability."""
         return bool(self.generator.random() < probability)
 
-    def pick(self, choices: Any) -> Any:
+    def pick(self, choices: Sequence[Any]) -> Any:
         """One of the choices."""
         return choices[int(self.generator.integers(len(choices)))]
 
-    def _normal(self, size: int) -> Numbers:
-        return [exactly(float(x), CONTEXT) for x in self.generator.standard_normal(size)]
 
-
-class DrawsAtLarge(Draws):
-    """Nothing is special: angles within two turns, vectors and directions without preference."""
+class DrawsNearby(Draws):
+    """Draws close to where formulas fail."""
 
     def angle(self) -> Any:
-        return exactly(float(self.generator.uniform(-6.3, 6.3)), CONTEXT)
-
-    def vector(self, size: int) -> Numbers:
-        return self._normal(size)
-
-    def direction(self) -> Numbers:
-        return unit_of(self._normal(3))
-
-
-class DrawsNearby(DrawsAtLarge):
-    """Close to where formulas fail: angles near 0, pi/2, pi and 2 pi, small and nearly equal or parallel vectors."""
-
-    def angle(self) -> Any:
+        """An angle near 0, pi/2, pi or 2 pi; now and then the float nearest to it."""
         quarters = self.pick((0, 0, 2, -2, 2, -2, 1, -1, 4))
         offset = 0 if quarters and self.chance(0.1) else self._tiny()
         return quarters * CONTEXT.pi / 2 + offset
 
     def vector(self, size: int) -> Numbers:
+        """A column that is small every other time."""
         small = self._tiny() if self.chance(0.5) else 1
-        return [small * x for x in self._normal(size)]
+        return [small * x for x in super().vector(size)]
 
     def direction(self) -> Numbers:
-        axis = self.pick(AXES)
-        return unit_of([a + self._tiny() * x for a, x in zip(axis, self._normal(3), strict=True)])
+        """A unit vector near a coordinate axis."""
+        return unit_of([a + self._tiny() * x for a, x in zip(self.pick(AXES), super().vector(3), strict=True)])
 
     def related(self, other: Numbers) -> Numbers | None:
+        """A column nearly equal or nearly parallel to the other one, every other time."""
         if self.chance(0.5):
             return None
-        factor = 1 if self.chance(0.7) else self._normal(1)[0]
-        return [factor * x + self._tiny() * y for x, y in zip(other, self._normal(len(other)), strict=True)]
+        factor = 1 if self.chance(0.7) else super().vector(1)[0]
+        return [factor * x + self._tiny() * y for x, y in zip(other, super().vector(len(other)), strict=True)]
 
     def _tiny(self) -> Any:
         sign = 1 if self.chance(0.5) else -1
@@ -110,17 +95,17 @@ class DrawsNearby(DrawsAtLarge):
 
 
 class SimpleDraws(Draws):
-    """Values that a person would try: quarter turns and small integers, axes, zeros."""
+    """Draws that a person would try."""
 
     def angle(self) -> Any:
+        """Zero, a quarter or half a turn, a small number."""
         return self.pick((0, 1, -1, 2, 3, CONTEXT.pi / 2, -CONTEXT.pi / 2, CONTEXT.pi, -CONTEXT.pi, CONTEXT.mpf(0.5)))
 
     def vector(self, size: int) -> Numbers:
+        """A column of small integers."""
         return [CONTEXT.mpf(int(x)) for x in self.generator.integers(-2, 3, size)]
 
     def direction(self) -> Numbers:
+        """A coordinate axis, either way."""
         sign = 1 if self.chance(0.5) else -1
         return [sign * CONTEXT.mpf(x) for x in self.pick(AXES)]
-
-
-AXES = ((1, 0, 0), (0, 1, 0), (0, 0, 1))

@@ -1,4 +1,4 @@
-"""What is a kernel asked for? Its inputs as symbols, its outputs, its hypotheses, and its value to any number of digits."""
+"""What is a kernel asked for? Its inputs as symbols, its outputs, its hypotheses, its value to any number of digits."""
 
 from __future__ import annotations
 
@@ -47,8 +47,8 @@ class Request:
     """What a kernel must compute.
 
     `reference(values, digits)` gives every output as a matrix whose entries have so many right digits; it may raise
-    `Singular`. `angles` are the inputs that occur in a sine or cosine. `roundings` is the length of the longest chain of
-    rounded operations from an input to an output.
+    `Singular`. `angles` are the inputs that occur in a sine or cosine. `roundings` is the length of the longest chain
+    of rounded operations from an input to an output.
     """
 
     name: str
@@ -81,7 +81,7 @@ def request_of(
     program: Program | None = None,
     standing: Callable[[Statement], str] = default_form,
 ) -> Request:
-    """The request of a statement's kernel: the right side of the form that stands, as a function of the kernel's inputs.
+    """The request of a statement's kernel: the right side of the form that stands, as a function of the inputs.
 
     The reference applies what is given to the statement; an input comes before any rule. With a program, names and
     roundings are the program's. Raises TypeError if the statement asks for no kernel, or if the results are not as
@@ -116,7 +116,7 @@ def longest_chain(program: Program) -> int:
 
     A sine, a cosine or an arctangent counts as two: libraries round it to within one unit rather than half of one.
     """
-    weight = Counter({op: 1 for op in ROUNDED} | {op: 2 for op in (Op.SINE, Op.COSINE, Op.ARCTANGENT2)})
+    weight = Counter(dict.fromkeys(ROUNDED, 1) | dict.fromkeys((Op.SINE, Op.COSINE, Op.ARCTANGENT2), 2))
     chains: list[int] = []
     for step in program.steps:
         chains.append(weight[step.op] + max((chains[operand] for operand in step.operands), default=0))

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from chasles.numerics.draws import Draws, DrawsAtLarge, DrawsNearby, SimpleDraws, turned, unit_of
+from chasles.numerics.draws import Draws, DrawsNearby, SimpleDraws, turned, unit_of
 from chasles.numerics.request import Request
 from chasles.numerics.small_matrices import Matrix, flipped
 from chasles.statements import Hypothesis
@@ -19,7 +19,7 @@ from chasles.vocabulary import Node
 
 __all__ = ["STRATEGIES", "Sample", "Unsatisfiable", "draw"]
 
-STRATEGIES: dict[str, type[Draws]] = {"generic": DrawsAtLarge, "near": DrawsNearby, "simple": SimpleDraws}
+STRATEGIES: dict[str, type[Draws]] = {"generic": Draws, "near": DrawsNearby, "simple": SimpleDraws}
 ATTEMPTS = 200
 
 Sample = dict[Node, NDArray[np.floating]]
@@ -45,7 +45,9 @@ def draw(
     while failures < ATTEMPTS:
         point = _point(request, draws)
         sample = {
-            given.node: np.array([[float(x) for x in row] for row in point[given.node]], dtype).reshape(given.argument.shape)
+            given.node: np.array([[float(x) for x in row] for row in point[given.node]], dtype).reshape(
+                given.argument.shape
+            )
             for given in request.inputs
         }
         if request.admits(sample):

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import islice
-from math import inf
+from math import inf, isfinite
 from typing import Any
 from zlib import crc32
 
@@ -20,9 +20,9 @@ from numpy.typing import NDArray
 from chasles.numerics.draws import CONTEXT
 from chasles.numerics.enclosures import exactly
 from chasles.numerics.reference import Singular
-from chasles.numerics.request import Output, Request
+from chasles.numerics.request import Request
 from chasles.numerics.sampling import STRATEGIES, Sample, draw
-from chasles.numerics.small_matrices import Matrix
+from chasles.vocabulary import Node
 
 __all__ = ["Evidence", "Finding", "verify", "verify_all"]
 
@@ -35,14 +35,25 @@ SHOWN = 3
 class Finding:
     """One result at one input: its error and what was allowed, in units of the roundoff.
 
-    `allowed` is None where it was not needed: the error is within the roundings alone.
+    Where the error is within the roundings alone, `allowed` is just these: the condition was not needed.
     """
 
     strategy: str
     output: str
     error: float
-    allowed: float | None
+    allowed: float
     at: dict[str, Any] = field(hash=False)
+
+    @property
+    def failed(self) -> bool:
+        """Whether more digits are lost than the inputs leave open."""
+        return not self.error <= self.allowed
+
+    def as_json(self) -> dict[str, Any]:
+        """The finding as plain data; errors with four digits, an infinite one as null."""
+        shown = {"error": self.error, "allowed": self.allowed}
+        numbers = {key: float(f"{x:.4g}") if isfinite(x) else None for key, x in shown.items()}
+        return {"strategy": self.strategy, "output": self.output, **numbers, "at": self.at}
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,5 +79,158 @@ class Evidence:
         return max((finding.error for finding in self.worst), default=0.0)
 
     def as_json(self) -> dict[str, Any]:
-        """The evidence as plain data, the same for the same seed and kernel."""
-        ...
+        """The evidence as plain data; the same for the same kernel, seed and machine."""
+        return {
+            "kernel": self.kernel,
+            "dtype": self.dtype,
+            "samples": self.samples,
+            "skipped": self.skipped,
+            "passed": self.passed,
+            "failed": self.failed,
+            "worst": [finding.as_json() for finding in self.worst],
+            "failures": [finding.as_json() for finding in self.failures],
+        }
+
+
+def verify(
+    request: Request,
+    function: Function,
+    *,
+    dtype: type[np.floating] = np.float64,
+    strategies: Sequence[str] = tuple(STRATEGIES),
+    samples: int = 100,
+    seed: int = 0,
+    batched: bool = False,
+) -> Evidence:
+    """How the function's results differ from the request's reference, over so many inputs from each strategy.
+
+    The function takes the request's inputs in their order and returns its outputs, an array or a tuple of arrays; with
+    `batched` it gets all inputs of a strategy at once, the batch axis first. Inputs at which the reference is singular
+    or beyond the type's range are skipped. Raises TypeError for results of another shape or type.
+    """
+    worst: list[Finding] = []
+    failures: list[Finding] = []
+    skipped = 0
+    for strategy in strategies:
+        generator = np.random.default_rng([seed, crc32(f"{request.name} {strategy}".encode())])
+        inputs = list(islice(draw(request, strategy, generator, dtype), samples))
+        findings: list[Finding] = []
+        for sample, results in zip(inputs, _results(request, function, inputs, dtype, batched), strict=True):
+            comparison = _Comparison(request, strategy, sample, dtype)
+            found = list(comparison.findings(results))
+            skipped += not found
+            findings += found
+        failures += [finding for finding in findings if finding.failed]
+        if findings:
+            worst.append(max(findings, key=lambda finding: finding.error))
+    failures.sort(key=lambda finding: -finding.error)
+    total = samples * len(strategies)
+    return Evidence(
+        request.name, np.dtype(dtype).name, total, skipped, tuple(worst), tuple(failures[:SHOWN]), len(failures)
+    )
+
+
+def verify_all(kernels: Iterable[tuple[Request, Function]], **options: Any) -> Iterator[Evidence]:
+    """The evidence on each kernel, one at a time; `options` are those of `verify`."""
+    for request, function in kernels:
+        yield verify(request, function, **options)
+
+
+def _results(
+    request: Request, function: Function, inputs: list[Sample], dtype: type[np.floating], batched: bool
+) -> list[list[NDArray[Any]]]:
+    """The function's outputs for each input, flat."""
+    columns = [[sample[given.node] for sample in inputs] for given in request.inputs]
+    with np.errstate(all="ignore"):
+        if batched:
+            together = _outputs(request, function(*map(np.stack, columns)), dtype, (len(inputs),))
+            return [[output[k] for output in together] for k in range(len(inputs))]
+        return [
+            _outputs(request, function(*(x[()] for x in arguments)), dtype, ())
+            for arguments in zip(*columns, strict=True)
+        ]
+
+
+def _outputs(request: Request, returned: Any, dtype: type[np.floating], batch: tuple[int, ...]) -> list[NDArray[Any]]:
+    parts = returned if isinstance(returned, tuple) else (returned,)
+    if len(parts) != len(request.outputs):
+        raise TypeError(f"{request.name} returned {len(parts)} results, and {len(request.outputs)} are expected")
+    flat = []
+    for output, part in zip(request.outputs, map(np.asarray, parts), strict=True):
+        if part.shape != (*batch, *output.shape) or part.dtype != dtype:
+            raise TypeError(
+                f"{request.name} returned {output.name} as {part.dtype} of shape {part.shape}: "
+                f"{np.dtype(dtype)} of shape {(*batch, *output.shape)} is expected"
+            )
+        flat.append(part.reshape(*batch, -1))
+    return flat
+
+
+class _Comparison:
+    """Results beside the reference at one input."""
+
+    def __init__(self, request: Request, strategy: str, sample: Sample, dtype: type[np.floating]) -> None:
+        self.request = request
+        self.strategy = strategy
+        self.sample = sample
+        self.limits = np.finfo(dtype)
+        self.unit = exactly(float(self.limits.eps) / 2, CONTEXT)
+        self._conditions: list[list[Any]] | None = None
+
+    def findings(self, results: list[NDArray[Any]]) -> Iterator[Finding]:
+        """One finding for each output and each group of its entries; none where there is no reference."""
+        try:
+            self.expected = self._exact(self.sample, 50)
+        except Singular:
+            return
+        if any(abs(x) > float(self.limits.max) for entries in self.expected for x in entries):
+            return
+        for k, (output, result) in enumerate(zip(self.request.outputs, results, strict=True)):
+            for g, places in enumerate(output.alike):
+                error = self._error(k, places, [float(result[place]) for place in places])
+                allowed = float(self.request.roundings)
+                if error > allowed:
+                    allowed *= 1 + float(self._condition(k, g))
+                yield Finding(self.strategy, output.name, error, allowed, self._at())
+
+    def _exact(self, sample: Sample, digits: int) -> list[list[Any]]:
+        return [[x for row in matrix for x in row] for matrix in self.request.reference(sample, digits)]
+
+    def _size(self, k: int, places: tuple[int, ...]) -> Any:
+        """The size of a group of entries; below the smallest normal number, floats have no digits to lose."""
+        return max(*(abs(self.expected[k][place]) for place in places), exactly(float(self.limits.tiny), CONTEXT))
+
+    def _error(self, k: int, places: tuple[int, ...], got: list[float]) -> float:
+        if not all(map(isfinite, got)):
+            return inf
+        gaps = [abs(exactly(x, CONTEXT) - self.expected[k][place]) for x, place in zip(got, places, strict=True)]
+        return float(max(gaps) / self._size(k, places) / self.unit)
+
+    def _condition(self, k: int, g: int) -> Any:
+        """How far the exact group moves, in units, if every input entry moves by one unit in its last place."""
+        if self._conditions is None:
+            self._conditions = [[CONTEXT.mpf(0) for _ in output.alike] for output in self.request.outputs]
+            for node, value in self.sample.items():
+                for place in np.ndindex(value.shape):
+                    self._add_moves(node, place)
+        return self._conditions[k][g]
+
+    def _add_moves(self, node: Node, place: tuple[int, ...]) -> None:
+        """Add the larger of the two moves that the neighbours of one input entry cause."""
+        assert self._conditions is not None
+        moved = [exact for way in (-np.inf, np.inf) if (exact := self._beside(node, place, way)) is not None]
+        for k, output in enumerate(self.request.outputs):
+            for g, places in enumerate(output.alike):
+                moves = [max(abs(exact[k][p] - self.expected[k][p]) for p in places) for exact in moved]
+                self._conditions[k][g] += max(moves, default=0) / self._size(k, places) / self.unit
+
+    def _beside(self, node: Node, place: tuple[int, ...], way: float) -> list[list[Any]] | None:
+        value = self.sample[node].copy()
+        value[place] = np.nextafter(value[place], value.dtype.type(way))
+        try:
+            return self._exact({**self.sample, node: value}, 20)
+        except Singular:
+            return None
+
+    def _at(self) -> dict[str, Any]:
+        return {given.argument.name: self.sample[given.node].tolist() for given in self.request.inputs}

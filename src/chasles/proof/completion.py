@@ -1,7 +1,7 @@
 """Completing hypotheses to a Groebner basis, each new generator remembered as a combination of the stated ones.
 
-Buchberger's algorithm with the coprimality criterion and a budget. The hypotheses of the book need it almost never: they
-are chosen to be a basis as they stand.
+Buchberger's algorithm with the coprimality criterion and a budget. The book's hypotheses need it almost never: they are
+chosen to be a basis as they stand.
 """
 
 from __future__ import annotations

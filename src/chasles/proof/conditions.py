@@ -1,7 +1,7 @@
 """Conditions determine symbols: a linear system, solved once and for all by its normal equations.
 
-For conditions M u = v, a left inverse of M is adj(M^T M) M^T / det(M^T M). It exists where the determinant is, modulo the
-hypotheses, a product of atoms; the multipliers of the conditions are the certificate that u has the value found.
+For conditions M u = v, a left inverse of M is adj(M^T M) M^T / det(M^T M). It exists where the determinant is, modulo
+the hypotheses, a product of atoms; the multipliers of the conditions are the certificate that u has the value found.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ LARGEST_POWER = 16
 
 @dataclass(frozen=True, slots=True)
 class Solved:
-    """variable = numerator / product of atoms, because atoms variable - numerator = sum of cofactors times what vanishes.
+    """variable = numerator / product of atoms, because product variable - numerator = a combination of what vanishes.
 
     `conditions` are cofactors on the conditions' polynomials, `cofactors` on the context's generators.
     """
@@ -55,8 +55,10 @@ def solve_conditions(context: Context) -> tuple[tuple[Generator, ...], tuple[Sol
         solved.append(_one(context, conditions, constants, place, exponents, scale, multipliers[row]))
     for symbol in problem.unknowns:
         rows, columns = symbol.shape
-        values = {(context.variables[k].symbol, context.variables[k].row, context.variables[k].column): s.value
-                  for k, s in zip(places, solved, strict=True)}
+        values = {
+            (context.variables[k].symbol, context.variables[k].row, context.variables[k].column): s.value
+            for k, s in zip(places, solved, strict=True)
+        }
         context.unfold.values[symbol] = [[values[symbol, i, j] for j in range(columns)] for i in range(rows)]
     context.unfold.forget()
     return conditions, tuple(solved)
@@ -78,7 +80,9 @@ def _linear(
     zero = ring.constant(Fraction(0))
     constants = []
     for condition, row in zip(conditions, matrix, strict=True):
-        rest = reduce(add, (m * ring.generators[p] for m, p in zip(row, places, strict=True)), zero) - condition.polynomial
+        rest = (
+            reduce(add, (m * ring.generators[p] for m, p in zip(row, places, strict=True)), zero) - condition.polynomial
+        )
         constants.append(rest)
     for polynomial in (*constants, *(m for row in matrix for m in row)):
         if any(ring.derivative(polynomial, place) != 0 for place in places):
@@ -89,14 +93,17 @@ def _linear(
 def _left_inverse(
     context: Context, matrix: list[list[Polynomial]]
 ) -> tuple[tuple[int, ...], Fraction, list[list[Polynomial]]]:
-    """Exponents of atoms, a constant and multipliers X with X M = constant * product of atoms, modulo the hypotheses."""
+    """Exponents of atoms, a constant and multipliers X: X M is the constant times the atoms, modulo the hypotheses."""
     size = len(matrix[0])
     columns = list(zip(*matrix, strict=True))
     gram = [[_reduced(context, reduce(add, map(mul, a, b))) for b in columns] for a in columns]
     determinant, adjugate = _adjugate(context, gram)
     exponents, scale = _as_atoms(context, determinant)
     multipliers = [
-        [_reduced(context, reduce(add, (adjugate[i][k] * columns[k][j] for k in range(size)))) for j in range(len(matrix))]
+        [
+            _reduced(context, reduce(add, (adjugate[i][k] * columns[k][j] for k in range(size))))
+            for j in range(len(matrix))
+        ]
         for i in range(size)
     ]
     return exponents, scale, multipliers
@@ -114,7 +121,9 @@ def _one(
     ring, field = context.field.ring, context.field
     inverse = ring.constant(1 / scale)
     factors = {k: m * inverse for k, m in enumerate(multipliers) if m != 0}
-    numerator = _reduced(context, reduce(add, (f * constants[k] for k, f in factors.items()), ring.constant(Fraction(0))))
+    numerator = _reduced(
+        context, reduce(add, (f * constants[k] for k, f in factors.items()), ring.constant(Fraction(0)))
+    )
     claim = field.power_product(exponents) * ring.generators[place] - numerator
     rest = claim - reduce(add, (f * conditions[k].polynomial for k, f in factors.items()), ring.constant(Fraction(0)))
     cofactors, remainder = context.basis.reduce(rest)

@@ -74,7 +74,15 @@ def build(problem: Problem) -> Context:
     circle = {k for k, v in enumerate(variables) if v.symbol == PI}
     pi_measures = bool(circle) or len(bare) > 1
     return Context(
-        problem, variables, unfold, generators, basis, atoms, active, frozenset(bare | circle), bool(pi_measures and bare)
+        problem,
+        variables,
+        unfold,
+        generators,
+        basis,
+        atoms,
+        active,
+        frozenset(bare | circle),
+        bool(pi_measures and bare),
     )
 
 
@@ -95,7 +103,9 @@ def _free_symbols(node: object, rules: dict[object, object]) -> set[Symbol]:
     return set(found.orders) | set(found.angles)
 
 
-def _declare_atoms(unfold: Unfolder, active: tuple[Hypothesis, ...]) -> tuple[tuple[Hypothesis | None, Polynomial], ...]:
+def _declare_atoms(
+    unfold: Unfolder, active: tuple[Hypothesis, ...]
+) -> tuple[tuple[Hypothesis | None, Polynomial], ...]:
     declared: list[tuple[Hypothesis | None, Polynomial]] = []
     for hypothesis in active:
         for node in hypothesis.nonvanishing:

@@ -70,7 +70,7 @@ def decide_problem(problem: Problem, own: tuple[Hypothesis, ...] = (), budget: f
 
 
 def determining(problem: Problem, symbols: tuple[Symbol, ...]) -> Problem:
-    """The problem whose conditions are what was to be decided, on the given symbols besides those already determined."""
+    """The problem whose conditions are what was to be decided, on the given symbols and those already determined."""
     conditions = (*problem.conditions, *problem.goals)
     return replace(problem, goals=(), conditions=conditions, unknowns=(*problem.unknowns, *symbols))
 
@@ -108,7 +108,7 @@ def _solved_ratios(context: Context, solved: tuple[Solved, ...]) -> dict[str, tu
 
 
 def _vanish_here_and_there(context: Context, solved: tuple[Solved, ...], suspects: list[_Entry]) -> bool:
-    """Whether the entries vanish at a few rich points: then they will vanish everywhere, and a proof is worth its time."""
+    """Whether the entries vanish at a few rich points: then they likely vanish everywhere, and a proof is worth it."""
     few = islice(points.sample(context, _solved_ratios(context, solved), simple=False), 3)
     return all(is_zero(points.ratio_at(context, e.ratio, point) or {}) for point in few for e in suspects)
 
@@ -122,7 +122,10 @@ def _refute(context: Context, solved: tuple[Solved, ...], suspects: list[_Entry]
             value = points.ratio_at(context, entry.ratio, point)
             if value is None or is_zero(value):
                 continue
-            left, right = (context.unfold(side)[entry.place[0] - 1][entry.place[1] - 1] for side in (entry.goal.left, entry.goal.right))
+            left, right = (
+                context.unfold(side)[entry.place[0] - 1][entry.place[1] - 1]
+                for side in (entry.goal.left, entry.goal.right)
+            )
             sides = [points.ratio_at(context, side, point) for side in (left, right)]
             if sides[0] is None or sides[1] is None:
                 continue
@@ -148,7 +151,14 @@ def _limited(context: Context, solved: tuple[Solved, ...]) -> Any:
 
 
 def _height(value: Fraction) -> int:
-    return 0 if value == 0 else 1 + 2 * (abs(value) != 1) + len(str(abs(value.numerator))) + 3 * (len(str(value.denominator)) if value.denominator != 1 else 0)
+    return (
+        0
+        if value == 0
+        else 1
+        + 2 * (abs(value) != 1)
+        + len(str(abs(value.numerator)))
+        + 3 * (len(str(value.denominator)) if value.denominator != 1 else 0)
+    )
 
 
 def _used_variables(context: Context, solved: tuple[Solved, ...], suspects: list[_Entry]) -> list[str]:
@@ -160,7 +170,12 @@ def _used_variables(context: Context, solved: tuple[Solved, ...], suspects: list
             polynomials += [r.numerator for _, _, r in entries(context.unfold(side))]
     places = {k for p in polynomials for exponents, _ in ring.terms(p) for k, e in enumerate(exponents) if e}
     touched = {context.variables[k].symbol for k in places} - {None}
-    names = [v.name for k, v in enumerate(context.variables) if k in places or (v.symbol in touched and v.kind == "entry" and v.order == 0 and k not in context.transcendental)]
+    names = [
+        v.name
+        for k, v in enumerate(context.variables)
+        if k in places
+        or (v.symbol in touched and v.kind == "entry" and v.order == 0 and k not in context.transcendental)
+    ]
     gone = {s.variable for s in solved} | {context.variables[k].name for k in context.transcendental}
     return sorted(name for name in names if name not in gone)
 
@@ -170,7 +185,11 @@ def _witness(context: Context, solved: tuple[Solved, ...]) -> points.Point | Non
 
 
 def _certified(
-    context: Context, conditions: tuple[Generator, ...], solved: tuple[Solved, ...], done: list[_Entry], own: tuple[Hypothesis, ...]
+    context: Context,
+    conditions: tuple[Generator, ...],
+    solved: tuple[Solved, ...],
+    done: list[_Entry],
+    own: tuple[Hypothesis, ...],
 ) -> Verdict:
     witness = _witness(context, solved)
     if witness is None:
@@ -204,7 +223,11 @@ def _drop_unneeded(
     for hypothesis in context.active:
         if not hypothesis.equations or hypothesis in in_solved:
             continue
-        kept = [k for k, g in enumerate(context.generators) if g.hypothesis is None or g.hypothesis not in dropped | {hypothesis}]
+        kept = [
+            k
+            for k, g in enumerate(context.generators)
+            if g.hypothesis is None or g.hypothesis not in dropped | {hypothesis}
+        ]
         basis = stated(ring, tuple(context.generators[k].polynomial for k in kept), complete=False)
         attempts = [basis.reduce(entry.ratio.numerator) for entry in done]
         if all(remainder == 0 for _, remainder in attempts):
@@ -216,9 +239,13 @@ def _drop_unneeded(
 
 
 def _certificate(
-    context: Context, conditions: tuple[Generator, ...], solved: tuple[Solved, ...], done: list[_Entry], witness: points.Point
+    context: Context,
+    conditions: tuple[Generator, ...],
+    solved: tuple[Solved, ...],
+    done: list[_Entry],
+    witness: points.Point,
 ) -> dict[str, Any]:
-    """All that a checker needs, as text: cofactors on the stated hypotheses by name, and a point that satisfies them."""
+    """What a checker needs, as text: cofactors on the stated hypotheses by name, and a point that satisfies them."""
     write: Callable[[Polynomial], str] = lambda p: written(context.field.ring, p)  # noqa: E731
     names = [g.label for g in context.generators]
     return {

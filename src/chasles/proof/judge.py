@@ -9,7 +9,18 @@ from typing import Any
 
 from chasles.proof.decide import BUDGET, decide_problem, determining, pose
 from chasles.proof.verdict import Assumed, Defined, Holds, HoldsUnder, IllFormed, Undecided, Verdict
-from chasles.statements import Claim, Condition, Definition, Entry, Inverse, Postulate, Problem, Statement, Theorem, problem_of
+from chasles.statements import (
+    Claim,
+    Condition,
+    Definition,
+    Entry,
+    Inverse,
+    Postulate,
+    Problem,
+    Statement,
+    Theorem,
+    problem_of,
+)
 from chasles.statements.inversion import problems_of_inverse
 from chasles.statements.problem import default_form
 from chasles.vocabulary import Misfit
@@ -78,10 +89,7 @@ class Judge:
     def _decide(self, sentence: Sentence) -> Decision:
         started = perf_counter()
         given = {f"{g.number}/{g.part}": self.standing(g) for g in sentence.given}
-        if isinstance(sentence, Inverse):
-            verdict = self._inverse(sentence)
-        else:
-            verdict = self._form(sentence, "printed")
+        verdict = self._inverse(sentence) if isinstance(sentence, Inverse) else self._form(sentence, "printed")
         correction = None
         if isinstance(sentence, Statement) and not verdict.true:
             form = "reading" if sentence.reading is not None else "corrected"

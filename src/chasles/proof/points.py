@@ -1,7 +1,7 @@
 """Exact rational points that satisfy a problem's hypotheses, simple ones first.
 
-Unit vectors are stereographic, cosine and sine Pythagorean, rotations come from quaternions, rates from spins; conditions
-are satisfied by what they determine, norms by moving a free vector until its norm is rational.
+Unit vectors are stereographic, cosine and sine Pythagorean, rotations come from quaternions, rates from spins;
+conditions are satisfied by what they determine, norms by moving a free vector until its norm is rational.
 """
 
 from __future__ import annotations
@@ -36,10 +36,29 @@ UNIT_VECTORS = tuple(
 )  # fmt: skip
 CIRCLE = tuple(
     (Fraction(c, d), Fraction(s, d))
-    for c, s, d in ((0, 1, 1), (3, 4, 5), (-1, 0, 1), (4, 3, 5), (0, -1, 1), (-3, 4, 5), (5, 12, 13), (-4, -3, 5), (8, 15, 17))
+    for c, s, d in (
+        (0, 1, 1),
+        (3, 4, 5),
+        (-1, 0, 1),
+        (4, 3, 5),
+        (0, -1, 1),
+        (-3, 4, 5),
+        (5, 12, 13),
+        (-4, -3, 5),
+        (8, 15, 17),
+    )
 )
 QUARTERS = tuple((Fraction(c), Fraction(s)) for c, s in ((1, 0), (0, 1), (-1, 0), (0, -1)))
-PYTHAGOREAN = ((0, 0, 1, 1), (1, 2, 2, 3), (0, 3, 4, 5), (2, 1, 2, 3), (2, -1, 2, 3), (2, 3, 6, 7), (1, -2, 2, 3), (4, 4, 7, 9))
+PYTHAGOREAN = (
+    (0, 0, 1, 1),
+    (1, 2, 2, 3),
+    (0, 3, 4, 5),
+    (2, 1, 2, 3),
+    (2, -1, 2, 3),
+    (2, 3, 6, 7),
+    (1, -2, 2, 3),
+    (4, 4, 7, 9),
+)
 
 
 def evaluate(context: Context, polynomial: Polynomial, point: Point) -> Value:
@@ -47,12 +66,12 @@ def evaluate(context: Context, polynomial: Polynomial, point: Point) -> Value:
     names = context.field.ring.names
     total: Value = {}
     for exponents, coefficient in context.field.ring.terms(polynomial):
-        power = 0
+        term, power = coefficient, 0
         for place, exponent in enumerate(exponents):
             if exponent:
-                coefficient *= point[names[place]] ** exponent
+                term *= point[names[place]] ** exponent
                 power += exponent if place in context.transcendental else 0
-        total[power] = total.get(power, Fraction(0)) + coefficient
+        total[power] = total.get(power, Fraction(0)) + term
     return {power: c for power, c in total.items() if c}
 
 
@@ -135,10 +154,13 @@ def _free(shape: tuple[int, int], draw: Random, rich: bool) -> Numbers:
 
 
 def _spin(numbers: Numbers, spin: list[Fraction]) -> Numbers:
-    """spin x each column."""
+    """Spin x each column."""
     x, y, z = spin
     skew = [[Fraction(0), -z, y], [z, Fraction(0), -x], [-y, x, Fraction(0)]]
-    return [[sum((skew[i][k] * numbers[k][j] for k in range(3)), Fraction(0)) for j in range(len(numbers[0]))] for i in range(3)]
+    return [
+        [sum((skew[i][k] * numbers[k][j] for k in range(3)), Fraction(0)) for j in range(len(numbers[0]))]
+        for i in range(3)
+    ]
 
 
 def _plus(one: Numbers, other: Numbers) -> Numbers:
@@ -158,7 +180,11 @@ def _turning(numbers: Numbers, order: int, draw: Random, rich: bool) -> list[Num
 
 
 def _bind(
-    hypothesis: Hypothesis, orders: dict[Symbol, int], values: dict[tuple[Symbol, int], Numbers], draw: Random, rich: bool
+    hypothesis: Hypothesis,
+    orders: dict[Symbol, int],
+    values: dict[tuple[Symbol, int], Numbers],
+    draw: Random,
+    rich: bool,
 ) -> set[Symbol]:
     """Give the subjects of a hypothesis values that satisfy it."""
     subjects = [s for s in hypothesis.subjects if isinstance(s, Symbol)]
@@ -265,9 +291,7 @@ def _finish(
     return point
 
 
-def _norm(
-    context: Context, node: Node, name: str, point: Point, bound: set[Symbol], draw: Random, rich: bool
-) -> bool:
+def _norm(context: Context, node: Node, name: str, point: Point, bound: set[Symbol], draw: Random, rich: bool) -> bool:
     """Give a norm its value, moving a free vector to make it rational if need be."""
     rows = context.unfold(node)
     value = [_rational(context, row[0], point) for row in rows]
@@ -285,7 +309,9 @@ def _norm(
     return True
 
 
-def _move(context: Context, rows: Matrix, value: list[Fraction], target: list[Fraction], point: Point, bound: set[Symbol]) -> bool:
+def _move(
+    context: Context, rows: Matrix, value: list[Fraction], target: list[Fraction], point: Point, bound: set[Symbol]
+) -> bool:
     """Shift a free vector so that the expression takes the target value; False if none moves it one to one."""
     for symbol in dict.fromkeys(v.symbol for v in context.variables if v.kind == "entry" and v.order == 0):
         if symbol is None or symbol in bound or symbol.shape != (3, 1):

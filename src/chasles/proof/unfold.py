@@ -1,6 +1,6 @@
 """From words to polynomials: the one door. Every expression becomes a matrix of fractions over declared atoms.
 
-Rates are taken here too: the derivation knows the rate of each variable, and the product and quotient rules do the rest.
+Rates are taken here too: the derivation knows the rate of each variable; product and quotient rules do the rest.
 """
 
 from __future__ import annotations
@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import reduce
+from itertools import chain
 from operator import add, mul
 
 from chasles.proof.ratios import Field, Ratio
@@ -50,7 +51,9 @@ class UndeclaredDivisor(ValueError):
     """A division by something that no hypothesis says is not zero."""
 
     def __init__(self, divisor: Node) -> None:
-        super().__init__(f"divides by {plain(divisor)}, which nothing declares nonzero: assume nonzero({plain(divisor)})")
+        super().__init__(
+            f"divides by {plain(divisor)}, which nothing declares nonzero: assume nonzero({plain(divisor)})"
+        )
         self.divisor = divisor
 
 
@@ -67,9 +70,7 @@ class Unfolder:
         self._entry = {(v.symbol, v.order, v.row, v.column): k for k, v in enumerate(variables) if v.kind == "entry"}
         self._known: dict[Node, Matrix] = {}
         self._rates: dict[int, Ratio] = {}
-        self._units = {
-            v.symbol: Fraction(_unit_of(v)) for v in variables if v.kind == "cos" and v.symbol is not None
-        }
+        self._units = {v.symbol: Fraction(_unit_of(v)) for v in variables if v.kind == "cos" and v.symbol is not None}
 
     def __call__(self, node: Node) -> Matrix:
         """The entries of the expression."""
@@ -128,7 +129,7 @@ class Unfolder:
             case Call(function, argument):
                 return [[self._circular(function, argument)]]
             case Block(rows):
-                return [sum(parts, []) for row in rows for parts in zip(*map(self, row), strict=True)]
+                return [list(chain(*parts)) for row in rows for parts in zip(*map(self, row), strict=True)]
             case At(of) | Group(of):
                 return self(of)
             case Rate(of):

@@ -21,6 +21,7 @@ def value_of(number: Fraction) -> Value:
 
 
 def is_zero(value: Value) -> bool:
+    """Whether all coefficients are zero, which is whether the number is."""
     return not any(value.values())
 
 

@@ -1,5 +1,4 @@
-"""Which variables does a problem have? One for each entry of each free symbol and of its rates, two for each angle,
-one for each norm.
+"""Which variables does a problem have? One for each entry of each free symbol and rate, two for an angle, one for a norm.
 
 An angle phi that occurs with the multiples q of itself is measured by the cosine and sine of u phi, where u is the
 largest rational of which all these q are whole multiples: phi/2 if the half-angle occurs.
@@ -12,7 +11,21 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from math import gcd, lcm
 
-from chasles.vocabulary import Call, Group, Negative, Node, Norm, Number, Quotient, Rate, Scale, Sum, Symbol, children, plain
+from chasles.vocabulary import (
+    Call,
+    Group,
+    Negative,
+    Node,
+    Norm,
+    Number,
+    Quotient,
+    Rate,
+    Scale,
+    Sum,
+    Symbol,
+    children,
+    plain,
+)
 
 __all__ = ["Untreatable", "Variable", "Variables", "angle_multiples", "entry_name", "scan"]
 

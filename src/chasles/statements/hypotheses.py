@@ -10,7 +10,20 @@ import re
 from dataclasses import dataclass
 from fractions import Fraction
 
-from chasles.vocabulary import Block, Cofactor, Dot, Identity, Node, Number, Symbol, Trace, Transpose, Zero, latex, plain
+from chasles.vocabulary import (
+    Block,
+    Cofactor,
+    Dot,
+    Identity,
+    Node,
+    Number,
+    Symbol,
+    Trace,
+    Transpose,
+    Zero,
+    latex,
+    plain,
+)
 from chasles.vocabulary.measure import added
 from chasles.vocabulary.nodes import measured
 
@@ -64,7 +77,7 @@ def unit(vector: Node) -> Hypothesis:
 
 
 def nonzero(expression: Node, letter: str = "") -> Hypothesis:
-    """The scalar is not zero; `letter` says it in LaTeX in the reader's terms (phi != 0 rather than 1 - cos(phi) != 0)."""
+    """The scalar is not zero; `letter` says so in LaTeX in the reader's terms (phi != 0, not 1 - cos(phi) != 0)."""
     _scalar(expression, "nonzero")
     said = letter or rf"{latex(expression)} \neq 0"
     text = _plain_of(letter) if letter else f"{plain(expression)} != 0"

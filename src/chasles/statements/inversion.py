@@ -23,8 +23,8 @@ __all__ = ["Branch", "Cover", "Inverse", "problems_of_inverse"]
 class Branch:
     """One case, taken where `where` is not zero: `values` stand for the formula's arguments.
 
-    An angle is given by its cosine and sine, as the values of cos(phi) and sin(phi). What the branch assumes is in place
-    of what the inverse assumes.
+    An angle is given by its cosine and sine, as the values of cos(phi) and sin(phi). What the branch assumes
+    is in place of what the inverse assumes.
     """
 
     says: str

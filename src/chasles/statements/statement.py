@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace as with_fields
+from dataclasses import dataclass, field
+from dataclasses import replace as with_fields
 from typing import ClassVar
 
 from chasles.statements.forms import Form
@@ -57,7 +58,7 @@ class Statement:
         fault = self._find_fault()
         if fault and self.reading is None and self.corrected is None:
             raise Misfit(
-                f"({self.number}) does not fit: {fault}. If the book prints it so, give its `reading` or `corrected` form"
+                f"({self.number}) does not fit: {fault}. If the book prints it so, give a `reading` or `corrected`"
             )
         object.__setattr__(self, "fault", fault)
 

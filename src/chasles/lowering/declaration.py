@@ -1,0 +1,158 @@
+"""From a declaration and its verdict to a request: the form that stands, with the definitions that it is given."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from chasles.lowering.branches import choice_of
+from chasles.lowering.cases import Choice
+from chasles.lowering.refusal import LoweringError
+from chasles.lowering.request import Output, Request, argument_name, composed, meaning_of
+from chasles.lowering.rewriting import Angle
+from chasles.proof.judge import Decision
+from chasles.statements import Condition, Entry, Hypothesis, Inverse, Kernel, Statement, Theorem
+from chasles.statements.statement import bare, is_rule
+from chasles.vocabulary import Block, Group, Node, Symbol, members_of
+from chasles.vocabulary.families import indices_of
+
+__all__ = ["Decide", "requested", "standing_form"]
+
+Sentence = Statement | Theorem | Inverse
+Decide = Callable[[Sentence], Decision]
+
+
+@dataclass(slots=True)
+class _Definitions:
+    """What the given sentences say of symbols; a rule of a sentence that does not stand may not be used."""
+
+    rules: dict[Node, Node] = field(default_factory=dict)
+    false: dict[Node, str] = field(default_factory=dict)
+    choices: list[Choice] = field(default_factory=list)
+    angles: dict[Symbol, Angle] = field(default_factory=dict)
+
+
+def requested(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None = None) -> Request:
+    """The request that a sentence's kernel makes, or that `kernel` makes of it.
+
+    `decide` gives verdicts, as `Judge.decide` does. Raises `LoweringError` where the sentence asks for no kernel, where
+    neither it nor a correction stands, and where the kernel cannot be made of it.
+    """
+    name = ""
+    if isinstance(sentence, Entry):
+        name, sentence = sentence.name, sentence.statement
+    kernel = kernel or sentence.kernel
+    if kernel is None or isinstance(sentence, Theorem):
+        raise LoweringError(f"({sentence.number}) asks for no kernel: give it `kernel=Kernel(of=...)`")
+    name = kernel.name or name
+    if not name:
+        raise LoweringError(f"the kernel of ({sentence.number}) has no name: give it one, or lower the entry of a chapter")
+    form = standing_form(sentence, decide)
+    if form is None:
+        raise LoweringError(f"{name}: {_no_standing(sentence, decide(sentence))}")
+    definitions = _Definitions()
+    for given in sentence.given:
+        _define(definitions, given, decide)
+    if isinstance(sentence, Inverse):
+        _define(definitions, sentence, decide)
+        outputs = _outputs_of_inverse(name, sentence, kernel)
+    else:
+        outputs = _outputs(name, *sentence.form(form), kernel)
+    request = composed(
+        name,
+        kernel.of,
+        outputs,
+        rules=definitions.rules,
+        hypotheses=tuple(dict.fromkeys(_hypotheses(sentence))),
+        choices=definitions.choices,
+        angles=definitions.angles,
+    )
+    used = next((left for left, _ in request.rules if left in definitions.false), None)
+    if used is not None:
+        raise LoweringError(f"{name} rests on a statement that does not stand: {definitions.false[used]}")
+    return request
+
+
+def standing_form(sentence: Sentence, decide: Decide) -> str | None:
+    """The form of a sentence that is true: as printed, or what stands in for the print; None if there is none."""
+    decision = decide(sentence)
+    if decision.verdict.true:
+        return "printed"
+    correction = decision.correction
+    return correction.form if correction is not None and correction.verdict.true else None
+
+
+def _no_standing(sentence: Sentence, decision: Decision) -> str:
+    """Why no form of the sentence may be used, in one line."""
+    said = f"({sentence.number}) is {decision.verdict.name} as printed"
+    if decision.correction is None:
+        return f"{said}, and no reading or correction is declared"
+    return f"{said}, and its {decision.correction.form} form is {decision.correction.verdict.name}"
+
+
+def _define(definitions: _Definitions, given: Sentence, decide: Decide) -> None:
+    """Add what a given sentence says of symbols."""
+    form = standing_form(given, decide)
+    if isinstance(given, Inverse):
+        if form is None:
+            raise LoweringError(_no_standing(given, decide(given)))
+        choice, angles = choice_of(given)
+        definitions.choices.append(choice)
+        definitions.angles |= angles
+        return
+    if isinstance(given, Condition | Theorem):
+        return
+    left, right = given.form(form or "printed")
+    pairs = [(bare(left), right)] if is_rule(given) else members_of(left, right) if indices_of(left) else []
+    for one, other in pairs:
+        if definitions.rules.setdefault(one, other) != other:
+            raise LoweringError(f"two given statements say what {one} is, the second is ({given.number}): name one of them")
+        if form is None:
+            definitions.false[one] = _no_standing(given, decide(given))
+
+
+def _hypotheses(sentence: Sentence) -> Iterator[Hypothesis]:
+    """What the sentence and all that it rests on assume."""
+    yield from sentence.assuming
+    for given in sentence.given:
+        yield from _hypotheses(given)
+
+
+def _outputs(name: str, left: Node, right: Node, kernel: Kernel) -> list[Output]:
+    """The right side, or its blocks where several results are named."""
+    if len(kernel.results) > 1:
+        sides = [_lines(side) for side in (left, right)]
+        if len(sides[1]) != len(kernel.results):
+            raise LoweringError(
+                f"{name}: {len(kernel.results)} results are named, and the right side has {len(sides[1])} rows of blocks"
+            )
+        said = sides[0] if len(sides[0]) == len(sides[1]) else sides[1]
+        return [Output(word, meaning_of(of), value) for word, of, value in zip(kernel.results, said, sides[1], strict=True)]
+    left = bare(left)
+    word = kernel.results[0] if kernel.results else argument_name(left) if _is_named(left) else "result"
+    return [Output(word, meaning_of(left), right)]
+
+
+def _outputs_of_inverse(name: str, sentence: Inverse, kernel: Kernel) -> list[Output]:
+    words = kernel.results or tuple(map(argument_name, sentence.gives))
+    if len(words) != len(sentence.gives):
+        raise LoweringError(f"{name}: {len(words)} results are named, and the inverse gives {len(sentence.gives)}")
+    return [Output(word, meaning_of(node), node) for word, node in zip(words, sentence.gives, strict=True)]
+
+
+def _lines(node: Node) -> list[Node]:
+    """The rows of blocks of a matrix of blocks."""
+    while isinstance(node, Group):
+        node = node.of
+    if not isinstance(node, Block):
+        return [node]
+    return [row[0] if len(row) == 1 else Block((row,)) for row in node.rows]
+
+
+def _is_named(left: Node) -> bool:
+    from chasles.vocabulary import Rate
+
+    while isinstance(left, Rate):
+        left = left.of
+    return isinstance(left, Symbol)

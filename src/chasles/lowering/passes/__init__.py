@@ -1,0 +1,1 @@
+"""Passes: each turns a program into an equal one."""

@@ -1,0 +1,24 @@
+"""Steps that no result reads are left out, and the others numbered anew in their order."""
+
+from __future__ import annotations
+
+from dataclasses import replace as with_fields
+
+from chasles.lowering.program import Program
+
+__all__ = ["pruned"]
+
+
+def pruned(program: Program) -> Program:
+    """The same program without dead steps."""
+    alive = {entry for result in program.results for entry in result.entries}
+    for number in reversed(range(len(program.steps))):
+        if number in alive:
+            alive.update(program.steps[number].operands)
+    place = {number: new for new, number in enumerate(sorted(alive))}
+    steps = tuple(
+        with_fields(program.steps[number], operands=tuple(place[k] for k in program.steps[number].operands))
+        for number in sorted(alive)
+    )
+    results = tuple(with_fields(r, entries=tuple(place[k] for k in r.entries)) for r in program.results)
+    return with_fields(program, steps=steps, results=results)

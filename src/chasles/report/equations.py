@@ -1,0 +1,56 @@
+"""How does a sentence read? Its equations in one line of plain text, or in LaTeX, as printed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from chasles.statements import Entry, Inverse, Kernel, Statement, Theorem
+from chasles.vocabulary import Node, latex, plain
+
+__all__ = ["Sentence", "in_latex", "in_words", "kernel_name", "requested", "signature_in_words", "standing_in"]
+
+Sentence = Statement | Theorem | Inverse
+
+
+def in_words(sentence: Sentence) -> tuple[str, ...]:
+    """The equations in plain text, in the book's order; several for a theorem or for an inverse with cases."""
+    return _equations(sentence, plain, lambda _: "=")
+
+
+def in_latex(sentence: Sentence) -> tuple[str, ...]:
+    """The same in LaTeX."""
+    return _equations(sentence, latex, lambda sign: sign)
+
+
+def standing_in(statement: Statement, form: str) -> tuple[str, str]:
+    """The "reading" or the "corrected" form of a statement, in plain text and in LaTeX."""
+    left, right = statement.form(form)
+    return f"{plain(left)} = {plain(right)}", f"{latex(left)} {statement.sign} {latex(right)}"
+
+
+def kernel_name(entry: Entry) -> str | None:
+    """The name of the function that a statement asks for, if it asks for one."""
+    return (entry.statement.kernel.name or entry.name) if entry.statement.kernel else None
+
+
+def requested(entry: Entry) -> Kernel | None:
+    """The statement's request for a function, if it has one."""
+    return entry.statement.kernel
+
+
+def signature_in_words(entry: Entry) -> str | None:
+    """The function that a statement asks for, as it is called: "rotation_from_axis_angle(e, phi)"."""
+    kernel = entry.statement.kernel
+    return f"{kernel_name(entry)}({', '.join(map(plain, kernel.of))})" if kernel else None
+
+
+def _equations(sentence: Sentence, spell: Callable[[Node], str], sign: Callable[[str], str]) -> tuple[str, ...]:
+    match sentence:
+        case Theorem(forms=forms):
+            pairs = [(left, right) for form in forms for _, left, right in form.equations()]
+            return tuple(f"{spell(left)} {sign('=')} {spell(right)}" for left, right in pairs)
+        case Inverse(branches=branches):
+            values = dict.fromkeys(pair for branch in branches for pair in branch.values)
+            return tuple(f"{spell(left)} {sign('=')} {spell(right)}" for left, right in values)
+        case Statement():
+            return (f"{spell(sentence.left)} {sign(sentence.sign)} {spell(sentence.right)}",)

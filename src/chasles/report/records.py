@@ -1,0 +1,94 @@
+"""What does a machine get to read? One record for each statement, its keys and their order fixed."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from hashlib import sha256
+from typing import Any
+
+from chasles.proof.judge import Decision
+from chasles.proof.verdict import Counterexample
+from chasles.report.equations import in_latex, in_words, signature_in_words, standing_in
+from chasles.statements import Entry, Statement
+
+__all__ = ["as_json", "certificate_hash", "described", "record"]
+
+ROLES = {"inverse": "theorem"}
+"""An inverse with cases is proved from the claims that it generates, as a theorem is, and is recorded as one."""
+
+
+def record(entry: Entry, decision: Decision) -> dict[str, Any]:
+    """The decision on one statement, as `chasles decide --json` prints it."""
+    verdict = decision.verdict
+    return {
+        **_identity(entry),
+        "verdict": verdict.name,
+        "needs": list(getattr(verdict, "needs", ())),
+        "counterexample": _counterexample(getattr(verdict, "counterexample", None)),
+        "corrected": _corrected(decision),
+        "latex": r" \qquad ".join(in_latex(entry.statement)),
+        "certificate": certificate_hash(decision.certificate),
+        "milliseconds": round(decision.milliseconds, 3),
+    }
+
+
+def described(entry: Entry) -> dict[str, Any]:
+    """What a statement says and what it rests on, nothing decided."""
+    statement = entry.statement
+    return {
+        **_identity(entry),
+        "says": statement.says,
+        "text": list(in_words(statement)),
+        "given": [{"number": given.number, "part": given.part} for given in statement.given],
+        "assuming": [hypothesis.text for hypothesis in statement.assuming],
+        "kernel": signature_in_words(entry),
+    }
+
+
+def certificate_hash(certificate: Mapping[str, Any] | None) -> str | None:
+    """The sha256 of the certificate's canonical JSON (sorted keys, no blanks, UTF-8); None without a certificate."""
+    if certificate is None:
+        return None
+    canonical = json.dumps(certificate, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+    return f"sha256:{sha256(canonical.encode()).hexdigest()}"
+
+
+def as_json(value: object) -> str:
+    """The value as JSON for people and machines: indented, ASCII only, so that every terminal can show it."""
+    return json.dumps(value, indent=2)
+
+
+def _identity(entry: Entry) -> dict[str, Any]:
+    role = entry.statement.role
+    return {
+        "number": entry.number,
+        "part": entry.statement.part,
+        "name": entry.name,
+        "section": entry.section.number,
+        "role": ROLES.get(role, role),
+    }
+
+
+def _counterexample(found: Counterexample | None) -> dict[str, Any] | None:
+    if found is None:
+        return None
+    return {
+        "at": {name: str(value) for name, value in found.at.items()},
+        "entry": list(found.entry),
+        "lhs": found.left,
+        "rhs": found.right,
+    }
+
+
+def _corrected(decision: Decision) -> dict[str, Any] | None:
+    if decision.correction is None or not isinstance(decision.statement, Statement):
+        return None
+    text, latex = standing_in(decision.statement, decision.correction.form)
+    return {
+        "latex": latex,
+        "text": text,
+        "found": "declared",
+        "form": decision.correction.form,
+        "verdict": decision.correction.verdict.name,
+    }

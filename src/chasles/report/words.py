@@ -1,0 +1,71 @@
+"""How is a verdict shown? A sign and a word that do without colour, and a colour."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+
+from rich.text import Text
+
+from chasles.proof.verdict import Point, Verdict
+
+__all__ = ["VERDICTS", "counted", "labelled", "point_in_words", "reason", "said", "seconds"]
+
+VERDICTS: dict[str, tuple[str, str, str, str]] = {
+    "holds": ("✓", "+", "holds", "green"),
+    "holds-under": ("✓", "+", "holds under", "green"),
+    "fails": ("✗", "x", "fails", "bold red"),
+    "ill-formed": ("⊘", "!", "ill-formed", "bold magenta"),
+    "undecided": ("?", "?", "undecided", "bold yellow"),
+    "defined": ("≡", "=", "defined", "cyan"),
+    "posed": ("∃", "o", "posed", "cyan"),
+    "assumed": ("⊢", "-", "assumed", "cyan"),
+}
+"""Verdict -> sign, the sign in ASCII, word, colour; in the order in which totals name them."""
+
+
+def labelled(verdict: Verdict, signs: bool) -> Text:
+    """The verdict as a sign and a word, coloured."""
+    sign, ascii_sign, word, colour = VERDICTS[verdict.name]
+    return Text(f"{sign if signs else ascii_sign} {word}", style=colour)
+
+
+def said(verdict: Verdict) -> str:
+    """The verdict in a sentence: "holds under |e| = 1, phi != 0"."""
+    needs = getattr(verdict, "needs", ())
+    return " ".join((VERDICTS[verdict.name][2], ", ".join(needs))).strip()
+
+
+def reason(verdict: Verdict) -> str:
+    """Why there is nothing to decide, or why nothing was decided; empty for other verdicts."""
+    return str(getattr(verdict, "reason", ""))
+
+
+def counted(verdicts: Iterable[Verdict]) -> str:
+    """How many there are of each: "36 hold, 52 hold under hypotheses, 5 ill-formed"."""
+    plurals = {"holds": "hold", "holds-under": "hold under hypotheses", "fails": "fail"}
+    names = [verdict.name for verdict in verdicts]
+    found = ((names.count(name), plurals.get(name, word)) for name, (_, _, word, _) in VERDICTS.items())
+    return ", ".join(f"{count} {word}" for count, word in found if count)
+
+
+def point_in_words(point: Point) -> str:
+    """The point as one line: "e = (1, 0, 0), cos(phi) = 0"; three entries of one vector are put together."""
+    rest = dict(point)
+    parts = []
+    for name in point:
+        if name not in rest:
+            continue
+        stem = name.removesuffix("_1")
+        entries = [f"{stem}_{k}" for k in (1, 2, 3)]
+        if stem != name and all(entry in rest for entry in entries):
+            values: list[Fraction] = [rest.pop(entry) for entry in entries]
+            parts.append(f"{stem} = ({', '.join(map(str, values))})")
+        else:
+            parts.append(f"{name} = {rest.pop(name)}")
+    return ", ".join(parts)
+
+
+def seconds(value: float) -> str:
+    """A duration: milliseconds below a tenth of a second."""
+    return f"{value * 1000:.0f} ms" if value < 0.1 else f"{value:.2f} s"
