@@ -1,0 +1,344 @@
+"""Section 3.5: acceleration analysis of rigid-body motions."""
+
+from chasles.derivations.notation import *
+from chasles.derivations.s02_screw import phi_is_not_zero, rotation_from_axis_angle
+from chasles.derivations.s03_fixed_point import (
+    angular_velocity,
+    angular_velocity_matrix,
+    angular_velocity_matrix_of_vector,
+)
+from chasles.derivations.s04_twist import (
+    euler_rodrigues_array,
+    euler_rodrigues_rate_matrix,
+    euler_rodrigues_velocity_matrix,
+    linear_invariants_array,
+    linear_rate_matrix,
+    linear_velocity_matrix,
+    natural_velocity_matrix,
+    phi_is_not_pi,
+    pose_rate_matrix,
+    twist,
+    twist_matrix,
+    velocity_by_angular_velocity_matrix,
+    velocity_of_point,
+)
+from chasles.statements import Claim, Condition, Definition, Kernel, Section, unit
+from chasles.vocabulary import (
+    bracket,
+    column,
+    cos,
+    cross,
+    dot,
+    matrix,
+    norm,
+    number,
+    over,
+    paren,
+    printed,
+    rate,
+    row,
+    sin,
+    tr,
+    vect,
+)
+
+acceleration_analysis = Section("3.5", "Acceleration Analysis of Rigid-Body Motions")
+
+acceleration_by_differentiation = Claim(
+    "3.84",
+    rate(rate(p)), rate(rate(a)) + rate(Omega) @ (p - a) + Omega @ (rate(p) - rate(a)),
+    says="The acceleration of a point, by differentiating its velocity.",
+    given=(velocity_by_angular_velocity_matrix,),
+)
+
+acceleration_by_matrices = Claim(
+    "3.85",
+    rate(rate(p)), rate(rate(a)) + (rate(Omega) + Omega**2) @ (p - a),
+    says="The acceleration of a point from that of the landmark.",
+    given=(velocity_by_angular_velocity_matrix,),
+)
+
+angular_acceleration_matrix = Definition(
+    "3.86",
+    W_acc, rate(Omega) + Omega**2,
+    says="The angular-acceleration matrix.",
+    given=(angular_velocity_matrix_of_vector,),
+    kernel=Kernel(of=(omega, rate(omega))),
+)
+
+axial_vector_of_acceleration_matrix = Claim(
+    "3.87",
+    vect(W_acc), vect(rate(Omega)),
+    says="The axial vector of the angular-acceleration matrix is that of its first term.",
+    given=(angular_acceleration_matrix, angular_velocity_matrix_of_vector),
+)
+
+angular_acceleration = Claim(
+    "3.87",
+    vect(rate(Omega)), rate(omega),
+    part=2,
+    says="It is the angular acceleration.",
+    given=(angular_velocity_matrix_of_vector,),
+)
+
+trace_of_acceleration_matrix = Claim(
+    "3.88",
+    tr(W_acc), tr(Omega**2),
+    says="The trace of the angular-acceleration matrix is that of its second term.",
+    given=(angular_acceleration_matrix, angular_velocity_matrix_of_vector),
+)
+
+trace_of_square = Claim(
+    "3.88",
+    tr(Omega**2), tr(-(norm(omega) ** 2) * one + omega @ omega.T),
+    part=2,
+    says="The trace of the square, expanded.",
+    given=(angular_velocity_matrix_of_vector,),
+)
+
+trace_by_terms = Claim(
+    "3.88",
+    tr(-(norm(omega) ** 2) * one + omega @ omega.T), -(norm(omega) ** 2) * tr(one) + dot(omega, omega),
+    part=3,
+    says="The trace is linear.",
+)
+
+trace_in_closed_form = Claim(
+    "3.88",
+    -(norm(omega) ** 2) * tr(one) + dot(omega, omega), -(2 * norm(omega) ** 2),
+    part=4,
+    says="The trace is minus twice the square of the angular speed.",
+)
+
+acceleration_of_point = Claim(
+    "3.89",
+    rate(rate(p)), rate(rate(a)) + cross(rate(omega), p - a) + cross(omega, bracket(cross(omega, p - a))),
+    says="The acceleration of a point from that of the landmark, with vector products.",
+    given=(velocity_of_point,),
+    kernel=Kernel(of=(omega, rate(omega), rate(rate(a)), a, p)),
+)
+
+twist_rate = Claim(
+    "3.90",
+    rate(t), column(rate(omega), rate(v)),
+    says="The twist rate.",
+    given=(twist,),
+    sign=r"\equiv",
+)
+
+pose_rate_by_twist = Definition(
+    "text 3.5 a",
+    rate(s), T @ t,
+    says="The rate of the pose is linear in the twist, whatever the invariants chosen.",
+)
+
+twist_by_pose_rate = Definition(
+    "text 3.5 b",
+    t, S @ rate(s),
+    says="The twist is linear in the rate of the pose.",
+)
+
+second_rate_of_pose = Claim(
+    "3.91",
+    rate(rate(s)), T @ rate(t) + rate(T) @ t,
+    says="The second rate of the pose.",
+    given=(pose_rate_by_twist,),
+)
+
+rate_of_pose_rate_matrix = Claim(
+    "3.92",
+    rate(T), matrix((rate(F), O_43), (O, O)),
+    says="The rate of the matrix of the pose's rate.",
+    given=(pose_rate_matrix,),
+    sign=r"\equiv",
+)
+
+twist_rate_from_pose = Claim(
+    "3.93",
+    rate(t), S @ rate(rate(s)) + rate(S) @ rate(s),
+    says="The twist rate from the rates of the pose.",
+    given=(twist_by_pose_rate,),
+)
+
+rate_of_twist_matrix = Claim(
+    "3.94",
+    rate(S), printed(lambda: matrix((rate(F), O), (O_34, O))),
+    reading=matrix((rate(F_tilde), O), (O_34, O)),
+    says="The rate of the matrix of the twist.",
+    given=(twist_matrix,),
+)
+
+linear_invariants_vector = Definition("3.95b", u, sin(phi) * e, says="The vector of the linear invariants.")
+
+linear_invariants_scalar = Definition("3.95b", u_0, cos(phi), part=2, says="The scalar of the linear invariants.")
+
+euler_rodrigues_parameters_vector = Definition(
+    "3.95b", r_er, sin(phi / 2) * e, part=3, says="The vector of the Euler-Rodrigues parameters."
+)
+
+euler_rodrigues_parameters_scalar = Definition(
+    "3.95b", r_0, cos(phi / 2), part=4, says="The scalar of the Euler-Rodrigues parameters."
+)
+
+linear_invariants_named = Claim(
+    "3.95a",
+    lambda_, column(u, u_0),
+    says="The linear invariants by their parts.",
+    given=(linear_invariants_array, linear_invariants_vector, linear_invariants_scalar),
+    sign=r"\equiv",
+)
+
+euler_rodrigues_named = Claim(
+    "3.95a",
+    eta, column(r_er, r_0),
+    part=2,
+    says="The Euler-Rodrigues parameters by their parts.",
+    given=(euler_rodrigues_array, euler_rodrigues_parameters_vector, euler_rodrigues_parameters_scalar),
+    sign=r"\equiv",
+)
+
+axis_angle_rates = (rotation_from_axis_angle, angular_velocity_matrix, angular_velocity)
+
+upper_block_of_natural_rates = Definition(
+    "text 3.5 c",
+    N_upper, bracket(over(sin(phi), paren(2 * (1 - cos(phi))))) * paren(one - e @ e.T) - paren(over(1, 2)) * E,
+    says="The upper block of N.",
+    assuming=(unit(e), phi_is_not_zero),
+)
+
+natural_rates_by_blocks = Definition(
+    "text 3.5 c",
+    N, column(N_upper, e.T),
+    part=2,
+    says="N by its blocks.",
+)
+
+B_is_the_upper_block = Definition(
+    "text 3.5 d",
+    B_N, 4 * (1 - cos(phi)) * rate(N_upper),
+    says="What B must be for the upper block of (3.96a) to hold.",
+)
+
+rate_of_natural_rate_matrix = Claim(
+    "3.96a",
+    rate(N), printed(lambda: 1 / (4 * (1 - cos(phi))) * column(B_N, rate(e))),
+    reading=1 / (4 * (1 - cos(phi))) * column(B_N, rate(e).T),
+    says="The rate of N by its blocks.",
+    given=(natural_rates_by_blocks, upper_block_of_natural_rates, B_is_the_upper_block),
+    assuming=(phi_is_not_zero,),
+)
+
+rate_of_linear_rate_matrix = Claim(
+    "3.96b",
+    rate(L),
+    column(
+        paren(over(1, 2)) * bracket(one * tr(rate(Q)) - rate(Q)),
+        -(paren(over(1, 2)) * omega.T @ bracket(one * tr(Q) - Q.T)),
+    ),
+    says="The rate of L by the rotation and its rate.",
+    given=(linear_rate_matrix, *axis_angle_rates),
+)
+
+rate_of_linear_rate_matrix_by_velocity = Claim(
+    "3.96b",
+    rate(L),
+    column(
+        -(paren(dot(omega, u)) * one) - paren(over(1, 2)) * Omega @ Q,
+        -(paren(over(1, 2)) * omega.T @ bracket(one * tr(Q) - Q.T)),
+    ),
+    part=2,
+    says="The rate of L by the rotation and the angular velocity.",
+    given=(linear_rate_matrix, linear_invariants_vector, *axis_angle_rates),
+)
+
+rate_of_euler_rodrigues_rate_matrix = Claim(
+    "3.96c",
+    rate(H), over(1, 2) * column(rate(r_0) * one - rate(R_er), -rate(r_er).T),
+    says="The rate of H.",
+    given=(euler_rodrigues_rate_matrix, euler_rodrigues_parameters_vector, euler_rodrigues_parameters_scalar),
+)
+
+trace_of_rotation_rate = Claim(
+    "3.96d",
+    tr(rate(Q)), tr(Omega @ Q),
+    says="The rate of the trace of the rotation.",
+    given=axis_angle_rates,
+    sign=r"\equiv",
+)
+
+trace_of_rotation_rate_by_velocity = Claim(
+    "3.96d",
+    tr(Omega @ Q), -(2 * omega.T @ u),
+    part=2,
+    says="The same by the angular velocity.",
+    given=(linear_invariants_vector, *axis_angle_rates),
+    sign=r"\equiv",
+)
+
+upper_block_of_natural_rate_matrix_rate = Claim(
+    "3.96e",
+    B_N,
+    -(2 * paren(dot(e, omega)) * one)
+    + 2 * (3 - cos(phi)) * paren(dot(e, omega)) * e @ e.T
+    - 2 * (1 + sin(phi)) * omega @ e.T
+    - (2 * cos(phi) + sin(phi)) * e @ omega.T
+    - paren(sin(phi)) * bracket(Omega - paren(dot(e, omega)) * E),
+    says="The block B by the invariants and the angular velocity.",
+    given=(upper_block_of_natural_rates, B_is_the_upper_block, *axis_angle_rates),
+    sign=r"\equiv",
+)
+
+rate_of_natural_velocity_matrix = Claim(
+    "3.97a",
+    rate(N),
+    printed(
+        lambda: row(
+            rate(phi) * paren(cos(phi)) * one + rate(phi) * paren(sin(theta)) * E @ rate(e),
+        )
+    ),
+    reading=(
+        rate(N_tilde),
+        row(rate(phi) * paren(cos(phi)) * one + rate(phi) * paren(sin(phi)) * E, rate(e)),
+    ),
+    says="The rate of the matrix that gives the angular velocity from the natural invariants' rates.",
+    given=(natural_velocity_matrix,),
+)
+
+scalar_of_linear_rate = Definition("3.97e", D, 1 + u_0, says="One plus the scalar linear invariant.")
+
+block_of_linear_rate = Definition(
+    "3.97d",
+    V_lin,
+    rate(U_lin)
+    - paren(rate(u) @ u.T + u @ rate(u).T)
+    - rate(u_0) / D * paren(U_lin - u @ u.T),
+    says="The block V.",
+    given=(scalar_of_linear_rate,),
+    assuming=(phi_is_not_pi,),
+)
+
+rate_of_linear_velocity_matrix = Claim(
+    "3.97b",
+    rate(L), printed(lambda: row(over(V_lin, D) @ rate(u))),
+    reading=(rate(L_tilde), row(over(V_lin, D), rate(u))),
+    says="The rate of the matrix that gives the angular velocity from the linear invariants' rates.",
+    given=(
+        linear_velocity_matrix,
+        linear_invariants_vector,
+        linear_invariants_scalar,
+        scalar_of_linear_rate,
+        block_of_linear_rate,
+    ),
+)
+
+rate_of_euler_rodrigues_velocity_matrix = Claim(
+    "3.97c",
+    rate(H), printed(lambda: row(rate(r_0) * one + rate(R_er) - rate(r_er))),
+    reading=(rate(H_tilde), row(rate(r_0) * one + rate(R_er), -rate(r_er))),
+    says="The rate of the matrix that gives the angular velocity from the Euler-Rodrigues parameters' rates.",
+    given=(
+        euler_rodrigues_velocity_matrix,
+        euler_rodrigues_parameters_vector,
+        euler_rodrigues_parameters_scalar,
+    ),
+)
