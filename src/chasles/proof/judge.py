@@ -90,12 +90,18 @@ class Judge:
         started = perf_counter()
         given = {f"{g.number}/{g.part}": self.standing(g) for g in sentence.given}
         verdict = self._inverse(sentence) if isinstance(sentence, Inverse) else self._form(sentence, "printed")
-        correction = None
-        if isinstance(sentence, Statement) and not verdict.true:
-            form = "reading" if sentence.reading is not None else "corrected"
-            if sentence.form_exists(form):
-                correction = Correction(form, self._form(sentence, form))
+        correction = None if verdict.true else self._correction(sentence)
         return Decision(sentence, verdict, correction, given, (perf_counter() - started) * 1000)
+
+    def _correction(self, sentence: Sentence) -> Correction | None:
+        """The first form that is true, as read and then as corrected; the last one tried if none is."""
+        found = None
+        for form in ("reading", "corrected"):
+            if isinstance(sentence, Statement) and sentence.form_exists(form):
+                found = Correction(form, self._form(sentence, form))
+                if found.verdict.true:
+                    break
+        return found
 
     def _form(self, sentence: Statement | Theorem, form: str) -> Verdict:
         """The verdict on one form of a sentence."""
