@@ -61,6 +61,7 @@ def solve_conditions(context: Context) -> tuple[tuple[Generator, ...], tuple[Sol
         }
         context.unfold.values[symbol] = [[values[symbol, i, j] for j in range(columns)] for i in range(rows)]
     context.unfold.forget()
+    context.conditions = conditions
     return conditions, tuple(solved)
 
 

@@ -43,6 +43,7 @@ class Context:
     active: tuple[Hypothesis, ...]
     transcendental: frozenset[int]
     pi_measures: bool
+    conditions: tuple[Generator, ...] = ()
 
     @property
     def field(self) -> Field:
@@ -56,6 +57,9 @@ def build(problem: Problem) -> Context:
     for goal in (*problem.goals, *problem.conditions):
         scan(found, goal.left, 0, rules)
         scan(found, goal.right, 0, rules)
+    for hypothesis in problem.hypotheses:
+        for node in hypothesis.subjects if hypothesis.free else ():
+            scan(found, node, 0, rules)
     active = tuple(_active(problem, found))
     for hypothesis in active:
         for node in (*hypothesis.subjects, *hypothesis.nonvanishing):
@@ -70,6 +74,7 @@ def build(problem: Problem) -> Context:
     atoms = _declare_atoms(unfold, active)
     generators = tuple(_generators(unfold, variables, active, found))
     basis = stated(ring, tuple(g.polynomial for g in generators), complete=order == "grevlex")
+    _refuse_restrictions(problem, active, unfold, basis, found)
     bare = {k for k, v in enumerate(variables) if v.kind == "entry" and v.order == 0 and v.symbol in found.angles}
     circle = {k for k, v in enumerate(variables) if v.symbol == PI}
     pi_measures = bool(circle) or len(bare) > 1
@@ -97,6 +102,23 @@ def _active(problem: Problem, found: Variables) -> Iterator[Hypothesis]:
             yield hypothesis
 
 
+def _refuse_restrictions(
+    problem: Problem, active: tuple[Hypothesis, ...], unfold: Unfolder, basis: Basis, found: Variables
+) -> None:
+    """Raise `Untreatable` for a hypothesis that says more of a defined symbol than its definition does."""
+    occurring = set(found.orders) | set(found.angles)
+    for hypothesis in problem.hypotheses:
+        symbols = {s for node in hypothesis.subjects for s in _free_symbols(node, dict(problem.rules))}
+        if hypothesis in active or not symbols or not symbols <= occurring:
+            continue
+        for generator in _hypothesis_generators(unfold, hypothesis, 0):
+            if basis.reduce(generator.polynomial)[1] != 0:
+                raise Untreatable(
+                    f"{hypothesis.text} is assumed of what a given statement defines, and does not follow from it: "
+                    "assume it of the symbols in the definition"
+                )
+
+
 def _free_symbols(node: object, rules: dict[object, object]) -> set[Symbol]:
     found = Variables()
     scan(found, node, 0, rules)  # type: ignore[arg-type]
@@ -110,6 +132,8 @@ def _declare_atoms(
     for hypothesis in active:
         for node in hypothesis.nonvanishing:
             numerator = unfold(node)[0][0].numerator
+            if numerator == 0:
+                raise Untreatable(f"{hypothesis.text} cannot be: the left side is zero")
             unfold.field.atoms.append(numerator)
             declared.append((hypothesis, numerator))
     return tuple(declared)

@@ -90,8 +90,9 @@ def sample(
 
 
 def satisfies(context: Context, point: Point) -> bool:
-    """Whether every generator vanishes at the point and no atom does."""
-    return all(is_zero(evaluate(context, g.polynomial, point)) for g in context.generators) and all(
+    """Whether every generator and condition vanishes at the point and no atom does."""
+    vanishing = (*context.generators, *context.conditions)
+    return all(is_zero(evaluate(context, g.polynomial, point)) for g in vanishing) and all(
         not is_zero(evaluate(context, atom, point)) for _, atom in context.atoms
     )
 
