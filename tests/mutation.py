@@ -19,10 +19,10 @@ from chasles.vocabulary import (
     Call,
     Contract,
     Cross,
-    Dot,
     Entry,
     Identity,
     Index,
+    Inverse,
     Member,
     Misfit,
     Negative,
@@ -94,7 +94,6 @@ def mutants_of(sentence: Claim | Theorem, form: str, refused: list[str]) -> Iter
 
 def _claim(sentence: Claim, form: str, sides: tuple[Node, Node], change: Mutated) -> Claim:
     """The claim with other sides. What it divides by, and the original does not, is declared not to be zero."""
-    sides[0].__class__  # noqa: B018
     return with_fields(
         sentence,
         left=sides[0],
@@ -272,7 +271,7 @@ def _order(node: Node) -> Iterator[Slip]:
         case Contract(factors):
             for k in range(len(factors) - 1):
                 swapped = (*factors[:k], factors[k + 1], factors[k], *factors[k + 2 :])
-                if swapped != factors and not Dot.__subclasscheck__(type(node)):
+                if swapped != factors:
                     yield "factors swapped", Contract(swapped)
         case Block(rows):
             for k in range(len(rows) - 1):

@@ -44,7 +44,7 @@ def _symbol(inverse: Inverse, key: Node) -> Symbol:
         case Symbol():
             return key
         case Call("cos" | "sin", argument) if len(angle_multiples(argument, {})) == 1:
-            return Symbol(plain(key), "", uniform((1, 1)), plain(key))
+            return Symbol(f"{plain(key)}, as found", "", uniform((1, 1)), plain(key))
         case _:
             raise LoweringError(
                 f"({inverse.number}): a branch gives a value to {plain(key)}; it must be a symbol, or the cosine or sine "

@@ -111,7 +111,8 @@ def _opened_choice(choice: Choice, opened: Callable[[Node], Node]) -> Choice:
 
 
 def _opened_hypothesis(hypothesis: Hypothesis, opened: Callable[[Node], Node]) -> Hypothesis:
-    return with_fields(hypothesis, nonvanishing=tuple(map(opened, hypothesis.nonvanishing)))
+    subjects, nonvanishing = tuple(map(opened, hypothesis.subjects)), tuple(map(opened, hypothesis.nonvanishing))
+    return with_fields(hypothesis, subjects=subjects, nonvanishing=nonvanishing)
 
 
 def _require_argument(name: str, node: Node) -> None:

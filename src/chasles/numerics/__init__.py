@@ -2,6 +2,7 @@
 
 from chasles.numerics.reference import NoValue, Singular, evaluate
 from chasles.numerics.request import Input, Output, Request, request_of
+from chasles.numerics.request_of_inverse import request_of_inverse
 from chasles.numerics.sampling import STRATEGIES, Unsatisfiable, draw
 from chasles.numerics.verify import Evidence, Finding, verify, verify_all
 
@@ -18,6 +19,7 @@ __all__ = [
     "draw",
     "evaluate",
     "request_of",
+    "request_of_inverse",
     "verify",
     "verify_all",
 ]

@@ -24,11 +24,14 @@ def unit_of(vector: Numbers) -> Numbers:
 
 
 def turned(axis: Numbers, angle: Any) -> Matrix:
-    """The rotation about a unit axis through an angle: that of the quaternion [sin(angle/2) axis; cos(angle/2)]."""
-    w, sine = CONTEXT.cos(angle / 2), CONTEXT.sin(angle / 2)
+    """The rotation about a unit axis through an angle: that of the quaternion [sin(angle/2) axis; cos(angle/2)].
+
+    An angle that is a multiple of pi to 45 digits is one: the rotation is the identity or a half-turn exactly.
+    """
+    w, sine = (x if abs(x) > CONTEXT.mpf(10) ** -45 else 0 for x in (CONTEXT.cos(angle / 2), CONTEXT.sin(angle / 2)))
     x, y, z = (sine * entry for entry in axis)
     left = [[w, -z, y, x], [z, w, -x, y], [-y, x, w, z]]
-    right = [[w, -z, y, -x], [z, w, -x, -y], [-y, x, w, -z]]
+    right = [[w, z, -y, x], [-z, w, x, y], [y, -x, w, z]]
     return product(left, flipped(right))
 
 

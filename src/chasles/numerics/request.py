@@ -15,7 +15,7 @@ from chasles.statements.problem import default_form
 from chasles.vocabulary import Block, Call, Node, Symbol, children, plain
 from chasles.vocabulary.nodes import measured
 
-__all__ = ["Input", "Output", "Request", "longest_chain", "request_of"]
+__all__ = ["Input", "Output", "Request", "inputs_of", "longest_chain", "output_of", "request_of"]
 
 ROUNDINGS = 16
 """How many roundings in a row a kernel may do where its program is not at hand."""
@@ -48,7 +48,8 @@ class Request:
 
     `reference(values, digits)` gives every output as a matrix whose entries have so many right digits; it may raise
     `Singular`. `angles` are the inputs that occur in a sine or cosine. `roundings` is the length of the longest chain
-    of rounded operations from an input to an output.
+    of rounded operations from an input to an output. With `exact_inputs` the reference is taken at the point that
+    satisfies the hypotheses exactly and of which the inputs are the rounding, and not at the inputs themselves.
     """
 
     name: str
@@ -59,6 +60,7 @@ class Request:
     rules: Mapping[Node, Node] = field(default_factory=dict)
     angles: frozenset[Node] = frozenset()
     roundings: int = ROUNDINGS
+    exact_inputs: bool = False
 
     def admits(self, values: Values) -> bool:
         """Whether nothing vanishes that a hypothesis on the inputs says does not."""
@@ -101,8 +103,8 @@ def request_of(
 
     return Request(
         name,
-        tuple(map(Input, program.arguments if program else map(_argument, kernel.of), kernel.of)),
-        tuple(map(_output, names, parts)),
+        inputs_of(kernel, program),
+        tuple(map(output_of, names, parts)),
         reference,
         problem.hypotheses,
         rules,
@@ -143,12 +145,17 @@ def _shape(node: Node) -> tuple[int, ...]:
     return rows, columns
 
 
+def inputs_of(kernel: Kernel, program: Program | None = None) -> tuple[Input, ...]:
+    """The kernel's inputs, named as the program's arguments if there is one."""
+    return tuple(map(Input, program.arguments if program else map(_argument, kernel.of), kernel.of))
+
+
 def _argument(node: Node) -> Argument:
     return Argument(plain(node), _shape(node), node.meaning if isinstance(node, Symbol) else "")
 
 
-def _output(name: str, node: Node) -> Output:
-    """The entries of one dimension are alike, and so are those that are zero by construction."""
+def output_of(name: str, node: Node) -> Output:
+    """The result that the expression is; entries of one dimension are alike, and so are zeros by construction."""
     alike: dict[object, list[int]] = {}
     for place, dimension in enumerate(entry for row in measured(node).grid for entry in row):
         alike.setdefault(dimension, []).append(place)

@@ -7,22 +7,31 @@ last place of a point that satisfies the hypothesis exactly.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from chasles.numerics.draws import Draws, DrawsNearby, SimpleDraws, turned, unit_of
+from chasles.numerics.draws import AXES, CONTEXT, Draws, DrawsNearby, SimpleDraws, turned, unit_of
+from chasles.numerics.enclosures import exactly
 from chasles.numerics.request import Request
-from chasles.numerics.small_matrices import Matrix, flipped
+from chasles.numerics.small_matrices import Matrix, flipped, product
 from chasles.statements import Hypothesis
 from chasles.vocabulary import Node
 
-__all__ = ["STRATEGIES", "Sample", "Unsatisfiable", "draw"]
+__all__ = ["STRATEGIES", "Sample", "Unsatisfiable", "draw", "moves"]
 
 STRATEGIES: dict[str, type[Draws]] = {"generic": Draws, "near": DrawsNearby, "simple": SimpleDraws}
 ATTEMPTS = 200
 
-Sample = dict[Node, NDArray[np.floating]]
+
+@dataclass(frozen=True, slots=True)
+class Sample:
+    """Inputs as arrays of the arguments' shapes, and the point of which they are the rounding."""
+
+    arrays: dict[Node, NDArray[np.floating]]
+    exact: dict[Node, Matrix]
 
 
 class Unsatisfiable(ValueError):
@@ -35,7 +44,7 @@ def draw(
     generator: np.random.Generator,
     dtype: type[np.floating] = np.float64,
 ) -> Iterator[Sample]:
-    """Inputs of the kernel without end, arrays of the arguments' shapes and of the given type.
+    """Inputs of the kernel without end, as arrays of the given type.
 
     They satisfy the hypotheses that name inputs, up to rounding; what a hypothesis says is not zero is not. Raises
     `Unsatisfiable` where the strategy finds no such point, KeyError for an unknown strategy.
@@ -44,15 +53,15 @@ def draw(
     failures = 0
     while failures < ATTEMPTS:
         point = _point(request, draws)
-        sample = {
+        arrays = {
             given.node: np.array([[float(x) for x in row] for row in point[given.node]], dtype).reshape(
                 given.argument.shape
             )
             for given in request.inputs
         }
-        if request.admits(sample):
+        if request.admits(point if request.exact_inputs else arrays):
             failures = 0
-            yield sample
+            yield Sample(arrays, point)
         else:
             failures += 1
     raise Unsatisfiable(
@@ -129,3 +138,32 @@ def _perpendicular(subjects: tuple[Node, ...], point: dict[Node, Matrix], reques
     if any(h.kind == "unit" and h.subjects == (subjects[1],) for h in request.hypotheses) and any(rest):
         rest = unit_of(rest)
     return {subjects[1]: [[x] for x in rest]}
+
+
+def moves(request: Request, node: Node, array: NDArray[np.floating], value: Any) -> Iterator[tuple[Any, Any]]:
+    """The neighbours of an input's value, one unit in the last place away, forth and back, in every direction.
+
+    The exact value of a rotation is turned by one unit about each axis; otherwise each entry that is not zero moves.
+    """
+    if request.exact_inputs and any(h.kind == "rotation" and h.subjects == (node,) for h in request.hypotheses):
+        step = float(np.finfo(array.dtype).eps)
+        for axis in AXES:
+            yield product(turned(list(axis), step), value), product(turned(list(axis), -step), value)
+        return
+    for place in range(array.size):
+        if array.flat[place] != 0:
+            below, above = (_moved(request, node, array, value, place, way) for way in (-np.inf, np.inf))
+            yield below, above
+
+
+def _moved(
+    request: Request, node: Node, array: NDArray[np.floating], value: Any, place: int, way: float
+) -> NDArray[np.floating] | Matrix:
+    """The value with the next float in place of one entry, or with its exact entry moved as far."""
+    moved = array.copy()
+    moved.flat[place] = np.nextafter(array.flat[place], array.dtype.type(way))
+    if not request.exact_inputs:
+        return moved
+    row, column = divmod(place, node.shape[1])
+    step = exactly(float(moved.flat[place]) - float(array.flat[place]), CONTEXT)
+    return [[x + step if (i, j) == (row, column) else x for j, x in enumerate(line)] for i, line in enumerate(value)]

@@ -21,7 +21,7 @@ from chasles.numerics.draws import CONTEXT
 from chasles.numerics.enclosures import exactly
 from chasles.numerics.reference import Singular
 from chasles.numerics.request import Request
-from chasles.numerics.sampling import STRATEGIES, Sample, draw
+from chasles.numerics.sampling import STRATEGIES, Sample, draw, moves
 from chasles.vocabulary import Node
 
 __all__ = ["Evidence", "Finding", "verify", "verify_all"]
@@ -140,7 +140,7 @@ def _results(
     request: Request, function: Function, inputs: list[Sample], dtype: type[np.floating], batched: bool
 ) -> list[list[NDArray[Any]]]:
     """The function's outputs for each input, flat."""
-    columns = [[sample[given.node] for sample in inputs] for given in request.inputs]
+    columns = [[sample.arrays[given.node] for sample in inputs] for given in request.inputs]
     with np.errstate(all="ignore"):
         if batched:
             together = _outputs(request, function(*map(np.stack, columns)), dtype, (len(inputs),))
@@ -172,15 +172,19 @@ class _Comparison:
     def __init__(self, request: Request, strategy: str, sample: Sample, dtype: type[np.floating]) -> None:
         self.request = request
         self.strategy = strategy
-        self.sample = sample
+        self.arrays = sample.arrays
+        self.values: dict[Node, Any] = dict(sample.exact if request.exact_inputs else sample.arrays)
         self.limits = np.finfo(dtype)
         self.unit = exactly(float(self.limits.eps) / 2, CONTEXT)
         self._conditions: list[list[Any]] | None = None
 
     def findings(self, results: list[NDArray[Any]]) -> Iterator[Finding]:
-        """One finding for each output and each group of its entries; none where there is no reference."""
+        """One finding for each output and each group of its entries.
+
+        None where there is no reference, or where the rounding of an exact input leaves no digit of it.
+        """
         try:
-            self.expected = self._exact(self.sample, 50)
+            self.expected = self._exact(self.values, 50)
         except Singular:
             return
         if any(abs(x) > float(self.limits.max) for entries in self.expected for x in entries):
@@ -191,10 +195,12 @@ class _Comparison:
                 allowed = float(self.request.roundings)
                 if error > allowed:
                     allowed *= 1 + float(self._condition(k, g))
+                if self.request.exact_inputs and allowed * float(self.unit) >= 1:
+                    continue
                 yield Finding(self.strategy, output.name, error, allowed, self._at())
 
-    def _exact(self, sample: Sample, digits: int) -> list[list[Any]]:
-        return [[x for row in matrix for x in row] for matrix in self.request.reference(sample, digits)]
+    def _exact(self, values: dict[Node, Any], digits: int) -> list[list[Any]]:
+        return [[x for row in matrix for x in row] for matrix in self.request.reference(values, digits)]
 
     def _size(self, k: int, places: tuple[int, ...]) -> Any:
         """The size of a group of entries; below the smallest normal number, floats have no digits to lose."""
@@ -210,27 +216,25 @@ class _Comparison:
         """How far the exact group moves, in units, if every input entry moves by one unit in its last place."""
         if self._conditions is None:
             self._conditions = [[CONTEXT.mpf(0) for _ in output.alike] for output in self.request.outputs]
-            for node, value in self.sample.items():
-                for place in np.ndindex(value.shape):
-                    self._add_moves(node, place)
+            for node, value in self.arrays.items():
+                for moved in moves(self.request, node, value, self.values[node]):
+                    self._add_moves(node, moved)
         return self._conditions[k][g]
 
-    def _add_moves(self, node: Node, place: tuple[int, ...]) -> None:
-        """Add the larger of the two moves that the neighbours of one input entry cause."""
+    def _add_moves(self, node: Node, neighbours: tuple[Any, Any]) -> None:
+        """Add the larger of the two changes that a move of one input, forth or back, causes."""
         assert self._conditions is not None
-        moved = [exact for way in (-np.inf, np.inf) if (exact := self._beside(node, place, way)) is not None]
+        moved = [exact for value in neighbours if (exact := self._beside(node, value)) is not None]
         for k, output in enumerate(self.request.outputs):
             for g, places in enumerate(output.alike):
-                moves = [max(abs(exact[k][p] - self.expected[k][p]) for p in places) for exact in moved]
-                self._conditions[k][g] += max(moves, default=0) / self._size(k, places) / self.unit
+                changes = [max(abs(exact[k][p] - self.expected[k][p]) for p in places) for exact in moved]
+                self._conditions[k][g] += max(changes, default=0) / self._size(k, places) / self.unit
 
-    def _beside(self, node: Node, place: tuple[int, ...], way: float) -> list[list[Any]] | None:
-        value = self.sample[node].copy()
-        value[place] = np.nextafter(value[place], value.dtype.type(way))
+    def _beside(self, node: Node, value: Any) -> list[list[Any]] | None:
         try:
-            return self._exact({**self.sample, node: value}, 20)
+            return self._exact({**self.values, node: value}, 20)
         except Singular:
             return None
 
     def _at(self) -> dict[str, Any]:
-        return {given.argument.name: self.sample[given.node].tolist() for given in self.request.inputs}
+        return {given.argument.name: self.arrays[given.node].tolist() for given in self.request.inputs}

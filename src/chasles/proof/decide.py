@@ -6,16 +6,17 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import islice
-from time import monotonic
 from typing import Any
 
 from chasles.proof import points
 from chasles.proof.completion import Basis, Combination, completed, stated
 from chasles.proof.conditions import Solved, satisfying_point, solve_conditions
 from chasles.proof.context import Context, Generator, build, difference, entries
+from chasles.proof.deadline import OutOfTime, remaining, within
 from chasles.proof.polynomial_text import written
 from chasles.proof.ratios import Ratio
 from chasles.proof.rings import Polynomial
+from chasles.proof.search import Search
 from chasles.proof.unfold import UndeclaredDivisor
 from chasles.proof.values import is_zero, shown
 from chasles.proof.variables import Untreatable
@@ -41,12 +42,21 @@ class _Entry:
     cofactors: Combination | None = None
 
 
-def decide_problem(problem: Problem, own: tuple[Hypothesis, ...] = (), budget: float = BUDGET) -> Verdict:
-    """The verdict on a problem; `own` are the hypotheses whose use is reported.
+def decide_problem(
+    problem: Problem, own: tuple[Hypothesis, ...] = (), budget: float = BUDGET, search: Search | None = None
+) -> Verdict:
+    """The verdict on a problem; `own` are the hypotheses whose use is reported, `search` finds points for free ones.
 
     `Fails` always carries a counterexample and `Holds` a certificate; nothing is concluded from a remainder alone.
     """
-    deadline = monotonic() + budget
+    try:
+        with within(budget):
+            return _decide(problem, own, search)
+    except OutOfTime:
+        return Undecided(f"{budget:g} seconds were not enough")
+
+
+def _decide(problem: Problem, own: tuple[Hypothesis, ...], search: Search | None) -> Verdict:
     try:
         context = build(problem)
         conditions, solved = solve_conditions(context)
@@ -58,15 +68,19 @@ def decide_problem(problem: Problem, own: tuple[Hypothesis, ...] = (), budget: f
         return Undecided(str(error))
     if not proved:
         suspects = [e for e in unproved if e.cofactors is None]
-        if not _vanish_here_and_there(context, solved, suspects):
-            found = _refute(context, solved, suspects)
+        if search or not _vanish_here_and_there(context, solved, suspects):
+            found = search.refute(context, suspects) if search else _refute(context, solved, suspects)
             if found:
                 return Fails(found)
-        whole = completed(context.basis, lambda: monotonic() < deadline)
+        whole = completed(context.basis, lambda: remaining() > 0)
         if not _prove(context, whole, unproved):
-            found = _refute(context, solved, [e for e in unproved if e.cofactors is None])
+            suspects = [e for e in unproved if e.cofactors is None]
+            found = search.refute(context, suspects) if search else _refute(context, solved, suspects)
             return Fails(found) if found else Undecided("a remainder is left, and no counterexample was found")
-    return _certified(context, conditions, solved, unproved, own)
+    witness = search.witness(context) if search else _witness(context, solved)
+    if witness is None:
+        return Undecided("it follows from its hypotheses, but no point was found that satisfies them all")
+    return _certified(context, conditions, solved, unproved, own, witness)
 
 
 def determining(problem: Problem, symbols: tuple[Symbol, ...]) -> Problem:
@@ -170,11 +184,13 @@ def _used_variables(context: Context, solved: tuple[Solved, ...], suspects: list
             polynomials += [r.numerator for _, _, r in entries(context.unfold(side))]
     places = {k for p in polynomials for exponents, _ in ring.terms(p) for k, e in enumerate(exponents) if e}
     touched = {context.variables[k].symbol for k in places} - {None}
+    circular = {context.variables[k].symbol for k in places if context.variables[k].kind in ("cos", "sin")}
     names = [
         v.name
         for k, v in enumerate(context.variables)
         if k in places
         or (v.symbol in touched and v.kind == "entry" and v.order == 0 and k not in context.transcendental)
+        or (v.symbol in circular and v.kind in ("cos", "sin"))
     ]
     gone = {s.variable for s in solved} | {context.variables[k].name for k in context.transcendental}
     return sorted(name for name in names if name not in gone)
@@ -190,10 +206,8 @@ def _certified(
     solved: tuple[Solved, ...],
     done: list[_Entry],
     own: tuple[Hypothesis, ...],
+    witness: points.Point,
 ) -> Verdict:
-    witness = _witness(context, solved)
-    if witness is None:
-        return Undecided("it follows from its hypotheses, but no point was found that satisfies them all")
     unused = _drop_unneeded(context, solved, done, own)
     used = _used_hypotheses(context, solved, done)
     needs = tuple(h.text for h in context.active if h in used)
@@ -245,19 +259,27 @@ def _certificate(
     done: list[_Entry],
     witness: points.Point,
 ) -> dict[str, Any]:
-    """What a checker needs, as text: cofactors on the stated hypotheses by name, and a point that satisfies them."""
+    """What a checker needs, as text: cofactors on the stated hypotheses by name, and a point that satisfies them.
+
+    What is divided by, and the conditions, are numbered in the order in which the problem declares them.
+    """
     write: Callable[[Polynomial], str] = lambda p: written(context.field.ring, p)  # noqa: E731
-    names = [g.label for g in context.generators]
+    divisors = [
+        (h, f"{k + 1}. {h.text}") for k, h in enumerate(h for h in context.problem.hypotheses for _ in h.nonvanishing)
+    ]
+    atoms = [label for hypothesis, label in divisors if hypothesis in context.active]
+
+    def said(denominator: tuple[int, ...], cofactors: Combination, on_conditions: Combination) -> dict[str, Any]:
+        named = {f"{k + 1}. {conditions[k].label}": write(c) for k, c in on_conditions.items()}
+        named |= {context.generators[k].label: write(c) for k, c in cofactors.items()}
+        powers = zip(atoms, denominator, strict=False)
+        return {"denominator": {label: power for label, power in powers if power}, "cofactors": named}
+
     return {
         "solved": {
-            s.variable: {
-                "numerator": write(s.value.numerator),
-                "denominator": list(s.value.denominator),
-                "conditions": {conditions[k].label: write(c) for k, c in s.conditions.items()},
-                "cofactors": {names[k]: write(c) for k, c in s.cofactors.items()},
-            }
+            s.variable: {"numerator": write(s.value.numerator)} | said(s.value.denominator, s.cofactors, s.conditions)
             for s in solved
         },
-        "entries": {e.label: {names[k]: write(c) for k, c in (e.cofactors or {}).items()} for e in done},
+        "entries": {e.label: said(e.ratio.denominator, e.cofactors or {}, {}) for e in done},
         "witness": {name: str(value) for name, value in sorted(witness.items())},
     }

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from chasles.proof.deadline import check
 from chasles.proof.rings import Polynomial, Ring
 
 __all__ = ["Reduction", "reduce_by"]
@@ -34,6 +35,7 @@ def reduce_by(ring: Ring, polynomial: Polynomial, generators: Sequence[Polynomia
     while changed and polynomial != 0:
         changed = False
         for place, generator in enumerate(generators):
+            check()
             quotient, remainder = ring.divide(polynomial, generator)
             if quotient != 0:
                 cofactors[place] = cofactors[place] + quotient if place in cofactors else quotient

@@ -134,6 +134,7 @@ def _angles(context: Context, point: Point, draw: Random, rich: bool) -> None:
             cosine, sine = _circle(draw) if rich else draw.choice(CIRCLE)
             if variable.symbol.name in point:
                 point[variable.symbol.name] = Fraction(1)
+                cosine, sine = (cosine, sine) if sine or cosine < 0 else CIRCLE[1]
         point[variable.name] = cosine
         point["sin" + variable.name.removeprefix("cos")] = sine
     if "pi" in context.field.ring.names:

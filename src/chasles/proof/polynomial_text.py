@@ -1,4 +1,7 @@
-"""Polynomials as text, for certificates: terms joined by " + ", factors by "*", the coefficient first."""
+"""Polynomials as text, for certificates: terms joined by " + ", factors by "*", the coefficient first.
+
+Names are written without blanks, so that " + " in the name of a norm is not read as the end of a term.
+"""
 
 from __future__ import annotations
 
@@ -9,10 +12,11 @@ __all__ = ["written"]
 
 def written(ring: Ring, polynomial: Polynomial) -> str:
     """The polynomial, as -1/2*e_1^2*cos(phi) + 3; zero is 0."""
+    names = [name.replace(" ", "") for name in ring.names]
     terms = []
     for exponents, coefficient in sorted(ring.terms(polynomial), reverse=True):
         factors = [str(coefficient)]
-        for name, exponent in zip(ring.names, exponents, strict=True):
+        for name, exponent in zip(names, exponents, strict=True):
             if exponent:
                 factors.append(name if exponent == 1 else f"{name}^{exponent}")
         terms.append("*".join(factors))

@@ -11,6 +11,7 @@ from functools import reduce
 from itertools import chain
 from operator import add, mul
 
+from chasles.proof.deadline import check
 from chasles.proof.ratios import Field, Ratio
 from chasles.proof.variables import Untreatable, Variable, angle_multiples, angle_name
 from chasles.vocabulary import (
@@ -76,6 +77,7 @@ class Unfolder:
         """The entries of the expression."""
         known = self._known.get(node)
         if known is None:
+            check()
             known = self._known[node] = self._unfold(node)
         return known
 

@@ -10,21 +10,14 @@ from rich.table import Table
 from rich.text import Text
 
 from chasles.proof.judge import Decision
-from chasles.proof.verdict import Counterexample, Fails, Verdict
-from chasles.report.equations import in_words, standing_in
+from chasles.report.details import indented, number_in_words, objections, printed
 from chasles.report.screen import Screen
-from chasles.report.words import labelled, point_in_words, reason, said
-from chasles.statements import Entry, Statement
+from chasles.report.words import labelled
+from chasles.statements import Entry
 
-__all__ = ["Decided", "findings", "is_finding", "number_in_words", "verdict_table"]
+__all__ = ["Decided", "findings", "is_finding", "verdict_table"]
 
 Decided = tuple[Entry, Decision]
-
-
-def number_in_words(entry: Entry, parts: bool = True) -> str:
-    """The number as a reader looks for it: "(3.16)", "Thm 3.2.2", "(3.4) part 2"."""
-    number = f"({entry.number})" if entry.number[:1].isdecimal() else entry.number
-    return f"{number} part {entry.statement.part}" if parts and entry.statement.part > 1 else number
 
 
 def verdict_table(screen: Screen, decided: Sequence[Decided]) -> Iterator[RenderableType]:
@@ -43,71 +36,23 @@ def verdict_table(screen: Screen, decided: Sequence[Decided]) -> Iterator[Render
             section = entry.section
             table.add_row()
             table.add_row(Text(section.number, "bold"), "", Text(section.title, "bold"))
-        table.add_row(
-            Text(_short(entry)),
-            labelled(decision.verdict, screen.signs),
-            Text(entry.statement.says),
-            Text(", ".join(getattr(decision.verdict, "needs", ()))),
-        )
+        verdict = labelled(decision.verdict, screen.signs)
+        table.add_row(Text(_short(entry)), verdict, Text(entry.statement.says), Text(_needs(decision)))
     yield table
 
 
 def is_finding(decision: Decision) -> bool:
     """Whether there is more to say than the verdict: the print does not stand, or assumes what it does not need."""
-    return not decision.verdict.true or bool(_unused(decision))
+    return not decision.verdict.true or bool(getattr(decision.verdict, "unused", ()))
 
 
 def findings(screen: Screen, decided: Sequence[Decided]) -> Iterator[RenderableType]:
     """For each print that does not stand: what it says, why not, and what stands in; and hypotheses not needed."""
     for entry, decision in decided:
         if is_finding(decision):
-            yield Text()
-            yield Text.assemble((number_in_words(entry), "bold"), "  ", labelled(decision.verdict, screen.signs))
-            yield _indented(_explained(entry, decision))
-
-
-def _explained(entry: Entry, decision: Decision) -> list[tuple[str, str]]:
-    """What there is to say beside the verdict, as labels and texts."""
-    lines = [("printed", equation) for equation in in_words(entry.statement)]
-    lines += [("says", entry.statement.says)]
-    if why := reason(decision.verdict):
-        lines.append(("because", why))
-    if isinstance(decision.verdict, Fails):
-        lines += _at_point(decision.verdict.counterexample)
-    if decision.correction is not None and isinstance(entry.statement, Statement):
-        lines += _instead(entry.statement, decision.correction.form, decision.correction.verdict)
-    if unused := _unused(decision):
-        lines.append(("unused", f"assumes {', '.join(unused)}, which it does not need"))
-    return lines
-
-
-def _at_point(found: Counterexample) -> list[tuple[str, str]]:
-    row, column = found.entry
-    return [
-        ("at", point_in_words(found.at) or "every point"),
-        ("left", f"{found.left}   in row {row}, column {column}{f' of: {found.goal}' if found.goal else ''}"),
-        ("right", found.right),
-    ]
-
-
-def _instead(statement: Statement, form: str, verdict: Verdict) -> list[tuple[str, str]]:
-    text, _ = standing_in(statement, form)
-    how = "as read" if form == "reading" else "corrected"
-    lines = [("instead", text), ("", f"{how}, {said(verdict)}{'. '.join(('', reason(verdict)))}")]
-    return lines + (_at_point(verdict.counterexample) if isinstance(verdict, Fails) else [])
-
-
-def _unused(decision: Decision) -> tuple[str, ...]:
-    return tuple(getattr(decision.verdict, "unused", ()))
-
-
-def _indented(lines: list[tuple[str, str]]) -> RenderableType:
-    grid = Table.grid(padding=(0, 2, 0, 0))
-    grid.add_column(style="dim", no_wrap=True)
-    grid.add_column(overflow="fold")
-    for label, text in lines:
-        grid.add_row(label, Text(text))
-    return Padding(grid, (0, 0, 0, 2))
+            number = number_in_words(entry.number, entry.statement.part)
+            yield Text.assemble("\n", (number, "bold"), "  ", labelled(decision.verdict, screen.signs))
+            yield indented(line for lines in (printed(entry), objections(entry, decision)) for line in lines)
 
 
 def _list(screen: Screen, decided: Sequence[Decided]) -> Iterator[RenderableType]:
@@ -116,10 +61,13 @@ def _list(screen: Screen, decided: Sequence[Decided]) -> Iterator[RenderableType
         if entry.section != section:
             section = entry.section
             yield Text.assemble("\n", (f"{section.number} {section.title}", "bold"))
-        verdict = labelled(decision.verdict, screen.signs)
-        needs = ", ".join(getattr(decision.verdict, "needs", ()))
+        verdict, needs = labelled(decision.verdict, screen.signs), _needs(decision)
         yield Text.assemble((_short(entry), "bold"), "  ", verdict, " " if needs else "", needs)
         yield Padding(Text(entry.statement.says), (0, 0, 0, 2))
+
+
+def _needs(decision: Decision) -> str:
+    return ", ".join(getattr(decision.verdict, "needs", ()))
 
 
 def _short(entry: Entry) -> str:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from fractions import Fraction
 
 from rich.text import Text
 
@@ -50,17 +49,16 @@ def counted(verdicts: Iterable[Verdict]) -> str:
 
 
 def point_in_words(point: Point) -> str:
-    """The point as one line: "e = (1, 0, 0), cos(phi) = 0"; three entries of one vector are put together."""
+    """The point as one line: "e = (1, 0, 0), cos(phi) = 0"; the three entries of a vector are put together."""
     rest = dict(point)
     parts = []
     for name in point:
         if name not in rest:
             continue
-        stem = name.removesuffix("_1")
+        stem = name[:-2] if name.endswith(("_1", "_2", "_3")) else ""
         entries = [f"{stem}_{k}" for k in (1, 2, 3)]
-        if stem != name and all(entry in rest for entry in entries):
-            values: list[Fraction] = [rest.pop(entry) for entry in entries]
-            parts.append(f"{stem} = ({', '.join(map(str, values))})")
+        if stem and all(entry in rest for entry in entries):
+            parts.append(f"{stem} = ({', '.join(str(rest.pop(entry)) for entry in entries)})")
         else:
             parts.append(f"{name} = {rest.pop(name)}")
     return ", ".join(parts)

@@ -44,6 +44,7 @@ __all__ = [
 class Hypothesis:
     """A named side condition on `subjects`: its `equations` hold and its `nonvanishing` expressions are not zero.
 
+    A `free` one is said of any expressions, not of symbols, and always counts; declarations do not make them.
     Raises `Misfit` if the two sides of one of its equations differ in shape or dimension.
     """
 
@@ -53,6 +54,7 @@ class Hypothesis:
     nonvanishing: tuple[Node, ...] = ()
     latex: str = ""
     text: str = ""
+    free: bool = False
 
     def __post_init__(self) -> None:
         for left, right in self.equations:

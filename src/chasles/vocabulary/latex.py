@@ -57,7 +57,8 @@ class _Latex:
 
     def function(self, name: str, argument: Piece) -> Piece:
         command = rf"\{name}" if name in ("sin", "cos", "det") else rf"\text{{{name}}}"
-        if argument.level is Level.ATOM and argument.depth == 0 and "{" not in argument.text:
+        is_letter = argument.level is Level.ATOM and argument.depth == 0 and "{" not in argument.text
+        if is_letter and not argument.text[0].isdigit():
             return Piece(f"{command} {argument.text}", Level.PRODUCT)
         return Piece(f"{command}{self.brackets(argument.text, argument.depth)}", Level.POWER, argument.depth + 1)
 
