@@ -97,9 +97,8 @@ displacement_of_a_point = Claim(
 )
 
 relative_displacement = Definition(
-    "3.4",
+    "text 3.2 e",
     d_PA, paren(Q - one) @ paren(p - a),
-    part=4,
     says="The displacement of P relative to A, caused by the rotation alone.",
 )
 
@@ -608,10 +607,9 @@ rotation_by_cosines = Claim(
 )
 
 rotation_in_triad_axes = Claim(
-    "3.40",
+    "text 3.2.3 h",
     Q_in_axes, triad.T @ triad_,
-    part=2,
-    says="The same as a product of matrices.",
+    says="The rotation in the axes of the triad, as a product of matrices.",
     given=(rotation_components, triad_as_columns, displaced_triad_as_columns, displaced_triad),
     kernel=Kernel(of=(triad, triad_)),
 )

@@ -239,17 +239,16 @@ velocity_in_two_components = Claim(
 )
 
 axial_velocity = Definition(
-    "3.59",
+    "text 3.4.1 e",
     pdot_par, omega @ omega.T / norm(omega) ** 2 @ rate(a),
-    part=2,
     says="The axial component.",
     assuming=(omega_is_not_zero,),
 )
 
 normal_velocity = Definition(
-    "3.59",
+    "text 3.4.1 e",
     pdot_perp, -(1 / norm(omega) ** 2 * Omega**2 @ rate(a)) + Omega @ paren(p - a),
-    part=3,
+    part=2,
     says="The normal component.",
     assuming=(omega_is_not_zero,),
 )
@@ -456,7 +455,7 @@ linear_invariants_array = Definition(
 )
 
 euler_rodrigues_array = Definition(
-    "3.75", eta, column(bracket(sin(phi / 2)) * e, cos(phi / 2)), part=3, says="The Euler-Rodrigues parameters."
+    "3.75", eta, column(bracket(sin(over(phi, 2))) * e, cos(over(phi, 2))), part=3, says="The Euler-Rodrigues parameters."
 )
 
 natural_rate_matrix = Definition(
@@ -482,7 +481,7 @@ linear_rate_matrix = Definition(
 
 euler_rodrigues_rate_matrix = Definition(
     "3.76d",
-    H, over(1, 2) * column(cos(phi / 2) * one - sin(phi / 2) * E, -sin(phi / 2) * e.T),
+    H, number(1) / 2 * column(cos(over(phi, 2)) * one - sin(over(phi, 2)) * E, -sin(over(phi, 2)) * e.T),
     says="The matrix of the Euler-Rodrigues parameters' rates.",
     assuming=(unit(e),),
     kernel=Kernel(of=(e, phi)),
@@ -697,8 +696,8 @@ linear_velocity_matrix = Definition(
 euler_rodrigues_velocity_matrix = Definition(
     "3.77d",
     H_tilde,
-    printed(lambda: 2 * row(bracket(cos(phi / 2)) * one + bracket(sin(phi / 2)) * E - bracket(sin(phi / 2)) * e)),
-    reading=2 * row(bracket(cos(phi / 2)) * one + bracket(sin(phi / 2)) * E, -bracket(sin(phi / 2)) * e),
+    printed(lambda: 2 * row(bracket(cos(over(phi, 2))) * one + bracket(sin(over(phi, 2))) * E - bracket(sin(over(phi, 2))) * e)),
+    reading=2 * row(bracket(cos(over(phi, 2))) * one + bracket(sin(over(phi, 2))) * E, -bracket(sin(over(phi, 2))) * e),
     says="The matrix that gives the angular velocity from the Euler-Rodrigues parameters' rates.",
     assuming=(unit(e),),
     kernel=Kernel(of=(e, phi)),

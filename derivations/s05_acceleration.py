@@ -253,7 +253,7 @@ rate_of_linear_rate_matrix_by_velocity = Claim(
 
 rate_of_euler_rodrigues_rate_matrix = Claim(
     "3.96c",
-    rate(H), over(1, 2) * column(rate(r_0) * one - rate(R_er), -rate(r_er).T),
+    rate(H), number(1) / 2 * column(rate(r_0) * one - rate(R_er), -rate(r_er).T),
     says="The rate of H.",
     given=(euler_rodrigues_rate_matrix, euler_rodrigues_parameters_vector, euler_rodrigues_parameters_scalar),
 )
