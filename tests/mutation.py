@@ -1,8 +1,9 @@
 """Mutants of a statement: what it would say after one small slip of the pen, in words and not in text.
 
 A slip is a sign turned round, a term left out, a transpose added or lost, two factors or blocks in the wrong order, a
-cosine for a sine, a wrong number or exponent, a wrong letter of the same kind. Only slips that fit are mutants; the
-others, which the vocabulary refuses when they are written, are counted.
+cosine for a sine, a wrong number or exponent, a wrong letter of the same kind. Only slips that fit are mutants: those
+which the vocabulary refuses when they are written are counted, no more. Nor is it a slip to turn the sign of something
+that is said to be zero, or of what is squared, or to say that a thing is equal to itself.
 """
 
 from __future__ import annotations
@@ -13,13 +14,14 @@ from dataclasses import replace as with_fields
 from fractions import Fraction
 from typing import Any
 
-from chasles.statements import Claim, Hypothesis, Statement, Theorem, nonzero
+from chasles.statements import Always, Claim, Hypothesis, Theorem, nonzero
 from chasles.vocabulary import (
     Block,
     Call,
     Contract,
     Cross,
     Entry,
+    Group,
     Identity,
     Index,
     Inverse,
@@ -82,9 +84,9 @@ def mutants_of(sentence: Claim | Theorem, form: str, refused: list[str]) -> Iter
     for place, name in ((0, "left side"), (1, "right side")):
         if place == 0 and sentence.solves is not None:
             continue
-        for change in _mutated(sides[place], slips, refused):
+        for change in _mutated(sides[place], slips, refused, signed=not _is_zero(sides[1 - place])):
             changed = (change.whole, sides[1]) if place == 0 else (sides[0], change.whole)
-            if changed in seen:
+            if changed in seen or changed[0] == changed[1]:
                 continue
             seen.add(changed)
             made = _written(lambda changed=changed, change=change: _claim(sentence, form, changed, change), refused)
@@ -111,9 +113,9 @@ def _of_theorem(theorem: Theorem, refused: list[str]) -> Iterator[Mutant]:
         slips = _slips(owned, owned)
         seen: set[Any] = {part}
         for name, place, node in _form_nodes(part):
-            for change in _mutated(node, slips, refused):
+            for change in _mutated(node, slips, refused, signed=_is_signed(part, name)):
                 changed = _with_node(part, name, place, change.whole)
-                if changed in seen:
+                if changed in seen or (isinstance(changed, Always) and changed.left == changed.right):
                     continue
                 seen.add(changed)
                 forms = (*theorem.forms[:number], changed, *theorem.forms[number + 1 :])
@@ -122,6 +124,13 @@ def _of_theorem(theorem: Theorem, refused: list[str]) -> Iterator[Mutant]:
                     continue
                 statement = with_fields(theorem, forms=forms, assuming=assuming)
                 yield Mutant(statement, "printed", f"{type(part).__name__} {name}", change)
+
+
+def _is_signed(part: Any, name: str) -> bool:
+    """Whether the sign of the whole expression matters: not that of a square, nor of what is said to be zero."""
+    if isinstance(part, Always):
+        return not _is_zero(part.right if name == "left" else part.left)
+    return name != "squares"
 
 
 def _form_nodes(part: Any) -> Iterator[tuple[str, int | None, Node]]:
@@ -177,20 +186,20 @@ def _slips(sides: tuple[Node, ...], spoken: tuple[Node, ...]) -> list[Slips]:
     ]
 
 
-def _mutated(node: Node, slips: list[Slips], refused: list[str]) -> Iterator[Mutated]:
-    """The expression with one slip, at any depth."""
-    for slip in (_whole_sign, *slips):
-        yield from _everywhere(node, slip, refused, top=slip is _whole_sign)
+def _mutated(node: Node, slips: list[Slips], refused: list[str], *, signed: bool) -> Iterator[Mutated]:
+    """The expression with one slip, at any depth; the sign of the whole is turned only if it is `signed`."""
+    if signed and not isinstance(node, Sum | Block | Inverse) and not _is_zero(node):
+        yield Mutated("sign", node, _turned(node), _turned(node))
+    for slip in slips:
+        yield from _everywhere(node, slip, refused)
 
 
-def _everywhere(node: Node, slip: Slips, refused: list[str], *, top: bool = False) -> Iterator[Mutated]:
+def _everywhere(node: Node, slip: Slips, refused: list[str]) -> Iterator[Mutated]:
     try:
         for kind, after in slip(node):
             yield Mutated(kind, node, after, after)
     except Misfit as misfit:
         refused.append(str(misfit))
-    if top:
-        return
     parts = children(node)
     for place, part in enumerate(parts):
         for inner in _everywhere(part, slip, refused):
@@ -206,12 +215,6 @@ def _turned(term: Node) -> Node:
 
 def _is_zero(node: Node) -> bool:
     return isinstance(node, Zero) or node == Number(Fraction(0))
-
-
-def _whole_sign(node: Node) -> Iterator[Slip]:
-    """The sign of a side that is neither a sum nor a matrix of blocks, which have signs of their own."""
-    if not isinstance(node, Sum | Block) and not _is_zero(node):
-        yield "sign", _turned(node)
 
 
 def _signs(node: Node) -> Iterator[Slip]:
@@ -242,26 +245,35 @@ def _transposes(node: Node) -> Iterator[Slip]:
     """A lost transpose, and an extra one on a square matrix that is not symmetric by its spelling."""
     if isinstance(node, Transpose):
         yield "transpose lost", node.of
-    elif node.measure is not None and node.shape[0] == node.shape[1] > 1 and not isinstance(node, Negative | Sum):
-        if _mirrored(node) != node:
+    elif isinstance(node, Negative | Sum | Inverse):
+        return
+    elif node.shape[0] == node.shape[1] > 1:
+        factors = _factors(node)
+        if [_mirrored(factor) for factor in reversed(factors)] != factors:
             yield "transpose added", Transpose(node)
 
 
+def _factors(node: Node) -> list[Node]:
+    """The matrices of a product, scalars and brackets left out."""
+    match node:
+        case Contract(factors):
+            return [inner for factor in factors for inner in _factors(factor)]
+        case Scale(factor, of):
+            return _factors(of if factor.is_scalar else factor)
+        case Quotient(of, _) | Group(of):
+            return _factors(of)
+        case _:
+            return [node]
+
+
 def _mirrored(node: Node) -> Node:
-    """The transpose, where spelling alone says what it is."""
     match node:
         case Identity() | Zero():
             return node
         case Transpose(of):
             return of
-        case Contract(factors):
-            return Contract(tuple(_mirrored(factor) for factor in reversed(factors)))
-        case Scale(factor, term, trailing):
-            return Scale(factor, _mirrored(term), trailing)
-        case Power(base, exponent) if base.shape != (1, 1):
-            return Power(_mirrored(base), exponent)
         case _:
-            return node if node.shape == (1, 1) else Transpose(node)
+            return node if node.is_scalar else Transpose(node)
 
 
 def _order(node: Node) -> Iterator[Slip]:

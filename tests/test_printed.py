@@ -1,4 +1,4 @@
-"""The declarations say what the book prints: the LaTeX made from the words is compared, token by token, with the source."""
+"""The declarations say what the book prints: their LaTeX is compared, token by token, with the source."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def tokens(text: str) -> list[str]:
 
 
 def assembled(parts: list[Statement]) -> str:
-    """The statements of one number as the book would print them: a chain goes on where it can, nothing is said twice."""
+    """The statements of one number as the book prints them: a chain goes on where it can, nothing is said twice."""
     text, last = "", None
     for part in parts:
         left, right = latex(part.left), latex(part.right)

@@ -4,20 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from chasles.lowering.cases import Case, Choice, Comparison, vanishes
+from chasles.lowering.cases import Case, Choice, Comparison, largest_of, oriented, vanishes
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.rewriting import Angle
 from chasles.proof.variables import angle_multiples
 from chasles.statements import Branch, Hypothesis, Inverse
-from chasles.vocabulary import Call, Node, Symbol, Trace, plain, uniform
+from chasles.vocabulary import Call, Dot, Node, Norm, Scale, Symbol, Trace, column, plain, uniform
 from chasles.vocabulary.nodes import lifted
 
-__all__ = ["choice_of"]
+__all__ = ["choices_of"]
 
 
-def choice_of(inverse: Inverse) -> tuple[Choice, dict[Symbol, Angle]]:
-    """The branches as cases, in their order; an angle by the cosine and sine that the branches give.
+def choices_of(
+    inverse: Inverse, *, largest: bool = False, sign: tuple[Node, ...] = ()
+) -> tuple[list[Choice], dict[Node, Node], dict[Symbol, Angle]]:
+    """The branches as cases, the rules that go with them, and angles by the cosine and sine that the branches give.
 
+    The first branch whose `where` is not zero is taken, or the one where it is `largest`. The values of the `sign`
+    keys change sign together, so that the first of their entries that is not zero is positive.
     Raises `LoweringError` for branches that give values to different symbols, and for an assumption that no comparison
     of numbers can confirm.
     """
@@ -26,16 +30,34 @@ def choice_of(inverse: Inverse) -> tuple[Choice, dict[Symbol, Angle]]:
         if tuple(dict(branch.values)) != keys:
             raise LoweringError(f"({inverse.number}): the branches must give values to the same symbols, in one order")
     symbols = {key: _symbol(inverse, key) for key in keys}
-    cases = [Case(tuple(_comparisons(branch)), tuple(value for _, value in branch.values)) for branch in inverse.branches]
+    found = {key: _beside(symbol, "before its sign") if key in sign else symbol for key, symbol in symbols.items()}
+    choices = [_choice(inverse, tuple(found.values()), largest=largest)]
+    rules: dict[Node, Node] = {}
+    if sign:
+        turn = Symbol(f"sign of {plain(inverse.of.left)}", "", uniform((1, 1)))
+        choices.append(oriented(turn, [entry for key in sign for entry in _entries(found[key])]))
+        rules = {symbols[key]: Scale(turn, found[key]) for key in sign}
+    return choices, rules, _angles(inverse, symbols)
+
+
+def _choice(inverse: Inverse, symbols: tuple[Symbol, ...], *, largest: bool) -> Choice:
+    values = [tuple(value for _, value in branch.values) for branch in inverse.branches]
+    if largest:
+        return largest_of(symbols, list(zip(map(_size, inverse.branches), values, strict=True)))
+    tests = [tuple(_comparisons(branch)) for branch in inverse.branches]
+    return Choice(symbols, tuple(Case(where, those) for where, those in zip(tests, values, strict=True)))
+
+
+def _angles(inverse: Inverse, symbols: dict[Node, Symbol]) -> dict[Symbol, Angle]:
     angles = {}
-    for key in keys:
+    for key in symbols:
         if isinstance(key, Call) and key.function == "cos":
             sine = Call("sin", key.argument)
             if sine not in symbols:
                 raise LoweringError(f"({inverse.number}): the branches give {plain(key)} without {plain(sine)}")
             ((angle, multiple),) = angle_multiples(key.argument, {}).items()
             angles[angle] = Angle(symbols[key], symbols[sine], 1 / multiple)
-    return Choice(tuple(symbols.values()), tuple(cases)), angles
+    return angles
 
 
 def _symbol(inverse: Inverse, key: Node) -> Symbol:
@@ -44,16 +66,31 @@ def _symbol(inverse: Inverse, key: Node) -> Symbol:
         case Symbol():
             return key
         case Call("cos" | "sin", argument) if len(angle_multiples(argument, {})) == 1:
-            return Symbol(f"{plain(key)}, as found", "", uniform((1, 1)), plain(key))
+            return _beside(Symbol(plain(key), "", uniform((1, 1))), "as found")
         case _:
-            raise LoweringError(
-                f"({inverse.number}): a branch gives a value to {plain(key)}; it must be a symbol, or the cosine or sine "
-                "of a multiple of one"
-            )
+            said = "it must be a symbol, or the cosine or sine of a multiple of one"
+            raise LoweringError(f"({inverse.number}): a branch gives a value to {plain(key)}; {said}")
+
+
+def _beside(symbol: Symbol, said: str) -> Symbol:
+    """Another symbol of the same size."""
+    return Symbol(f"{symbol.name}, {said}", "", symbol.size)
+
+
+def _entries(symbol: Symbol) -> list[Node]:
+    rows = symbol.shape[0]
+    if rows == 1:
+        return [symbol]
+    return [Dot(column(*(int(i == k) for i in range(rows))), symbol) for k in range(rows)]
+
+
+def _size(branch: Branch) -> Node:
+    """What tells how far a branch is from where it does not apply: `where`, or its square if it is a norm."""
+    return Dot(branch.where.of, branch.where.of) if isinstance(branch.where, Norm) else branch.where
 
 
 def _comparisons(branch: Branch) -> Iterator[Comparison]:
-    yield vanishes(branch.where, holds=False)
+    yield vanishes(_size(branch), holds=False)
     for hypothesis in branch.assuming:
         yield _confirmed(branch, hypothesis)
 

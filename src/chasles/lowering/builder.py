@@ -1,7 +1,7 @@
 """Steps as they are asked for: equal steps are one, constants are folded exactly, signs are pulled to the outside.
 
-Nothing is rounded here and nothing is guessed: a product with a constant zero is zero because the zero is structural, as
-on the diagonal of a cross-product matrix; x - x is left to the machine, where it is NaN if x is.
+Nothing is rounded here and nothing is guessed: a product with a constant zero is zero because the zero is structural,
+as on the diagonal of a cross-product matrix; x - x is left to the machine, where it is NaN if x is.
 """
 
 from __future__ import annotations
@@ -13,6 +13,9 @@ from chasles.lowering.program import Op, Step
 from chasles.lowering.refusal import LoweringError
 
 __all__ = ["Builder"]
+
+_COSTLY = (Op.DIVIDE, Op.SQUARE_ROOT)
+"""Of two of these of which one is thrown away, only one is made."""
 
 
 class Builder:
@@ -39,7 +42,7 @@ class Builder:
 
     def constant(self, value: Fraction | int) -> int:
         """An exact number."""
-        size = self._add(Step(Op.CONSTANT, value=Fraction(abs(value))))
+        size = self._add(Step(Op.CONSTANT, value=abs(Fraction(value))))
         return self.negate(size) if value < 0 else size
 
     def input(self, argument: int, entry: int) -> int:
@@ -51,7 +54,7 @@ class Builder:
         return self._add(Step(Op.NOT_A_NUMBER))
 
     def add(self, a: int, b: int) -> int:
-        """a + b."""
+        """The sum a + b."""
         (x, y), (inner_a, inner_b) = (self.value(a), self.value(b)), (self._opposite(a), self._opposite(b))
         if x is not None and y is not None:
             return self.constant(x + y)
@@ -62,7 +65,7 @@ class Builder:
         return self.subtract(b, inner_a) if inner_a is not None else self._commuting(Op.ADD, a, b)
 
     def subtract(self, a: int, b: int) -> int:
-        """a - b."""
+        """The difference a - b."""
         (x, y), (inner_a, inner_b) = (self.value(a), self.value(b)), (self._opposite(a), self._opposite(b))
         if x is not None and y is not None:
             return self.constant(x - y)
@@ -78,14 +81,14 @@ class Builder:
         return self.negate(reverse) if reverse is not None else self._add(Step(Op.SUBTRACT, (a, b)))
 
     def negate(self, a: int) -> int:
-        """-a; no step of its own is made for -0 and -(-a)."""
+        """The opposite -a; no step of its own is made for -0 and -(-a)."""
         inner = self._opposite(a)
         if inner is not None:
             return inner
         return a if self.value(a) == 0 else self._add(Step(Op.NEGATE, (a,)))
 
     def multiply(self, a: int, b: int) -> int:
-        """a b."""
+        """The product a b."""
         (x, y), (inner_a, inner_b) = (self.value(a), self.value(b)), (self._opposite(a), self._opposite(b))
         if x is not None and y is not None:
             return self.constant(x * y)
@@ -101,7 +104,7 @@ class Builder:
         return self._scaled(x, a, b) if x is not None else self._commuting(Op.MULTIPLY, a, b)
 
     def divide(self, a: int, b: int) -> int:
-        """a / b; a division by a power of two is a multiplication, which rounds alike."""
+        """The quotient a / b; a division by a power of two is a multiplication, which rounds alike."""
         (x, y), (inner_a, inner_b) = (self.value(a), self.value(b)), (self._opposite(a), self._opposite(b))
         if y == 0:
             raise LoweringError("a formula divides by an expression that is zero by construction")
@@ -126,14 +129,14 @@ class Builder:
         return self._add(Step(Op.SQUARE_ROOT, (a,)))
 
     def sine(self, a: int) -> int:
-        """sin a, as an odd function."""
+        """The sine of a, an odd function."""
         inner = self._opposite(a)
         if inner is not None:
             return self.negate(self.sine(inner))
         return self.zero if self.value(a) == 0 else self._add(Step(Op.SINE, (a,)))
 
     def cosine(self, a: int) -> int:
-        """cos a, as an even function."""
+        """The cosine of a, an even function."""
         inner = self._opposite(a)
         if inner is not None:
             return self.cosine(inner)
@@ -152,9 +155,17 @@ class Builder:
         return self._commuting(Op.EQUAL, a, b)
 
     def select(self, condition: int, if_true: int, if_false: int) -> int:
-        """One of two steps, by a condition."""
+        """One of two steps, by a condition; of two quotients or two roots, that of the operands selected."""
         if if_true == if_false:
             return if_true
+        one, other = self._steps[if_true], self._steps[if_false]
+        if one.op in _COSTLY and one.op is other.op:
+            operands = (self.select(condition, a, b) for a, b in zip(one.operands, other.operands, strict=True))
+            return self._add(Step(one.op, tuple(operands)))
+        if one.op in _COSTLY and other.op is Op.NOT_A_NUMBER:
+            return self._add(Step(one.op, (self.select(condition, one.operands[0], if_false), *one.operands[1:])))
+        if other.op in _COSTLY and one.op is Op.NOT_A_NUMBER:
+            return self._add(Step(other.op, (self.select(condition, if_true, other.operands[0]), *other.operands[1:])))
         return self._add(Step(Op.SELECT, (condition, if_true, if_false)))
 
     def _scaled(self, factor: Fraction, constant: int, b: int) -> int:

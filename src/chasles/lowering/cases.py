@@ -44,7 +44,7 @@ class Choice:
 
 
 def vanishes(scalar: Node, *, holds: bool = True) -> Comparison:
-    """scalar = 0, or scalar != 0."""
+    """Whether the scalar is zero, or (where that does not hold) is not."""
     return Comparison("equal", scalar, lifted(0), holds)
 
 

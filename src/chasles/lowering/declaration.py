@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
-from fractions import Fraction
 
-from chasles.lowering.branches import choice_of
+from chasles.lowering.branches import choices_of
 from chasles.lowering.cases import Choice
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Output, Request, argument_name, composed, meaning_of
@@ -14,7 +13,7 @@ from chasles.lowering.rewriting import Angle
 from chasles.proof.judge import Decision
 from chasles.statements import Condition, Entry, Hypothesis, Inverse, Kernel, Statement, Theorem
 from chasles.statements.statement import bare, is_rule
-from chasles.vocabulary import Block, Group, Node, Symbol, members_of
+from chasles.vocabulary import Block, Group, Node, Rate, Symbol, members_of
 from chasles.vocabulary.families import indices_of
 
 __all__ = ["Decide", "requested", "standing_form"]
@@ -47,7 +46,7 @@ def requested(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None 
         raise LoweringError(f"({sentence.number}) asks for no kernel: give it `kernel=Kernel(of=...)`")
     name = kernel.name or name
     if not name:
-        raise LoweringError(f"the kernel of ({sentence.number}) has no name: give it one, or lower the entry of a chapter")
+        raise LoweringError(f"the kernel of ({sentence.number}) has no name: give it one, or lower a chapter's entry")
     form = standing_form(sentence, decide)
     if form is None:
         raise LoweringError(f"{name}: {_no_standing(sentence, decide(sentence))}")
@@ -97,8 +96,9 @@ def _define(definitions: _Definitions, given: Sentence, decide: Decide) -> None:
     if isinstance(given, Inverse):
         if form is None:
             raise LoweringError(_no_standing(given, decide(given)))
-        choice, angles = choice_of(given)
-        definitions.choices.append(choice)
+        choices, rules, angles = choices_of(given)
+        definitions.choices += choices
+        definitions.rules |= rules
         definitions.angles |= angles
         return
     if isinstance(given, Condition | Theorem):
@@ -107,7 +107,7 @@ def _define(definitions: _Definitions, given: Sentence, decide: Decide) -> None:
     pairs = [(bare(left), right)] if is_rule(given) else members_of(left, right) if indices_of(left) else []
     for one, other in pairs:
         if definitions.rules.setdefault(one, other) != other:
-            raise LoweringError(f"two given statements say what {one} is, the second is ({given.number}): name one of them")
+            raise LoweringError(f"two given statements say what {one} is, one is ({given.number}): name one of them")
         if form is None:
             definitions.false[one] = _no_standing(given, decide(given))
 
@@ -125,10 +125,11 @@ def _outputs(name: str, left: Node, right: Node, kernel: Kernel) -> list[Output]
         sides = [_lines(side) for side in (left, right)]
         if len(sides[1]) != len(kernel.results):
             raise LoweringError(
-                f"{name}: {len(kernel.results)} results are named, and the right side has {len(sides[1])} rows of blocks"
+                f"{name}: {len(kernel.results)} results are named, and the right side has {len(sides[1])} blocks"
             )
         said = sides[0] if len(sides[0]) == len(sides[1]) else sides[1]
-        return [Output(word, meaning_of(of), value) for word, of, value in zip(kernel.results, said, sides[1], strict=True)]
+        triples = zip(kernel.results, said, sides[1], strict=True)
+        return [Output(word, meaning_of(of), value) for word, of, value in triples]
     left = bare(left)
     word = kernel.results[0] if kernel.results else argument_name(left) if _is_named(left) else "result"
     return [Output(word, meaning_of(left), right)]
@@ -151,8 +152,6 @@ def _lines(node: Node) -> list[Node]:
 
 
 def _is_named(left: Node) -> bool:
-    from chasles.vocabulary import Rate
-
     while isinstance(left, Rate):
         left = left.of
     return isinstance(left, Symbol)

@@ -1,7 +1,7 @@
 """From words to steps, node by node: vectors and tensors first, components last.
 
-Factors of a whole expression meet before they meet its entries, and a multiple of a matrix of blocks is the matrix of the
-blocks' multiples.
+Factors of a whole expression meet before they meet its entries, and a multiple of a matrix of blocks is the matrix of
+the blocks' multiples.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace as with_fields
 from functools import reduce
+from typing import Any
 
 from chasles.lowering.builder import Builder
 from chasles.lowering.meaning import Meanings
@@ -239,7 +240,8 @@ class Expansion(Products):
         inner = self.meanings.of(getattr(node, field))
         if not isinstance(inner, Block):
             return None
-        return Block(tuple(tuple(with_fields(node, **{field: block}) for block in row) for row in inner.rows))
+        parts: Any = node
+        return Block(tuple(tuple(with_fields(parts, **{field: block}) for block in row) for row in inner.rows))
 
 
 def _no_program(node: Node) -> LoweringError:

@@ -53,7 +53,7 @@ class Meanings:
                 case Rate(of):
                     node = self._rate(self.of(of))
                 case Symbol():
-                    raise LoweringError(f"{plain(node)} is free: it is neither an argument nor defined by what is given")
+                    raise LoweringError(f"{plain(node)} is free: it is neither an argument nor defined")
                 case _:
                     return node
 

@@ -39,9 +39,9 @@ class Products(ABC):
         """The factors of a product with the products among them opened."""
         flat: list[Node] = []
         for factor in factors:
-            while isinstance(factor, Group):
-                factor = factor.of
             match factor:
+                case Group(inside):
+                    flat += self.factors([inside])
                 case Contract(inner):
                     flat += self.factors(inner)
                 case Power(base, exponent) if not factor.is_scalar:

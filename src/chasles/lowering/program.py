@@ -52,14 +52,12 @@ ARITY = {
     Op.SELECT: 3,
 }
 
-FREE_OF_CHARGE = frozenset(
-    {Op.INPUT, Op.CONSTANT, Op.NOT_A_NUMBER, Op.NEGATE, Op.SELECT, Op.LESS, Op.EQUAL}
-)
+FREE_OF_CHARGE = frozenset({Op.INPUT, Op.CONSTANT, Op.NOT_A_NUMBER, Op.NEGATE, Op.SELECT, Op.LESS, Op.EQUAL})
 
 
 @dataclass(frozen=True, slots=True)
 class Argument:
-    """An input: `name` is a valid identifier in every target, `shape` is () for a scalar, (3,), (3, 3)..., row-major."""
+    """An input: `name` is an identifier in every target, `shape` is () for a scalar, (3,), (3, 3)..., row-major."""
 
     name: str
     shape: tuple[int, ...]

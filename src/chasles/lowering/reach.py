@@ -52,7 +52,8 @@ class Reach:
         """Raise `LoweringError` for an argument on which no result depends."""
         for argument in self._of:
             if argument not in self._used:
-                raise LoweringError(f"{self._kernel}: no result depends on the argument {plain(argument)}: leave it out")
+                said = f"no result depends on the argument {plain(argument)}: leave it out"
+                raise LoweringError(f"{self._kernel}: {said}")
 
     def follow(self, node: Node) -> None:
         """Reach all that the expression needs."""
@@ -122,6 +123,6 @@ class Reach:
     def _free(self, node: Node) -> LoweringError:
         arguments = ", ".join(map(plain, self._of))
         return LoweringError(
-            f"{self._kernel}: {plain(node)} is free: it is not among the arguments ({arguments}), and nothing that is given "
+            f"{self._kernel}: {plain(node)} is free: it is not among the arguments ({arguments}), and nothing given "
             "says what it is"
         )

@@ -120,7 +120,7 @@ def _require_argument(name: str, node: Node) -> None:
     while isinstance(symbol, Rate):
         symbol = symbol.of
     if not isinstance(symbol, Symbol) or symbol.stands_for is not None:
-        raise LoweringError(f"{name}: the argument {plain(node)} is an expression; a kernel is of symbols and their rates")
+        raise LoweringError(f"{name}: the argument {plain(node)} is an expression; it must be a symbol or its rate")
 
 
 def _require_names(name: str, arguments: list[str], outputs: list[str]) -> None:

@@ -1,5 +1,7 @@
-"""Words for words, before any step is made: transposes carried to the symbols, rates to the symbols' rates, cosines and
-sines of an angle that is known by its own cosine and sine to polynomials in these.
+"""Words for words, before any step is made.
+
+Transposes are carried to the symbols, rates to the symbols' rates; cosines and sines of an angle that is known by its
+own cosine and sine become polynomials in these.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Matrices before their components: combinations of the identity, dyads, cross-product matrices and full grids of steps.
+"""Matrices before their components: combinations of the identity, dyads, cross-product matrices and grids of steps.
 
 Terms on one tensor are collected into one coefficient, so that e e^T + c (1 - e e^T) + s E becomes
 (1 - c) e e^T + c 1 + s E before any component is written down.
@@ -66,16 +66,16 @@ class Tensors:
         self.builder = builder
 
     def dot(self, a: Column, b: Column) -> int:
-        """a . b."""
+        """The scalar product a . b."""
         return reduce(self.builder.add, map(self.builder.multiply, a, b))
 
     def cross(self, a: Column, b: Column) -> Column:
-        """a x b."""
+        """The vector product a x b."""
         times, minus = self.builder.multiply, self.builder.subtract
         return tuple(minus(times(a[j], b[k]), times(a[k], b[j])) for j, k in ((1, 2), (2, 0), (0, 1)))
 
     def sum(self, a: Column, b: Column) -> Column:
-        """a + b."""
+        """The sum a + b."""
         return tuple(map(self.builder.add, a, b))
 
     def scaled(self, factor: int, a: Column) -> Column:
@@ -105,7 +105,7 @@ class Tensors:
         return [(self.builder.one, CrossProduct(reduce(self.sum, vectors)))]
 
     def plus(self, a: Matrix, b: Matrix) -> Matrix:
-        """a + b."""
+        """The sum a + b."""
         return self.matrix(a.shape, a.terms + b.terms)
 
     def times_scalar(self, factor: int, a: Matrix) -> Matrix:
@@ -117,7 +117,7 @@ class Tensors:
         return self.matrix(a.shape, tuple((self.builder.divide(f, divisor), t) for f, t in a.terms))
 
     def transpose(self, a: Matrix) -> Matrix:
-        """a^T."""
+        """The transpose of a."""
         rows, columns = a.shape
         return self.matrix((columns, rows), tuple(self._flipped(f, t) for f, t in a.terms))
 
@@ -133,7 +133,7 @@ class Tensors:
                 return factor, Dense(transposed(rows))
 
     def applied(self, a: Matrix, x: Column) -> Column:
-        """a x, term by term: the coefficient of a dyad multiplies one scalar."""
+        """The product a x, term by term: the coefficient of a dyad multiplies one scalar."""
         total: Column = (self.builder.zero,) * a.shape[0]
         for factor, tensor in a.terms:
             total = self.sum(total, self._applied(factor, tensor, x))
@@ -151,7 +151,7 @@ class Tensors:
                 return self.scaled(factor, tuple(self.dot(row, x) for row in rows))
 
     def product(self, a: Matrix, b: Matrix) -> Matrix:
-        """a b, where the identity and dyads are multiplied as such and all else entry by entry."""
+        """The product a b, where the identity and dyads are multiplied as such and all else entry by entry."""
         shape = (a.shape[0], b.shape[1])
         terms: list[tuple[int, Tensor]] = []
         for f, s in a.terms:
@@ -232,10 +232,8 @@ class Tensors:
                 return tuple(self.scaled(factor, row) for row in rows)
 
     def _dyad(self, left: Column, right: Column, *, symmetric: bool) -> Rows:
-        """left right^T; entries below the diagonal repeat those above it where the dyad is symmetric."""
-        order = [
-            [(j, i) if symmetric and j < i else (i, j) for j in range(len(right))] for i in range(len(left))
-        ]
+        """The dyad of two columns; entries below the diagonal repeat those above it where the dyad is symmetric."""
+        order = [[(j, i) if symmetric and j < i else (i, j) for j in range(len(right))] for i in range(len(left))]
         return tuple(tuple(self.builder.multiply(left[i], right[j]) for i, j in line) for line in order)
 
     def determinant(self, rows: Rows) -> int:

@@ -7,13 +7,14 @@ at the witness and at every counterexample.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 
 from chasles.proof.completion import Basis, stated
 from chasles.proof.ratios import Field, Ratio
 from chasles.proof.rings import Polynomial, make_ring
-from chasles.proof.unfold import Matrix, Unfolder
+from chasles.proof.unfold import Matrix, UndeclaredDivisor, Unfolder
 from chasles.proof.variables import Untreatable, Variable, Variables, scan
 from chasles.statements import Goal, Hypothesis, Problem
 from chasles.vocabulary import PI, Norm, Rate, Symbol, plain, symbols_of
@@ -43,6 +44,7 @@ class Context:
     active: tuple[Hypothesis, ...]
     transcendental: frozenset[int]
     pi_measures: bool
+    densities: frozenset[str] = frozenset()
     conditions: tuple[Generator, ...] = ()
 
     @property
@@ -64,14 +66,9 @@ def build(problem: Problem) -> Context:
     for hypothesis in active:
         for node in (*hypothesis.subjects, *hypothesis.nonvanishing):
             scan(found, node, 0, rules)
-    variables = tuple(found.listed(problem.unknowns))
     order = "grevlex" if any(h.kind in ("rotation", "half_turn", "orthonormal") for h in active) else "lex"
-    ring = make_ring([variable.name for variable in variables], order)
-    if len(set(ring.names)) != len(ring.names):
-        twice = next(name for name in ring.names if ring.names.count(name) > 1)
-        raise Untreatable(f"two different symbols are both named {twice}: rename one")
-    unfold = Unfolder(Field(ring, []), variables, rules)
-    atoms = _declare_atoms(unfold, active)
+    unfold, atoms = _door(problem, found, active, order)
+    variables, ring = unfold.variables, unfold.field.ring
     generators = tuple(_generators(unfold, variables, active, found))
     basis = stated(ring, tuple(g.polynomial for g in generators), complete=order == "grevlex")
     _refuse_restrictions(problem, active, unfold, basis, found)
@@ -88,7 +85,36 @@ def build(problem: Problem) -> Context:
         active,
         frozenset(bare | circle),
         bool(pi_measures and bare),
+        found.densities,
     )
+
+
+def _door(
+    problem: Problem, found: Variables, active: tuple[Hypothesis, ...], order: str
+) -> tuple[Unfolder, tuple[tuple[Hypothesis | None, Polynomial], ...]]:
+    """The way into a ring that has a variable for everything that occurs, and the atoms."""
+    while True:
+        variables = tuple(found.listed(problem.unknowns))
+        ring = make_ring([variable.name for variable in variables], order)
+        if len(set(ring.names)) != len(ring.names):
+            twice = next(name for name in ring.names if ring.names.count(name) > 1)
+            raise Untreatable(f"two different symbols are both named {twice}: rename one")
+        unfold = Unfolder(Field(ring, []), variables, dict(problem.rules), found.running)
+        atoms = _declare_atoms(unfold, active)
+        if found.running:
+            _unfold_all(problem, unfold)
+        lacks, unfold.moments.lacks = unfold.moments.lacks, None
+        if not lacks:
+            return unfold, atoms
+        found.moments |= lacks
+
+
+def _unfold_all(problem: Problem, unfold: Unfolder) -> None:
+    """Unfold everything, to see which moments of the body occur; what cannot be unfolded is reported later."""
+    for goal in (*problem.goals, *problem.conditions):
+        for side in (goal.left, goal.right):
+            with suppress(UndeclaredDivisor):
+                unfold(side)
 
 
 def _active(problem: Problem, found: Variables) -> Iterator[Hypothesis]:

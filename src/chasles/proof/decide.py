@@ -220,6 +220,7 @@ def _certified(
 def _used_hypotheses(context: Context, solved: tuple[Solved, ...], done: list[_Entry]) -> set[Hypothesis]:
     places = {k for entry in done for k in (entry.cofactors or {})} | {k for s in solved for k in s.cofactors}
     used = {h for k in places if (h := context.generators[k].hypothesis) is not None}
+    used |= set(context.problem.presupposed)
     denominators = [e.ratio.denominator for e in done] + [s.value.denominator for s in solved]
     for place, (hypothesis, _) in enumerate(context.atoms):
         if hypothesis is not None and any(len(d) > place and d[place] for d in denominators):

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
-from math import isqrt
+from math import isqrt, prod
 from random import Random
 
 from chasles.proof.context import Context
@@ -118,7 +118,24 @@ def _try(
         if variable.kind == "entry" and variable.symbol is not None and variable.name not in solved:
             point[variable.name] = values[variable.symbol, variable.order][variable.row][variable.column]
     _angles(context, point, draw, rich)
+    _moments(context, point, draw, rich)
     return _finish(context, solved, point, bound, draw, rich)
+
+
+def _moments(context: Context, point: Point, draw: Random, rich: bool) -> None:
+    """Moments of a body of a few elements of unit volume and positive density, so that they are those of some body."""
+    moments = [variable for variable in context.variables if variable.kind == "moment"]
+    if not moments:
+        return
+    names = dict.fromkeys(name for variable in moments for name, _ in variable.factors)
+    reach = 4 if rich else 1
+    elements = [
+        {name: Fraction(draw.randint(1, 3) if name in context.densities else draw.randint(-reach, reach)) for name in names}
+        for _ in range(8 if rich else draw.randint(1, 4))
+    ]
+    for variable in moments:
+        terms = (prod(element[name] ** exponent for name, exponent in variable.factors) for element in elements)
+        point[variable.name] = sum(terms, Fraction(0))
 
 
 def _angles(context: Context, point: Point, draw: Random, rich: bool) -> None:
@@ -212,6 +229,10 @@ def _bind(
         case "positive":
             (quantity,) = subjects
             values[quantity, 0] = [[Fraction(draw.randint(1, 5))]]
+        case "definite":
+            (matrix,) = subjects
+            for k in range(orders.get(matrix, 0) + 1):
+                values[matrix, k] = _definite(len(_free(matrix.shape, draw, rich)), draw, rich)
         case "symmetric":
             (matrix,) = subjects
             if (matrix, 0) in values:
@@ -225,6 +246,12 @@ def _bind(
         case _:
             return set()
     return set(subjects)
+
+
+def _definite(size: int, draw: Random, rich: bool) -> Numbers:
+    """1 + G^T G, which is symmetric and positive-definite."""
+    g = _free((size, size), draw, rich)
+    return [[sum((row[i] * row[j] for row in g), Fraction(int(i == j))) for j in range(size)] for i in range(size)]
 
 
 def _perpendicular(

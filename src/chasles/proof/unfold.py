@@ -12,6 +12,7 @@ from itertools import chain
 from operator import add, mul
 
 from chasles.proof.deadline import check
+from chasles.proof.moments import Moments
 from chasles.proof.ratios import Field, Ratio
 from chasles.proof.variables import Untreatable, Variable, angle_multiples, angle_name
 from chasles.vocabulary import (
@@ -25,6 +26,7 @@ from chasles.vocabulary import (
     Dot,
     Group,
     Identity,
+    Integral,
     Negative,
     Node,
     Norm,
@@ -59,18 +61,29 @@ class UndeclaredDivisor(ValueError):
 
 
 class Unfolder:
-    """Unfolds expressions over one field; `values` are symbols that conditions have determined."""
+    """Unfolds expressions over one field; `values` are symbols that conditions have determined.
 
-    def __init__(self, field: Field, variables: tuple[Variable, ...], rules: Mapping[Node, Node]) -> None:
+    The symbols that are `running` differ from element to element in an integral over a body.
+    """
+
+    def __init__(
+        self,
+        field: Field,
+        variables: tuple[Variable, ...],
+        rules: Mapping[Node, Node],
+        running: frozenset[Symbol] = frozenset(),
+    ) -> None:
         self.field = field
         self.variables = variables
         self.rules = rules
         self.values: dict[Symbol, Matrix] = {}
         self.norms: list[tuple[Matrix, Ratio]] = []
+        self.moments = Moments(field, variables, running)
         self._place = {variable.name: place for place, variable in enumerate(variables)}
         self._entry = {(v.symbol, v.order, v.row, v.column): k for k, v in enumerate(variables) if v.kind == "entry"}
         self._known: dict[Node, Matrix] = {}
         self._rates: dict[int, Ratio] = {}
+        self._rates_sought: set[int] = set()
         self._units = {v.symbol: Fraction(_unit_of(v)) for v in variables if v.kind == "cos" and v.symbol is not None}
 
     def __call__(self, node: Node) -> Matrix:
@@ -136,6 +149,8 @@ class Unfolder:
                 return self(of)
             case Rate(of):
                 return self._rate_of(of)
+            case Integral(of):
+                return _each(self(of), self.moments.integral)
             case _:
                 return self._spatial(node)
 
@@ -264,13 +279,19 @@ class Unfolder:
 
     def _variable_rate(self, place: int) -> Ratio:
         if place not in self._rates:
+            if place in self._rates_sought:
+                raise Untreatable(f"the rate of {self.variables[place].name} is said by itself: leave out one of the rules")
+            self._rates_sought.add(place)
             self._rates[place] = self._find_rate(self.variables[place])
+            self._rates_sought.remove(place)
         return self._rates[place]
 
     def _find_rate(self, variable: Variable) -> Ratio:
         symbol = variable.symbol
         if variable.kind == "norm":
             return self._norm_rate(variable)
+        if variable.kind == "moment":
+            return self.moments.integral(self._polynomial_rate(self.moments.integrand(variable.factors)))
         assert symbol is not None
         if symbol.constant:
             return self.field.constant(0)

@@ -14,10 +14,12 @@ from math import gcd, lcm
 from chasles.vocabulary import (
     Call,
     Group,
+    Integral,
     Negative,
     Node,
     Norm,
     Number,
+    Power,
     Quotient,
     Rate,
     Scale,
@@ -27,7 +29,20 @@ from chasles.vocabulary import (
     plain,
 )
 
-__all__ = ["Untreatable", "Variable", "Variables", "angle_multiples", "entry_name", "scan"]
+__all__ = [
+    "Factors",
+    "Untreatable",
+    "Variable",
+    "Variables",
+    "angle_multiples",
+    "entry_name",
+    "moment_name",
+    "scan",
+]
+
+
+Factors = tuple[tuple[str, int], ...]
+"""Names of variables and their exponents."""
 
 
 class Untreatable(ValueError):
@@ -36,7 +51,11 @@ class Untreatable(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Variable:
-    """A variable of the ring: an "entry" of a symbol's `order`-th rate, a "cos", a "sin" or a "norm"."""
+    """A variable of the ring: an "entry" of a symbol's `order`-th rate, a "cos", a "sin", a "norm" or a "moment".
+
+    A moment is the integral over the body of a product of powers of `factors`, variables that differ from element to
+    element.
+    """
 
     kind: str
     name: str
@@ -45,16 +64,21 @@ class Variable:
     row: int = 0
     column: int = 0
     node: Node | None = None
+    factors: Factors = ()
 
 
 @dataclass(slots=True)
 class Variables:
-    """What the scan of a problem finds."""
+    """What the scan of a problem finds; the moments are found later, when the integrands are unfolded."""
 
     orders: dict[Symbol, int] = field(default_factory=dict)
     angles: dict[Symbol, Fraction] = field(default_factory=dict)
     angle_orders: dict[Symbol, int] = field(default_factory=dict)
     norms: dict[Node, None] = field(default_factory=dict)
+    running: frozenset[Symbol] = frozenset()
+    densities: frozenset[str] = frozenset()
+    moments: dict[Factors, None] = field(default_factory=dict)
+    sought: dict[Node, int] = field(default_factory=dict)
 
     def listed(self, unknowns: tuple[Symbol, ...]) -> Iterator[Variable]:
         """The variables from largest to smallest in the term order.
@@ -74,12 +98,19 @@ class Variables:
             name = angle_name(symbol, unit)
             yield Variable("sin", f"sin({name})", symbol)
             yield Variable("cos", f"cos({name})", symbol)
+        for factors in self.moments:
+            yield Variable("moment", moment_name(factors), factors=factors)
 
 
 def angle_name(symbol: Symbol, unit: Fraction) -> str:
     """The angle whose cosine and sine are the variables: phi, phi/2, 3phi/4."""
     above = "" if unit.numerator == 1 else str(unit.numerator)
     return f"{above}{symbol.name}" + (f"/{unit.denominator}" if unit.denominator != 1 else "")
+
+
+def moment_name(factors: Factors) -> str:
+    """The integral over the body of a product of variables: int(rho p_1 p_1), int(rho)."""
+    return f"int({' '.join(name for name, exponent in factors for _ in range(exponent))})"
 
 
 def entry_name(symbol: Symbol, order: int, row: int, column: int) -> str:
@@ -103,7 +134,7 @@ def _entries(symbol: Symbol, order: int) -> Iterator[Variable]:
 def scan(found: Variables, node: Node, order: int, rules: Mapping[Node, Node]) -> None:
     """Record the variables that the `order`-th rate of an expression needs, once the rules are applied."""
     if node in rules:
-        scan(found, rules[node], order, rules)
+        _scan_rule(found, node, order, rules)
         return
     match node:
         case Symbol():
@@ -115,12 +146,48 @@ def scan(found: Variables, node: Node, order: int, rules: Mapping[Node, Node]) -
                 raise Untreatable(f"the function {function} in {plain(node)} is not treated: only sin and cos are")
             for symbol, multiple in angle_multiples(argument, rules).items():
                 _scan_angle(found, symbol, multiple, order)
+        case Power(Norm(of), exponent) if exponent % 2 == 0:
+            scan(found, of, order, rules)
+        case Quotient(numerator, denominator):
+            scan(found, numerator, order, rules)
+            _scan_divisor(found, denominator, order, rules)
         case Norm(of):
             scan(found, of, order, rules)
             found.norms[of] = None
+        case Integral(of):
+            if found.running and found.running != node.running:
+                raise Untreatable(f"{plain(node)} is not over the same quantities as another integral beside it")
+            found.running, found.densities = node.running, found.densities | {node.density.name}
+            scan(found, of, order, rules)
         case _:
             for part in children(node):
                 scan(found, part, order, rules)
+
+
+def _scan_rule(found: Variables, left: Node, order: int, rules: Mapping[Node, Node]) -> None:
+    """The same for what a rule says, which may lead back to the rule only for a lower rate."""
+    before = found.sought.get(left)
+    if before is not None and before <= order:
+        raise Untreatable(f"what is given says what the rate of {plain(left)} is by this rate itself: leave out a rule")
+    found.sought[left] = order
+    scan(found, rules[left], order, rules)
+    del found.sought[left]
+    if before is not None:
+        found.sought[left] = before
+
+
+def _scan_divisor(found: Variables, node: Node, order: int, rules: Mapping[Node, Node]) -> None:
+    """A power of a norm is divided by as a power of the norm's variable, not of what is below the root."""
+    match node:
+        case _ if node in rules:
+            _scan_divisor(found, rules[node], order, rules)
+        case Power(of, _) | Group(of) | Negative(of):
+            _scan_divisor(found, of, order, rules)
+        case Scale(factor, term):
+            _scan_divisor(found, factor, order, rules)
+            _scan_divisor(found, term, order, rules)
+        case _:
+            scan(found, node, order, rules)
 
 
 def _scan_symbol(found: Variables, symbol: Symbol, order: int, rules: Mapping[Node, Node]) -> None:
@@ -135,7 +202,7 @@ def _scan_symbol(found: Variables, symbol: Symbol, order: int, rules: Mapping[No
         rate, free = Rate(rate), free + 1
     found.orders[symbol] = max(found.orders.get(symbol, 0), free)
     if free < order:
-        scan(found, rules[rate], order - free - 1, rules)
+        _scan_rule(found, rate, order - free - 1, rules)
 
 
 def _scan_angle(found: Variables, symbol: Symbol, multiple: Fraction, order: int) -> None:

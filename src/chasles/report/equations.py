@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from chasles.statements import Entry, Inverse, Kernel, Statement, Theorem
+from chasles.statements import Entry, Inverse, Statement, Theorem
 from chasles.vocabulary import Node, latex, plain
 
-__all__ = ["Sentence", "in_latex", "in_words", "kernel_name", "requested", "signature_in_words", "standing_in"]
+__all__ = ["Sentence", "in_latex", "in_words", "kernel_name", "signature_in_words", "standing_in"]
 
 Sentence = Statement | Theorem | Inverse
 
 
 def in_words(sentence: Sentence) -> tuple[str, ...]:
-    """The equations in plain text, in the book's order; several for a theorem or for an inverse with cases."""
+    """The equations in plain text, in the book's order: several for a theorem, one line a case for an inverse."""
     return _equations(sentence, plain, lambda _: "=")
 
 
@@ -33,11 +33,6 @@ def kernel_name(entry: Entry) -> str | None:
     return (entry.statement.kernel.name or entry.name) if entry.statement.kernel else None
 
 
-def requested(entry: Entry) -> Kernel | None:
-    """The statement's request for a function, if it has one."""
-    return entry.statement.kernel
-
-
 def signature_in_words(entry: Entry) -> str | None:
     """The function that a statement asks for, as it is called: "rotation_from_axis_angle(e, phi)"."""
     kernel = entry.statement.kernel
@@ -50,7 +45,7 @@ def _equations(sentence: Sentence, spell: Callable[[Node], str], sign: Callable[
             pairs = [(left, right) for form in forms for _, left, right in form.equations()]
             return tuple(f"{spell(left)} {sign('=')} {spell(right)}" for left, right in pairs)
         case Inverse(branches=branches):
-            values = dict.fromkeys(pair for branch in branches for pair in branch.values)
-            return tuple(f"{spell(left)} {sign('=')} {spell(right)}" for left, right in values)
+            cases = [[f"{spell(left)} {sign('=')} {spell(right)}" for left, right in b.values] for b in branches]
+            return tuple(", ".join(case) for case in cases)
         case Statement():
             return (f"{spell(sentence.left)} {sign(sentence.sign)} {spell(sentence.right)}",)

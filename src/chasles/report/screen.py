@@ -1,4 +1,4 @@
-"""Where is the page shown? In a terminal with its width and colours, or plainly, without wrapping, in a pipe or a file."""
+"""Where is the page shown? In a terminal with its width and colours, or plainly and unwrapped in a pipe or a file."""
 
 from __future__ import annotations
 

@@ -49,16 +49,17 @@ def counted(verdicts: Iterable[Verdict]) -> str:
 
 
 def point_in_words(point: Point) -> str:
-    """The point as one line: "e = (1, 0, 0), cos(phi) = 0"; the three entries of a vector are put together."""
-    rest = dict(point)
+    """The point as one line: "e = (1, 0, 0), cos(phi) = 0"; the entries of a vector or a matrix are put together."""
     parts = []
-    for name in point:
-        if name not in rest:
-            continue
-        stem = name[:-2] if name.endswith(("_1", "_2", "_3")) else ""
-        entries = [f"{stem}_{k}" for k in (1, 2, 3)]
-        if stem and all(entry in rest for entry in entries):
-            parts.append(f"{stem} = ({', '.join(str(rest.pop(entry)) for entry in entries)})")
+    rest = dict(sorted(point.items()))
+    while rest:
+        name = next(iter(rest))
+        for ending, rows in (("_1", [("_1", "_2", "_3")]), ("_11", [(f"_{i}1", f"_{i}2", f"_{i}3") for i in "123"])):
+            stem = name.removesuffix(ending)
+            entries = [[f"{stem}{place}" for place in row] for row in rows]
+            if stem != name and all(entry in rest for row in entries for entry in row):
+                parts.append(f"{stem} = ({'; '.join(', '.join(str(rest.pop(e)) for e in row) for row in entries)})")
+                break
         else:
             parts.append(f"{name} = {rest.pop(name)}")
     return ", ".join(parts)

@@ -1,9 +1,10 @@
 """SENTENCES: what the book says, as data. A declaration holds no verdict and no code; `load` reads the whole book."""
 
 from chasles.statements.chapter import Chapter, DeclarationError, Entry, Section, load
-from chasles.statements.forms import Always, Exists, Iff, Minimum, Unique
+from chasles.statements.forms import Always, Definite, Exists, Iff, Minimum, OnlyWhere, Unique
 from chasles.statements.hypotheses import (
     Hypothesis,
+    definite,
     half_turn,
     nonzero,
     orthonormal,
@@ -25,6 +26,7 @@ __all__ = [
     "Condition",
     "Cover",
     "DeclarationError",
+    "Definite",
     "Definition",
     "Entry",
     "Exists",
@@ -34,12 +36,14 @@ __all__ = [
     "Inverse",
     "Kernel",
     "Minimum",
+    "OnlyWhere",
     "Postulate",
     "Problem",
     "Section",
     "Statement",
     "Theorem",
     "Unique",
+    "definite",
     "half_turn",
     "load",
     "nonzero",

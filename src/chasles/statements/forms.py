@@ -10,9 +10,10 @@ from dataclasses import dataclass
 from dataclasses import replace as with_fields
 from typing import Protocol
 
-from chasles.vocabulary import Contract, Dot, Negative, Node, Scale, Sum, Symbol, Zero, replace
+from chasles.statements.squares import squared
+from chasles.vocabulary import Contract, Dot, Negative, Node, Scale, Sum, Symbol, Trace, Transpose, Zero, column, replace
 
-__all__ = ["Always", "Exists", "Form", "Iff", "Minimum", "Unique"]
+__all__ = ["Always", "Definite", "Exists", "Form", "Iff", "Minimum", "OnlyWhere", "Unique"]
 
 
 class Form(Protocol):
@@ -29,6 +30,10 @@ def _minus(left: Node, right: Node) -> Node:
 
 def _times(matrix: Node, vector: Node) -> Node:
     return Scale(matrix, vector) if matrix.is_scalar else Contract((matrix, vector))
+
+
+def _total(squares: tuple[Node, ...]) -> Node:
+    return squares[0] if len(squares) == 1 else Sum(squares)
 
 
 def _zero(like: Node) -> Node:
@@ -60,12 +65,49 @@ class Minimum:
     squares: tuple[Node, ...]
 
     def equations(self) -> tuple[tuple[str, Node, Node], ...]:
-        squares: list[Node] = [Dot(square, square) for square in self.squares]
-        total = squares[0] if len(squares) == 1 else Sum(tuple(squares))
+        total = _total(tuple(Dot(square, square) for square in self.squares))
         excess = ("the excess over the least value is a sum of squares", _minus(self.of, self.value), total)
         there: dict[Node, Node] = {self.over: self.at}
         vanish = [("the square vanishes there", replace(s, there), _zero(s)) for s in self.squares]
         return (excess, *vanish)
+
+
+@dataclass(frozen=True, slots=True)
+class Definite:
+    """`of` is never negative: it is a sum of squares. With `by`, it vanishes only where all symbols `over` do.
+
+    Proved by of = sum of squares, which are seen to be squares by their spelling, and by column(over) = by @ what is
+    squared. Where an integral of squares vanishes, the square does in every element of the body.
+    """
+
+    of: Node
+    squares: tuple[Node, ...]
+    over: tuple[Node, ...] = ()
+    by: Node | None = None
+
+    def equations(self) -> tuple[tuple[str, Node, Node], ...]:
+        total = ("it is a sum of squares", self.of, _total(self.squares))
+        if self.by is None:
+            return (total,)
+        vanishing = column(*(vector for square in self.squares for vector in squared(square)))
+        return (total, ("it vanishes only where they do", column(*self.over), _times(self.by, vanishing)))
+
+
+@dataclass(frozen=True, slots=True)
+class OnlyWhere:
+    """The two sides can be equal only where all squares vanish: tr(by^T (left - right) by) = -(sum of squares).
+
+    Whatever is free in the sides is so in the squares: no value of it makes the sides equal elsewhere.
+    """
+
+    left: Node
+    right: Node
+    by: Node
+    squares: tuple[Node, ...]
+
+    def equations(self) -> tuple[tuple[str, Node, Node], ...]:
+        probed = Trace(Contract((Transpose(self.by), _minus(self.left, self.right), self.by)))
+        return (("their difference is less than zero by squares", probed, Negative(_total(self.squares))),)
 
 
 @dataclass(frozen=True, slots=True)

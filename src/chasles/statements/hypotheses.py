@@ -13,6 +13,7 @@ from fractions import Fraction
 from chasles.vocabulary import (
     Block,
     Cofactor,
+    Determinant,
     Dot,
     Identity,
     Node,
@@ -29,6 +30,7 @@ from chasles.vocabulary.nodes import measured
 
 __all__ = [
     "Hypothesis",
+    "definite",
     "half_turn",
     "nonzero",
     "orthonormal",
@@ -107,9 +109,24 @@ def symmetric(matrix: Node) -> Hypothesis:
     )
 
 
+def definite(matrix: Node) -> Hypothesis:
+    """The matrix is symmetric and positive-definite: x . M x > 0 for every x but zero.
+
+    The equations of a proof use its symmetry, and that its determinant is not zero; a sum of squares, x . M x itself.
+    """
+    _symbol(matrix, "definite")
+    return Hypothesis(
+        "definite",
+        (matrix,),
+        ((matrix, Transpose(matrix)),),
+        (Determinant(matrix),),
+        rf"{latex(matrix)} \text{{ positive-definite}}",
+        f"{plain(matrix)} is positive-definite",
+    )
+
+
 def rotation(matrix: Node) -> Hypothesis:
     """The matrix is proper orthogonal; the 21 quadrics that say so are already a Groebner basis."""
-    _symbol(matrix, "rotation")
     _symbol(matrix, "rotation")
     return Hypothesis(
         "rotation",

@@ -9,7 +9,9 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 
+from chasles.statements.forms import Definite, OnlyWhere
 from chasles.statements.hypotheses import Hypothesis
+from chasles.statements.squares import relied_on
 from chasles.statements.statement import Claim, Condition, Definition, Statement, Theorem, bare, is_rule
 from chasles.statements.varied import demands, visible
 from chasles.vocabulary import (
@@ -48,7 +50,8 @@ class Goal:
 class Problem:
     """For all values of the symbols that satisfy `hypotheses` and `conditions`, with `rules` applied: the goals hold.
 
-    `rules` replace symbols (or rates of symbols); `unknowns` are the symbols that the conditions must determine.
+    `rules` replace symbols (or rates of symbols); `unknowns` are the symbols that the conditions must determine. What
+    the goals prove, they prove under `presupposed` hypotheses, by which squares are squares.
     """
 
     goals: tuple[Goal, ...]
@@ -56,6 +59,7 @@ class Problem:
     conditions: tuple[Goal, ...] = ()
     unknowns: tuple[Symbol, ...] = ()
     hypotheses: tuple[Hypothesis, ...] = ()
+    presupposed: tuple[Hypothesis, ...] = ()
 
 
 def default_form(statement: Statement) -> str:
@@ -102,6 +106,7 @@ def problem_of(
     problem = Problem((), tuple(rules), tuple(conditions), tuple(unknowns), hypotheses)
     if isinstance(statement, Theorem):
         goals = tuple(_theorem_goals(statement, problem))
+        problem = with_fields(problem, presupposed=tuple(dict.fromkeys(_presupposed(statement, problem))))
     else:
         goals = tuple(_goals(statement, form, standing))
     for goal in goals:
@@ -152,6 +157,20 @@ def _theorem_goals(statement: Theorem, problem: Problem) -> Iterator[Goal]:
             yield Goal(label, left, right)
 
 
+def _presupposed(statement: Theorem, problem: Problem) -> Iterator[Hypothesis]:
+    """The hypotheses by which the squares of a theorem's forms are squares; raises `Misfit` if one of them is not."""
+    ruled = {left for left, _ in problem.rules}
+    for part in statement.forms:
+        for square in part.squares if isinstance(part, Definite | OnlyWhere) else ():
+            for hypothesis in relied_on(square, problem.hypotheses):
+                if hypothesis.equations and ruled.intersection(hypothesis.subjects):
+                    raise TypeError(
+                        f"({statement.number}): {hypothesis.text} is assumed of what a given statement defines: "
+                        "leave that statement out"
+                    )
+                yield hypothesis
+
+
 def _hypotheses(statement: Decidable) -> Iterator[Hypothesis]:
     """What the statement and all that it rests on assume, its own first."""
     yield from statement.assuming
@@ -175,7 +194,8 @@ def _goals(statement: Statement, form: str, standing: Callable[[Statement], str]
         case Claim(restates=tuple() as others):
             yield _multiple(statement, others, standing, left, right)
         case Claim(solves=Statement() as other):
-            assert isinstance(left, Symbol)
+            if not isinstance(left, Symbol):
+                raise TypeError(f"({statement.number}) solves ({other.number}) for {left}, which is no symbol")
             yield Goal(
                 "it solves the equation", *(replace(side, {left: right}) for side in other.form(standing(other)))
             )

@@ -9,7 +9,7 @@ from typing import ClassVar
 
 from chasles.statements.forms import Form
 from chasles.statements.hypotheses import Hypothesis
-from chasles.vocabulary import At, Misfit, Node, Rate, Symbol, plain, replace
+from chasles.vocabulary import At, Group, Misfit, Node, Rate, Symbol, plain, replace
 from chasles.vocabulary.measure import added
 
 __all__ = ["Claim", "Condition", "Definition", "Kernel", "Postulate", "Statement", "Theorem", "bare", "is_rule"]
@@ -166,9 +166,9 @@ class Theorem:
 
 
 def bare(node: Node) -> Node:
-    """The quantity without the argument with which it is printed: p for p(t), its rate for the rate of p(t)."""
+    """The quantity without the argument or the brackets with which it is printed: p for p(t), also under a rate."""
     match node:
-        case At(of):
+        case At(of) | Group(of):
             return bare(of)
         case Rate(of):
             return Rate(bare(of))
@@ -181,4 +181,6 @@ def is_rule(statement: Statement) -> bool:
     left = bare(statement.left)
     if isinstance(left, Symbol) and left.stands_for is not None:
         return False
-    return isinstance(left, Symbol) or (isinstance(left, Rate) and isinstance(left.of, Symbol))
+    while isinstance(left, Rate):
+        left = left.of
+    return isinstance(left, Symbol)

@@ -4,6 +4,7 @@ Nodes keep the author's order and spelling and never simplify. Shapes and physic
 is made. `@` contracts matrices, `*` scales by a scalar, `.T` transposes, `/` divides by a scalar.
 """
 
+from chasles.vocabulary.body import Integral
 from chasles.vocabulary.dimension import (
     ACCELERATION,
     FORCE,
@@ -62,6 +63,8 @@ from chasles.vocabulary.words import (
     cross,
     det,
     dot,
+    in_frame,
+    integral,
     inverse,
     matrix,
     norm,
@@ -104,6 +107,7 @@ __all__ = [
     "Group",
     "Identity",
     "Index",
+    "Integral",
     "Inverse",
     "Kronecker",
     "Measure",
@@ -134,6 +138,8 @@ __all__ = [
     "cross",
     "det",
     "dot",
+    "in_frame",
+    "integral",
     "inverse",
     "latex",
     "matrix",

@@ -81,6 +81,9 @@ class _Latex:
     def subscripted(self, text: str, subscript: str) -> str:
         return f"{text}_{{{subscript}}}" if len(subscript) > 1 else f"{text}_{subscript}"
 
+    def integral(self, of: Piece, body: str) -> Piece:
+        return Piece(rf"\int_{{{body}}} {of.text} \, d{body}", Level.PRODUCT, of.depth)
+
     def block(self, rows: list[list[str]]) -> str:
         lines = r" \\ ".join(" & ".join(row) for row in rows)
         return rf"\begin{{bmatrix}} {lines} \end{{bmatrix}}"

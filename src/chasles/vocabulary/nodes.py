@@ -604,10 +604,14 @@ class At(Node):
 
 @_word
 class Group(Node):
-    """A term that the author puts between brackets which its meaning does not ask for."""
+    """A term that the author puts between brackets which its meaning does not ask for.
+
+    With a `frame`, the brackets say in which coordinate frame the components are given, and bear its letter.
+    """
 
     of: Node
     brackets: str = "()"
+    frame: str = ""
 
     def _parts(self) -> tuple[Node, ...]:
         return (self.of,)

@@ -9,7 +9,7 @@ from chasles.vocabulary.spelling import Level, Piece, spell
 
 __all__ = ["plain"]
 
-BRACKETS = ("()", "[]", "{}")
+BRACKETS = (("(", ")"), ("[", "]"), ("{", "}"))
 INFIX = {"dot": ".", "cross": "x"}
 ENDS_WITH_NUMBER = re.compile(r"(?:^|[ /-])\d+$")
 
@@ -66,7 +66,11 @@ class _Plain:
         return f"d{power}/dt{power} {text}"
 
     def subscripted(self, text: str, subscript: str) -> str:
-        return re.sub(r"\\(?:mathbf|boldsymbol)?|[{}]", "", f"{text}_{subscript}")
+        return re.sub(r"\\(?:mathbf|boldsymbol|mathcal)?|[{}]", "", f"{text}_{subscript}")
+
+    def integral(self, of: Piece, body: str) -> Piece:
+        sign = self.subscripted("int", body)
+        return Piece(f"{sign}({of.text})", Level.ATOM, of.depth)
 
     def block(self, rows: list[list[str]]) -> str:
         return "[" + "; ".join(", ".join(row) for row in rows) + "]"

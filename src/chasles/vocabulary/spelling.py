@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from enum import IntEnum
 from typing import Protocol
 
+from chasles.vocabulary.body import Integral
 from chasles.vocabulary.families import Entry, Kronecker, Member
 from chasles.vocabulary.nodes import (
     At,
@@ -85,6 +86,7 @@ class Style(Protocol):
     def derivative(self, text: str, order: int) -> str: ...
     def subscripted(self, text: str, subscript: str) -> str: ...
     def block(self, rows: list[list[str]]) -> str: ...
+    def integral(self, of: Piece, body: str) -> Piece: ...
 
 
 FUNCTIONS: dict[type[Node], str] = {
@@ -127,7 +129,8 @@ def spell(node: Node, style: Style) -> Piece:
             text, depth = "", 0
             for term in terms:
                 minus = isinstance(term, Negative) and text != ""
-                piece = bracketed(term.term if minus else term, Level.DOT if minus or text else Level.NEGATIVE)
+                shown = term.term if isinstance(term, Negative) and minus else term
+                piece = bracketed(shown, Level.DOT if text else Level.NEGATIVE)
                 text = f"{text} {'-' if minus else '+'} {piece.text}" if text else piece.text
                 depth = max(depth, piece.depth)
             return Piece(text, Level.SUM, depth)
@@ -181,10 +184,14 @@ def spell(node: Node, style: Style) -> Piece:
         case At(of, argument):
             piece = bracketed(of, Level.ATOM)
             return Piece(f"{piece.text}({argument})", Level.ATOM, piece.depth)
-        case Group(of, brackets):
+        case Group(of, brackets, frame):
             piece = spell(of, style)
+            if frame:
+                return Piece(style.subscripted(style.brackets(piece.text, 1), frame), Level.ATOM, piece.depth)
             depth = {"()": 0, "[]": 1, "{}": 2}[brackets]
             return Piece(style.brackets(piece.text, depth), Level.ATOM, max(piece.depth, depth) + 1)
+        case Integral(of, _, _, body):
+            return style.integral(bracketed(of, Level.PRODUCT), body)
         case Member(family, index):
             return Piece(style.subscripted(family.letter, index.letter) + family.mark, Level.ATOM)
         case Entry(_, i, j, letter):

@@ -8,6 +8,7 @@ from dataclasses import replace as with_fields
 from functools import cache
 from typing import Any
 
+from chasles.vocabulary.body import Integral
 from chasles.vocabulary.nodes import Block, Contract, Node, Sum, Symbol
 
 __all__ = ["children", "rebuilt", "replace", "symbols_of", "walk"]
@@ -39,7 +40,10 @@ def rebuilt(node: Node, parts: tuple[Node, ...]) -> Node:
 
 
 def replace(node: Node, values: Mapping[Node, Node]) -> Node:
-    """The expression with every occurrence of a key replaced by its value; nothing is simplified."""
+    """The expression with every occurrence of a key replaced by its value; nothing is simplified.
+
+    What differs from element to element in an integral over a body is not replaced there.
+    """
     if node in values:
         return values[node]
     if isinstance(node, Symbol):
@@ -47,6 +51,8 @@ def replace(node: Node, values: Mapping[Node, Node]) -> Node:
             return node
         inner = replace(node.stands_for, values)
         return node if inner == node.stands_for else inner
+    if isinstance(node, Integral):
+        values = {key: value for key, value in values.items() if key not in node.running}
     parts = children(node)
     changed = tuple(replace(part, values) for part in parts)
     return node if changed == parts else rebuilt(node, changed)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from chasles.vocabulary.body import Integral
 from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
 from chasles.vocabulary.measure import Measure, uniform
 from chasles.vocabulary.nodes import (
@@ -38,6 +39,8 @@ __all__ = [
     "cross",
     "det",
     "dot",
+    "integral",
+    "in_frame",
     "inverse",
     "matrix",
     "norm",
@@ -157,6 +160,11 @@ def rate(of: Node) -> Rate:
     return Rate(of)
 
 
+def integral(of: Node, density: Symbol, *over: Symbol) -> Integral:
+    """The integral over the body; the density and what it is taken `over` differ from element to element."""
+    return Integral(of, density, over)
+
+
 def at(of: Node, argument: str = "t") -> At:
     """The quantity printed with its argument."""
     return At(of, argument)
@@ -180,6 +188,11 @@ def paren(of: Node) -> Group:
 def bracket(of: Node) -> Group:
     """The term in square brackets that the author chose to print."""
     return Group(of, "[]")
+
+
+def in_frame(of: Node, frame: str) -> Group:
+    """The components in a coordinate frame, in square brackets that bear the frame's letter."""
+    return Group(of, "[]", rf"\mathcal{{{frame}}}")
 
 
 def column(*blocks: Node | int) -> Block:

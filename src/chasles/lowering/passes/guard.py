@@ -29,7 +29,10 @@ def guarded(program: Program) -> Program:
         operands = tuple(place[k] for k in step.operands)
         if step.op is Op.DIVIDE and steps[operands[1]].op is not Op.CONSTANT:
             zero = add(Step(Op.CONSTANT))
-            singular = add(Step(Op.EQUAL, (operands[1], zero)))
+            divisor = steps[operands[1]]
+            # A root is zero where its radicand is, which is known earlier.
+            tested = divisor.operands[0] if divisor.op is Op.SQUARE_ROOT else operands[1]
+            singular = add(Step(Op.EQUAL, (tested, zero)))
             operands = add(Step(Op.SELECT, (singular, zero, operands[0]))), operands[1]
         place.append(add(with_fields(step, operands=operands)))
     results = tuple(with_fields(r, entries=tuple(place[k] for k in r.entries)) for r in program.results)

@@ -1,0 +1,23 @@
+"""The command line: `chasles COMMAND`. Exit status 0 fine, 1 something failed its own check, 2 bad usage or input."""
+
+from __future__ import annotations
+
+import click
+
+from chasles import __version__
+from chasles.cli.failures import Guarded
+
+__all__ = ["main"]
+
+COMMANDS = ("list", "show", "decide", "emit", "verify", "summary")
+
+
+@click.group(
+    cls=Guarded,
+    modules={name: f"chasles.cli.commands.{name}" for name in COMMANDS},
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+    epilog="Example: chasles show 3.16",
+)
+@click.version_option(__version__, prog_name="chasles")
+def main() -> None:
+    """A textbook chapter on rigid-body mechanics as checked code and fast kernels."""

@@ -1,0 +1,102 @@
+"""The chapter, as the commands use it: loaded, chosen from and decided, with errors that speak to a person."""
+
+from __future__ import annotations
+
+import traceback
+from collections.abc import Callable, Iterator, Sequence
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+import click
+
+from chasles.cli.failures import BAD_INPUT, Failure, nearest
+from chasles.proof.judge import Decision, Judge
+from chasles.report.waiting import watched
+from chasles.statements import Chapter, Entry, load
+
+__all__ = ["BOOK", "as_data", "chapter", "chosen", "decisions", "of_numbers", "of_sections"]
+
+BOOK = "chasles.derivations"
+LONGEST = 4
+"""How many words a number may have: "text 3.2.3 g" has three."""
+
+
+def of_numbers(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Give a command the argument `numbers`."""
+    return click.argument("numbers", nargs=-1, metavar="[NUMBER]...")(command)
+
+
+def of_sections(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Give a command the option `--section`."""
+    return click.option(
+        "--section", "sections", multiple=True, metavar="S", help="A section with all below it; may be repeated."
+    )(command)
+
+
+def as_data(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Give a command the option `--json`."""
+    return click.option("--json", "json", is_flag=True, help="Print JSON for a program to read.")(command)
+
+
+def chapter() -> Chapter:
+    """The book. Raises Failure, with file and line, for a declaration that does not stand."""
+    try:
+        return load(BOOK)
+    except Exception as error:
+        place = _place(error)
+        if place is None and type(error).__module__.startswith("chasles."):
+            raise Failure(f"the declarations contradict each other: {error}", BAD_INPUT) from error
+        if place is None:
+            raise
+        raise Failure(f"{place}: {type(error).__name__}: {error}", BAD_INPUT) from error
+
+
+def chosen(book: Chapter, numbers: Sequence[str], sections: Sequence[str]) -> tuple[Entry, ...]:
+    """The statements with one of the numbers (or names), or of one of the sections; all without either.
+
+    Raises Failure naming the number or section that the book does not have, and those near it.
+    """
+    for section in sections:
+        known = [known.number for known in book.sections]
+        if not any(number == section or number.startswith(f"{section}.") for number in known):
+            raise Failure(f"the book has no section {section!r}{nearest(section, known)}", BAD_INPUT)
+    return book.select(list(_cited(book, numbers)), sections)
+
+
+def decisions(entries: Sequence[Entry], judge: Judge | None = None) -> Iterator[tuple[Entry, Decision]]:
+    """The decision on each statement, with a progress bar where it takes long."""
+    return watched((judge or Judge()).decide_all(entries), len(entries), "Deciding")
+
+
+def _cited(book: Chapter, words: Sequence[str]) -> Iterator[str]:
+    """The numbers and names in a row of words: `Thm 3.2.2` is one number, quoted or not, `3.4/2` is a part of (3.4)."""
+    names = [entry.name for entry in book.entries]
+    parts = {f"{entry.number}/{entry.statement.part}": entry.name for entry in book.entries}
+    known = {known.casefold(): known for known in (*names, *book.numbers)} | {name: name for name in names} | parts
+    pieces = [piece for word in words for piece in word.split() or [word]]
+    at = 0
+    while at < len(pieces):
+        for length in range(LONGEST, 0, -1):
+            phrase = " ".join(pieces[at : at + length]).removeprefix("(").removesuffix(")")
+            found = known.get(phrase) or known.get(phrase.casefold())
+            if found is not None:
+                yield found
+                at += len(pieces[at : at + length])
+                break
+        else:
+            word = pieces[at].strip("()")
+            near = nearest(word, [*book.numbers, *names])
+            raise Failure(f"the book has no equation {word!r}{near}; `chasles list` shows all", BAD_INPUT)
+
+
+def _place(error: Exception) -> str | None:
+    """File and line of the declaration in which the error arose, if it arose in one."""
+    spec = find_spec(BOOK)
+    folders = [Path(folder).resolve() for folder in (spec.submodule_search_locations or ())] if spec else []
+    if isinstance(error, SyntaxError) and error.filename:
+        return f"{error.filename}, line {error.lineno}"
+    for frame in reversed(traceback.extract_tb(error.__traceback__)):
+        if any(Path(frame.filename).resolve().is_relative_to(folder) for folder in folders):
+            return f"{frame.filename}, line {frame.lineno}"
+    return None

@@ -1,0 +1,42 @@
+"""Where do generated files go? Into `generated/` of the checkout around the current folder, unless told otherwise."""
+
+from __future__ import annotations
+
+from importlib.util import find_spec
+from pathlib import Path
+
+from chasles.cli.book import BOOK
+from chasles.cli.failures import BAD_INPUT, Failure
+
+__all__ = ["GENERATED", "generated_folder"]
+
+GENERATED = "generated"
+DERIVATIONS = "derivations"
+
+
+def generated_folder(start: Path) -> Path:
+    """The folder `generated` of the checkout that holds `start`.
+
+    Raises Failure outside every checkout, and in one whose declarations are not those that are loaded: another
+    checkout's chapter must not be written into this one.
+    """
+    start = start.resolve()
+    for folder in (start, *start.parents):
+        if (folder / DERIVATIONS / "__init__.py").is_file() and (folder / "pyproject.toml").is_file():
+            _require_loaded(folder / DERIVATIONS)
+            return folder / GENERATED
+    raise Failure(
+        f"{start} is in no checkout: run this below the folder that holds {DERIVATIONS}/, or name a folder with --out",
+        BAD_INPUT,
+    )
+
+
+def _require_loaded(declarations: Path) -> None:
+    spec = find_spec(BOOK)
+    loaded = [Path(place).resolve() for place in (spec.submodule_search_locations or ())] if spec else []
+    if declarations.resolve() not in loaded:
+        raise Failure(
+            f"this chasles reads {loaded[0] if loaded else 'no declarations'}, not {declarations}: "
+            "run the one that `make` installs here (.venv/bin/chasles), or name a folder with --out",
+            BAD_INPUT,
+        )

@@ -1,0 +1,55 @@
+"""`chasles decide [NUMBER ...]`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import click
+
+from chasles.cli.book import as_data, chapter, chosen, of_numbers, of_sections
+from chasles.cli.failures import complain
+
+if TYPE_CHECKING:
+    from chasles.cli.outcome import Outcome
+
+__all__ = ["command"]
+
+
+@click.command(
+    "decide",
+    short_help="Decide whether equations are right.",
+    epilog="Example: chasles decide 3.16 3.18, or chasles decide --section 3.2",
+)
+@of_numbers
+@of_sections
+@as_data
+@click.option("--brief", is_flag=True, help="Show findings and totals only.")
+@click.option("--recheck/--no-recheck", default=True, help="Check the verdicts again without the prover (default).")
+def command(numbers: tuple[str, ...], sections: tuple[str, ...], json: bool, brief: bool, recheck: bool) -> int:
+    """Decide whether equations are right: all of them, or those named.
+
+    A print that is wrong is a finding, no failure. Status 1 says that something could not be decided, that what is
+    declared to stand in for a print is not proved, or that a verdict was rejected when it was checked again.
+    """
+    from chasles.cli.outcome import decide
+    from chasles.report.records import as_json, record
+
+    outcome = decide(chosen(chapter(), numbers, sections), recheck=recheck)
+    if json:
+        click.echo(as_json({"statements": [record(entry, decision) for entry, decision in outcome.decided]}))
+    else:
+        _show(outcome, brief)
+    return complain(outcome.failures)
+
+
+def _show(outcome: Outcome, brief: bool) -> None:
+    from rich.text import Text
+
+    from chasles.report.decisions import findings, verdict_table
+    from chasles.report.screen import Screen
+
+    screen = Screen()
+    if not brief:
+        screen.show(*verdict_table(screen, outcome.decided))
+    screen.show(*findings(screen, outcome.decided))
+    screen.show("", *(Text(line) for line in outcome.in_words))

@@ -1,0 +1,90 @@
+"""`chasles emit`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from time import perf_counter
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from chasles.cli.book import as_data, chapter
+from chasles.cli.checkout import generated_folder
+from chasles.cli.failures import FAILED, Failure, complain
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+__all__ = ["command"]
+
+
+@click.command("emit", short_help="Write the kernels in every language.", epilog="Example: chasles emit --check")
+@click.option("--check", is_flag=True, help="Change nothing; name the files that are not as they would be emitted.")
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path, file_okay=False),
+    help="The folder to write to, rather than generated/ of the checkout.",
+)
+@as_data
+def command(check: bool, out: Path | None, json: bool) -> int:
+    """Write the kernels of all statements that stand, in every language.
+
+    A kernel is refused unless its program is proved equal to its statement. Either all files are written or none; a
+    file that is as it should be keeps its time. Status 1: something was refused or, with --check, is stale.
+    """
+    from chasles.cli.emission import commissioned, emitted
+    from chasles.proof.judge import Judge
+    from chasles.report.words import seconds
+    from chasles.targets import EmissionError
+
+    folder = out or generated_folder(Path.cwd())
+    started = perf_counter()
+    kernels = commissioned(chapter().entries, Judge())
+    texts = emitted(kernels)
+    head = f"{len(kernels)} kernels, each proved equal to its statement"
+    try:
+        if check:
+            return _check(folder, texts, head, json)
+        report = _write(folder, texts)
+    except EmissionError as error:
+        raise Failure(str(error)) from error
+    if json:
+        from chasles.report.records import as_json
+
+        click.echo(as_json({"folder": str(folder), "kernels": [kernel.name for kernel in kernels], **report}))
+    else:
+        click.echo(f"{head}, emitted in {seconds(perf_counter() - started)}")
+        click.echo(f"files in {folder}: {_counted(report)}")
+    return 0
+
+
+def _write(folder: Path, texts: Mapping[str, str]) -> dict[str, Any]:
+    from chasles.targets import write
+
+    written = write(folder, texts)
+    return {"changed": list(written.changed), "removed": list(written.removed), "unchanged": written.unchanged}
+
+
+def _counted(report: Mapping[str, Any]) -> str:
+    counts = {"changed": len(report["changed"]), "removed": len(report["removed"]), "unchanged": report["unchanged"]}
+    return ", ".join(f"{count} {what}" for what, count in counts.items() if count)
+
+
+def _check(folder: Path, texts: Mapping[str, str], head: str, json: bool) -> int:
+    from chasles.targets import stale
+
+    differences = stale(folder, texts)
+    if json:
+        from chasles.report.records import as_json
+
+        found = [{"path": d.path, "kind": d.kind, "summary": d.summary} for d in differences]
+        click.echo(as_json({"folder": str(folder), "stale": found}))
+    elif not differences:
+        click.echo(f"{head}; {folder} is as emitted")
+    for difference in () if json else differences:
+        click.echo(difference.summary)
+    if not differences:
+        return 0
+    names = ", ".join(difference.path for difference in differences)
+    complain([f"{folder} is stale, `chasles emit` brings it up to date: {names}"])
+    return FAILED

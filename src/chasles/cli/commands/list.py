@@ -1,0 +1,26 @@
+"""`chasles list`."""
+
+from __future__ import annotations
+
+import click
+
+from chasles.cli.book import as_data, chapter, chosen, of_sections
+
+__all__ = ["command"]
+
+
+@click.command("list", short_help="List the numbers of the book.", epilog="Example: chasles list --section 3.2")
+@of_sections
+@as_data
+def command(sections: tuple[str, ...], json: bool) -> None:
+    """List the numbers of the book and what each says."""
+    from chasles.report.contents import contents
+    from chasles.report.records import as_json, described
+    from chasles.report.screen import Screen
+
+    entries = chosen(chapter(), (), sections)
+    if json:
+        click.echo(as_json({"statements": [described(entry) for entry in entries]}))
+    else:
+        screen = Screen()
+        screen.show(*contents(screen, entries))

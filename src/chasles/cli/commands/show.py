@@ -1,0 +1,31 @@
+"""`chasles show N`."""
+
+from __future__ import annotations
+
+import click
+
+from chasles.cli.book import as_data, chapter, chosen, decisions
+
+__all__ = ["command"]
+
+
+@click.command("show", short_help="Show an equation and its verdict.", epilog="Example: chasles show 3.16 --latex")
+@click.argument("numbers", nargs=-1, required=True, metavar="NUMBER...")
+@click.option("--latex", is_flag=True, help="Show the equation in LaTeX as well.")
+@as_data
+def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:
+    """Show an equation, what it rests on, its verdict and its certificate or counterexample."""
+    from chasles.report.records import as_json, described, record
+    from chasles.report.screen import Screen
+    from chasles.report.statement_page import statement_page
+
+    book = chapter()
+    # The parts of a number stand in the order of the proofs; here they are read in the book's.
+    entries = sorted(chosen(book, numbers, ()), key=lambda e: (book.numbers.index(e.number), e.statement.part))
+    decided = list(decisions(entries))
+    if json:
+        click.echo(as_json({"statements": [described(entry) | record(entry, found) for entry, found in decided]}))
+        return
+    screen = Screen()
+    for place, (entry, found) in enumerate(decided):
+        screen.show(*([""] if place else []), *statement_page(screen, entry, found, latex))

@@ -1,0 +1,73 @@
+"""`chasles summary`."""
+
+from __future__ import annotations
+
+from itertools import chain
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from chasles.cli.book import as_data, chapter, chosen, of_sections
+from chasles.cli.failures import complain
+
+if TYPE_CHECKING:
+    from chasles.cli.outcome import Outcome
+    from chasles.cli.verification import Verification
+
+__all__ = ["command"]
+
+
+@click.command("summary", short_help="Decide and compare; sum up by section.", epilog="Example: chasles summary")
+@of_sections
+@click.option("--samples", type=click.IntRange(min=1), default=100, show_default=True, help="Points for each kernel.")
+@as_data
+def command(sections: tuple[str, ...], samples: int, json: bool) -> int:
+    """Decide the chapter, check the certificates again, compare the kernels with 50 digits; sum up by section.
+
+    The exit status is 1 if it is for `decide` or for `verify`.
+    """
+    from chasles.cli.comparison import installed_kernels
+    from chasles.cli.outcome import decide
+    from chasles.cli.verification import verified
+    from chasles.proof.judge import Judge
+
+    judge = Judge()
+    entries = chosen(chapter(), (), sections)
+    outcome = decide(entries, judge)
+    asking = [entry for entry in entries if entry.statement.kernel is not None]
+    verification = verified(asking, installed_kernels(), ("generic",), samples, judge)
+    if json:
+        from chasles.report.records import as_json
+
+        click.echo(as_json(_data(outcome, verification)))
+    else:
+        _show(outcome, verification)
+    return complain(chain(outcome.failures, verification.failures(strict=False)))
+
+
+def _data(outcome: Outcome, verification: Verification) -> dict[str, Any]:
+    from chasles.report.summary import tallies
+
+    again = outcome.rechecked
+    assert again is not None
+    return {
+        "sections": [tally.as_json() for tally in tallies(outcome.decided)],
+        "decided": {"statements": len(outcome.decided), "seconds": round(outcome.deciding, 3)},
+        "rechecked": {
+            "certificates": again.certificates,
+            "counterexamples": again.counterexamples,
+            "seconds": round(again.seconds, 3),
+            "rejected": [entry.number for entry, _ in again.rejected],
+        },
+        "kernels": verification.as_json(),
+    }
+
+
+def _show(outcome: Outcome, verification: Verification) -> None:
+    from chasles.report.screen import Screen
+    from chasles.report.summary import prints_that_do_not_stand, summary_table, tallies
+
+    screen = Screen()
+    screen.show(*summary_table(tallies(outcome.decided)), "")
+    screen.show(*outcome.in_words, *prints_that_do_not_stand(outcome.decided), "")
+    screen.show(*verification.in_words)

@@ -1,0 +1,73 @@
+"""Each kernel as it is installed here beside what its statement says, ready to be compared."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterator, Sequence
+from itertools import product
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from chasles.cli.failures import BAD_INPUT, Failure, complain, nearest
+from chasles.lowering.lower import lower
+from chasles.lowering.refusal import LoweringError
+from chasles.numerics import Evidence, Request, Unsatisfiable, request_of, request_of_inverse, verify
+from chasles.proof.judge import Judge
+from chasles.report.equations import kernel_name
+from chasles.report.waiting import watched
+from chasles.statements import Chapter, Entry, Inverse, Theorem
+
+__all__ = ["PRECISIONS", "asking", "compared", "installed_kernels"]
+
+PRECISIONS: tuple[type[np.floating[Any]], ...] = (np.float64, np.float32)
+
+
+def installed_kernels() -> ModuleType:
+    """The module of the kernels that programs get here. Raises Failure where there are none."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        try:
+            from chasles import kernels
+        except ImportError as error:
+            raise Failure(str(error)) from error
+    complain(str(warning.message) for warning in caught)
+    return kernels
+
+
+def asking(book: Chapter, names: Sequence[str]) -> list[Entry]:
+    """The statements whose kernels have these names, all that ask for one without names. Raises Failure for others."""
+    known = {name: entry for entry in book.entries if (name := kernel_name(entry))}
+    for name in names:
+        if name not in known:
+            raise Failure(f"there is no kernel {name!r}{nearest(name, list(known))}", BAD_INPUT)
+    return [known[name] for name in names or known]
+
+
+def compared(
+    entries: Sequence[Entry], kernels: ModuleType, strategies: Sequence[str], samples: int, judge: Judge
+) -> Iterator[Evidence]:
+    """The evidence on each kernel, precision by precision. Raises Failure where there is nothing to compare."""
+    tasks = list(product(entries, PRECISIONS, strategies))
+    for entry, precision, strategy in watched(tasks, len(tasks), "Comparing with 50 digits"):
+        name = str(kernel_name(entry))
+        function = getattr(kernels, name, None)
+        if function is None:
+            raise Failure(
+                f"the kernels installed here ({kernels.backend}) lack {name}: run `chasles emit`, then `make compile`"
+            )
+        options = {"dtype": precision, "strategies": (strategy,), "samples": samples, "batched": True}
+        try:
+            yield verify(_request(entry, judge), function, **options)
+        except (LoweringError, Unsatisfiable, TypeError) as error:
+            raise Failure(f"{name} cannot be compared with ({entry.number}): {error}") from error
+
+
+def _request(entry: Entry, judge: Judge) -> Request:
+    statement = entry.statement
+    program = lower(entry, judge.decide)
+    if isinstance(statement, Inverse):
+        return request_of_inverse(program.name, statement, program=program, standing=judge.standing)
+    assert not isinstance(statement, Theorem)
+    return request_of(program.name, statement, program=program, standing=judge.standing)

@@ -1,0 +1,36 @@
+"""The text of every generated file, from the statements that ask for kernels."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from chasles.cli.failures import Failure
+from chasles.proof.judge import Judge
+from chasles.report.waiting import watched
+from chasles.statements import Entry
+from chasles.targets import EmissionError, Kernel, discover, render
+from chasles.targets.commission import kernel_of
+
+__all__ = ["commissioned", "emitted"]
+
+
+def commissioned(entries: Iterable[Entry], judge: Judge) -> tuple[Kernel, ...]:
+    """The kernel of each statement that asks for one. Raises Failure with a line for each that is refused."""
+    asking = [entry for entry in entries if entry.statement.kernel is not None]
+    kernels, refused = [], []
+    for entry in watched(asking, len(asking), "Lowering"):
+        try:
+            kernels.append(kernel_of(entry, judge.decide))
+        except EmissionError as error:
+            refused.append(str(error))
+    if refused:
+        raise Failure(f"nothing was emitted; {len(refused)} of {len(asking)} kernels refused: {'; '.join(refused)}")
+    return tuple(kernels)
+
+
+def emitted(kernels: tuple[Kernel, ...]) -> dict[str, str]:
+    """The text of each file by its path. Raises Failure where a language cannot spell a kernel."""
+    try:
+        return render(kernels, discover())
+    except EmissionError as error:
+        raise Failure(f"nothing was emitted: {error}") from error

@@ -1,0 +1,115 @@
+"""What is said when something goes wrong: one line on standard error, with a hint, and the exit status."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterable, Sequence
+from difflib import get_close_matches
+from traceback import print_exc
+from typing import Any
+
+import click
+
+__all__ = ["BAD_INPUT", "FAILED", "Failure", "Guarded", "complain", "nearest"]
+
+FAILED = 1
+"""Something did not pass its own check."""
+BAD_INPUT = 2
+"""The command, or what it was given to read, makes no sense."""
+INTERRUPTED = 130
+DEBUG = "CHASLES_DEBUG"
+
+
+class Failure(Exception):
+    """A message to the person: what was wrong, where, what was expected, what to do. `status` is the exit status."""
+
+    def __init__(self, message: str, status: int = FAILED) -> None:
+        super().__init__(message)
+        self.status = status
+
+
+class Guarded(click.Group):
+    """A group of commands, each module imported when its command is called; no command ends in a traceback."""
+
+    def __init__(self, *args: Any, modules: dict[str, str], **kwargs: Any) -> None:
+        super().__init__(*args, **kwargs)
+        self._modules = modules
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return list(self._modules)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        from importlib import import_module
+
+        if cmd_name not in self._modules:
+            return None
+        command = import_module(self._modules[cmd_name]).command
+        assert isinstance(command, click.Command)
+        return command
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        if args and not args[0].startswith("-") and args[0] not in self._modules:
+            raise click.UsageError(f"there is no command {args[0]!r}{nearest(args[0], list(self._modules))}", ctx)
+        return super().resolve_command(ctx, args)
+
+    def main(self, *args: Any, **kwargs: Any) -> Any:
+        sys.exit(self._status(*args, **kwargs))
+
+    def _status(self, *args: Any, **kwargs: Any) -> int:
+        """The exit status; whatever went wrong has been said."""
+        kwargs["standalone_mode"] = False
+        try:
+            return int(super().main(*args, **kwargs) or 0)
+        except click.exceptions.Exit as end:
+            return end.exit_code
+        except Failure as failure:
+            _say(str(failure))
+            return failure.status
+        except click.ClickException as error:
+            _say(_with_help(error))
+            return error.exit_code
+        except (click.Abort, KeyboardInterrupt):
+            _say("stopped")
+            return INTERRUPTED
+        except BrokenPipeError:
+            # The reader has left; Python would complain once more when it flushes at the end.
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            return FAILED
+        except Exception as error:
+            if os.environ.get(DEBUG):
+                print_exc()
+            _say(
+                f"this is a defect of chasles: {type(error).__name__}: {error}. "
+                f"Please report it, with what the same command prints under {DEBUG}=1"
+            )
+            return FAILED
+
+
+def complain(messages: Iterable[str]) -> int:
+    """Say each message on a line of standard error; the exit status that follows, 0 if there is nothing to say."""
+    status = 0
+    for message in messages:
+        _say(message)
+        status = FAILED
+    return status
+
+
+def nearest(word: str, words: Sequence[str]) -> str:
+    """The end of a message about an unknown word: what it may have been meant to be; empty if nothing is near."""
+    longer = [known for known in words if known.startswith(word)]
+    near = list(dict.fromkeys([*longer[:4], *get_close_matches(word, words, n=4, cutoff=0.6)]))
+    return f"; near it: {', '.join(near[:4])}" if near else ""
+
+
+def _with_help(error: click.ClickException) -> str:
+    message = error.format_message().rstrip(".")
+    if isinstance(error, click.UsageError) and error.ctx is not None:
+        return f"{message}; see `{error.ctx.command_path} --help`"
+    return message
+
+
+def _say(message: str) -> None:
+    click.echo(f"chasles: {' '.join(message.split())}", err=True)

@@ -1,0 +1,79 @@
+"""Did it all pass? What was decided and re-checked, how long it took, and what failed its own check."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+from chasles.cli.book import decisions
+from chasles.proof.judge import Decision, Judge
+from chasles.report.decisions import Decided
+from chasles.report.details import number_in_words
+from chasles.report.words import counted, seconds
+from chasles.statements import Entry
+
+if TYPE_CHECKING:
+    from chasles.cli.rechecking import Rechecked
+
+__all__ = ["Outcome", "decide"]
+
+SHOWN = 3
+"""How many rejected verdicts have a line of their own."""
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """The decisions, how many seconds they took, and what came of checking them again, if that was asked for."""
+
+    decided: tuple[Decided, ...]
+    deciding: float
+    rechecked: Rechecked | None = None
+
+    @property
+    def in_words(self) -> Iterator[str]:
+        """Totals and times."""
+        verdicts = [decision.verdict for _, decision in self.decided]
+        yield f"{len(verdicts)} statements: {counted(verdicts)}"
+        times = f"decided in {seconds(self.deciding)}"
+        if self.rechecked is not None:
+            proved, refuted = self.rechecked.certificates, self.rechecked.counterexamples
+            what = f"{proved} certificates and {refuted} counterexamples" if refuted else f"{proved} certificates"
+            times += f"; {what} checked again in {seconds(self.rechecked.seconds)}"
+        yield times
+
+    @property
+    def failures(self) -> Iterator[str]:
+        """A line for each kind of failure; none if all is well."""
+        undecided = [entry for entry, decision in self.decided if decision.verdict.name == "undecided"]
+        unproved = [entry for entry, decision in self.decided if _stands_in_wrongly(decision)]
+        if undecided:
+            yield f"undecided: {_numbers(undecided)}"
+        if unproved:
+            yield f"what is declared to stand in for the print is not proved: {_numbers(unproved)}"
+        rejected = self.rechecked.rejected if self.rechecked else ()
+        for entry, why in rejected[:SHOWN]:
+            yield f"checked again, the verdict on {_numbers([entry])} is rejected: {why}"
+        if len(rejected) > SHOWN:
+            yield f"so are those on {_numbers([entry for entry, _ in rejected[SHOWN:]])}"
+
+
+def decide(entries: Sequence[Entry], judge: Judge | None = None, recheck: bool = True) -> Outcome:
+    """Decide the statements and, unless told otherwise, check the verdicts again without the prover."""
+    started = perf_counter()
+    decided = tuple(decisions(entries, judge))
+    deciding = perf_counter() - started
+    if not recheck:
+        return Outcome(decided, deciding)
+    from chasles.cli.rechecking import recheck as check_again
+
+    return Outcome(decided, deciding, check_again(decided))
+
+
+def _stands_in_wrongly(decision: Decision) -> bool:
+    return not decision.verdict.true and decision.correction is not None and not decision.correction.verdict.true
+
+
+def _numbers(entries: Sequence[Entry]) -> str:
+    return ", ".join(number_in_words(entry.number, entry.statement.part) for entry in entries)

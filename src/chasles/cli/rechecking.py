@@ -1,0 +1,66 @@
+"""Do certificates prove and counterexamples refute? Asked of the checker, which shares no code with the prover."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from time import perf_counter
+
+from chasles.proof.certificate import Rejected, check
+from chasles.proof.judge import Decision
+from chasles.proof.refutation import check_counterexample
+from chasles.proof.verdict import Fails
+from chasles.report.decisions import Decided
+from chasles.report.waiting import watched
+from chasles.statements import Entry, Inverse, Statement, problem_of
+from chasles.statements.problem import default_form
+
+__all__ = ["Rechecked", "recheck"]
+
+
+@dataclass(frozen=True, slots=True)
+class Rechecked:
+    """How many certificates and counterexamples were checked, in how many seconds, and why some were rejected."""
+
+    certificates: int
+    counterexamples: int
+    seconds: float
+    rejected: tuple[tuple[Entry, str], ...]
+
+
+def recheck(decided: Sequence[Decided]) -> Rechecked:
+    """Check every certificate and every counterexample again."""
+    started = perf_counter()
+    certified = [(entry, decision, _prove) for entry, decision in decided if decision.certificate is not None]
+    refuted = [(entry, decision, _refute) for entry, decision in decided if _is_refuted(decision)]
+    rejected = []
+    total = len(certified) + len(refuted)
+    for entry, decision, check_again in watched([*certified, *refuted], total, "Checking again"):
+        try:
+            check_again(decision)
+        except Rejected as reason:
+            rejected.append((entry, str(reason)))
+    return Rechecked(len(certified), len(refuted), perf_counter() - started, tuple(rejected))
+
+
+def _is_refuted(decision: Decision) -> bool:
+    return isinstance(decision.verdict, Fails) and not isinstance(decision.statement, Inverse)
+
+
+def _prove(decision: Decision) -> None:
+    """Raises `Rejected` unless the certificate proves the form that stands."""
+    form = decision.correction.form if decision.correction and not decision.verdict.true else "printed"
+    check(decision.statement, form, decision.certificate, _standing(decision))
+
+
+def _refute(decision: Decision) -> None:
+    """Raises `Rejected` unless the counterexample refutes the print."""
+    assert isinstance(decision.verdict, Fails)
+    assert not isinstance(decision.statement, Inverse)
+    problem = problem_of(decision.statement, "printed", _standing(decision))
+    check_counterexample(problem, decision.verdict.counterexample)
+
+
+def _standing(decision: Decision) -> Callable[[Statement], str]:
+    """Those forms of given statements that the decision used."""
+    return lambda given: decision.given.get(f"{given.number}/{given.part}") or default_form(given)

@@ -1,0 +1,134 @@
+"""Is a program equal to what was asked for? Decided in the prover's own fractions, entry by entry, case by case."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import product
+from time import monotonic
+
+from chasles.lowering.algebra import Algebra
+from chasles.lowering.cases import Choice
+from chasles.lowering.program import Program
+from chasles.lowering.reading import Reading, Unreadable, angles_of
+from chasles.lowering.request import Request, argument_name
+from chasles.lowering.signs import Fork, Signs
+from chasles.proof.ratios import Ratio
+from chasles.proof.unfold import UndeclaredDivisor
+from chasles.proof.variables import Untreatable
+from chasles.vocabulary import Node, Symbol
+
+__all__ = ["BUDGET", "differences", "program_equals"]
+
+BUDGET = 20.0
+"""Seconds that one comparison may take over completing hypotheses."""
+
+
+def program_equals(request: Request, program: Program, budget: float = BUDGET) -> bool:
+    """Whether the program computes what the request asks for, wherever its expressions have a value."""
+    return not differences(request, program, budget)
+
+
+def differences(request: Request, program: Program, budget: float = BUDGET) -> tuple[str, ...]:
+    """Where the program is not, or is not seen to be, what the request asks for: one line each, none if it is equal.
+
+    Programs with selections are compared on every way through the cases, given what the cases say.
+    """
+    said = _shape(request, program)
+    if said:
+        return (said,)
+    found: dict[str, None] = {}
+    try:
+        angles = tuple(angles_of(program, request))
+        for way in product(*(range(len(c.cases) + (not c.is_exhaustive)) for c in request.choices)):
+            found |= dict.fromkeys(_on_way(request, program, way, angles, monotonic() + budget))
+    except (Unreadable, Untreatable, UndeclaredDivisor) as error:
+        found[str(error)] = None
+    return tuple(found)
+
+
+def _shape(request: Request, program: Program) -> str | None:
+    """What of the program's arguments and results is not the request's."""
+    wanted = [(argument_name(node), node.shape[0] * node.shape[1]) for node in request.of]
+    have = [(argument.name, _size(argument.shape)) for argument in program.arguments]
+    if wanted != have:
+        return f"its arguments are {have}, and {wanted} were asked for"
+    wanted = [(output.name, output.value.shape[0] * output.value.shape[1]) for output in request.outputs]
+    have = [(result.name, len(result.entries)) for result in program.results]
+    return f"its results are {have}, and {wanted} were asked for" if wanted != have else None
+
+
+def _size(shape: tuple[int, ...]) -> int:
+    total = 1
+    for extent in shape:
+        total *= extent
+    return total
+
+
+def _on_way(
+    request: Request, program: Program, way: Sequence[int], angles: tuple[Node, ...], deadline: float
+) -> Iterator[str]:
+    """The differences where each choice is in the case that `way` says; past its last case a choice has no value."""
+    rules: dict[Node, Node] = {}
+    valueless: list[Symbol] = []
+    for choice, place in zip(request.choices, way, strict=True):
+        if place == len(choice.cases):
+            valueless += choice.symbols
+        else:
+            rules |= dict(zip(choice.symbols, choice.cases[place].values, strict=True))
+    compared = [side for c in request.choices for case in c.cases for w in case.where for side in (w.left, w.right)]
+    algebra = Algebra(request, rules, (*compared, *angles), deadline)
+    waiting = [_signs(algebra, request.choices, way)]
+    while waiting:
+        signs = waiting.pop()
+        if not signs.is_possible:
+            continue
+        try:
+            yield from _compared(request, Reading(program, request, algebra, signs), program, signs, valueless)
+        except Fork as fork:
+            waiting += signs.forked(fork.difference)
+
+
+def _signs(algebra: Algebra, choices: Sequence[Choice], way: Sequence[int]) -> Signs:
+    """What the cases taken, and those passed over, say."""
+    signs = Signs(algebra)
+    for choice, place in zip(choices, way, strict=True):
+        for case in choice.cases[:place]:
+            signs = signs.not_in_case(case)
+        if place < len(choice.cases):
+            signs = signs.in_case(choice.cases[place])
+    return signs
+
+
+def _compared(
+    request: Request, reading: Reading, program: Program, signs: Signs, valueless: Sequence[Symbol]
+) -> Iterator[str]:
+    algebra = signs.algebra
+    lost = _Lost(request, algebra, valueless)
+    for output, result in zip(request.outputs, program.results, strict=True):
+        columns = output.value.shape[1]
+        for place, number in enumerate(result.entries):
+            row, column = divmod(place, columns)
+            wanted, found = algebra.entry(output.value, row, column), reading.value(number)
+            label = f"{result.name}, entry {row + 1}, {column + 1}"
+            if found is None or wanted in lost:
+                if found is not None or wanted not in lost:
+                    yield f"{label}: it has no value where the formula has one, or the other way round"
+            elif not algebra.vanishes(found - wanted, signs.zeros):
+                yield f"{label}: it is not what the formula says"
+
+
+class _Lost:
+    """The fractions that depend on symbols without a value, or on angles that are known by such."""
+
+    def __init__(self, request: Request, algebra: Algebra, valueless: Sequence[Symbol]) -> None:
+        variables = algebra.context.variables
+        self._ring = algebra.context.field.ring
+        self._field = algebra.context.field
+        self._places = {k for k, variable in enumerate(variables) if variable.symbol in valueless}
+        for symbol, angle in request.angles:
+            if any(algebra.entry(side) in self for side in (angle.cosine, angle.sine)):
+                self._places |= {k for k, variable in enumerate(variables) if variable.symbol == symbol}
+
+    def __contains__(self, ratio: Ratio) -> bool:
+        polynomials = (ratio.numerator, self._field.power_product(ratio.denominator))
+        return any(exponents[k] for p in polynomials for exponents, _ in self._ring.terms(p) for k in self._places)

@@ -1,0 +1,85 @@
+"""The request of a kernel that inverts a formula, branch by branch."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from chasles.lowering.program import Program
+from chasles.numerics.enclosures import plain_context
+from chasles.numerics.reference import Singular, evaluate
+from chasles.numerics.request import ROUNDINGS, Request, Values, inputs_of, longest_chain, output_of
+from chasles.numerics.small_matrices import Matrix
+from chasles.statements import Branch, Inverse, Kernel, Statement
+from chasles.statements.problem import default_form
+from chasles.statements.statement import bare, is_rule
+from chasles.vocabulary import Call, Negative, Node, Sum, plain
+
+__all__ = ["request_of_inverse"]
+
+DIGITS_OF_INPUTS = 40
+"""To how many digits inputs satisfy what a branch assumes, if they do: they are made with 50."""
+MORE_DIGITS = 20
+"""What the values of a branch are known to beyond the digits asked for: results are computed from them."""
+
+
+def request_of_inverse(
+    name: str,
+    sentence: Inverse,
+    kernel: Kernel | None = None,
+    program: Program | None = None,
+    standing: Callable[[Statement], str] = default_form,
+) -> Request:
+    """The request of an inverse's kernel: what it gives, with the values of the first branch that applies.
+
+    Off its hypotheses an inverse depends on how it is written, so its reference is taken at the exact point of which
+    the inputs are the rounding. Raises TypeError if the inverse asks for no kernel.
+    """
+    kernel = kernel or sentence.kernel
+    if kernel is None:
+        raise TypeError(f"({sentence.number}) asks for no kernel: give it one, or leave it out")
+    rules = dict(_rule(given, standing) for given in sentence.given if is_rule(given))
+    names = [result.name for result in program.results] if program else kernel.results or map(plain, sentence.gives)
+
+    def reference(values: Values, digits: int) -> tuple[Matrix, ...]:
+        known = {**values, **_arguments(sentence, values, rules, digits + MORE_DIGITS)}
+        return tuple(evaluate(part, known, rules, digits) for part in sentence.gives)
+
+    return Request(
+        name,
+        inputs_of(kernel, program),
+        tuple(map(output_of, names, sentence.gives)),
+        reference,
+        sentence.assuming,
+        rules,
+        roundings=longest_chain(program) if program else ROUNDINGS,
+        exact_inputs=True,
+    )
+
+
+def _rule(given: Statement, standing: Callable[[Statement], str]) -> tuple[Node, Node]:
+    left, right = given.form(standing(given))
+    return bare(left), right
+
+
+def _applies(branch: Branch, values: Values, rules: Mapping[Node, Node]) -> bool:
+    """Whether `where` is not zero and the hypotheses of the branch hold."""
+    if evaluate(branch.where, values, rules)[0][0] == 0:
+        return False
+    sides = [(left, right) for hypothesis in branch.assuming for left, right in hypothesis.equations]
+    differences = (evaluate(Sum((left, Negative(right))), values, rules, digits=1) for left, right in sides)
+    return all(abs(x) < 10.0**-DIGITS_OF_INPUTS for difference in differences for row in difference for x in row)
+
+
+def _arguments(sentence: Inverse, values: Values, rules: Mapping[Node, Node], digits: int) -> dict[Node, Any]:
+    """The formula's arguments, by the first branch that applies; raises `Singular` if none does."""
+    for branch in sentence.branches:
+        if not _applies(branch, values, rules):
+            continue
+        known: dict[Node, Any] = {key: evaluate(value, values, rules, digits) for key, value in branch.values}
+        for key in list(known):
+            if isinstance(key, Call) and key.function == "cos":
+                (cosine,), (sine,) = known[key][0], known[Call("sin", key.argument)][0]
+                known[key.argument] = plain_context(digits).atan2(sine, cosine)
+        return known
+    raise Singular(f"no branch of ({sentence.number}) applies here")

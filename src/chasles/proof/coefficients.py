@@ -1,0 +1,113 @@
+"""A term is a coefficient times a core: the coefficient is a number or depends on angles alone, the core on the rest.
+
+So 2 (3 - cos(phi)) (e . omega) e e^T has the coefficient 2 (3 - cos(phi)) and the core (e . omega) e e^T.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from math import gcd, lcm
+
+from chasles.vocabulary import Contract, Group, Negative, Node, Number, Quotient, Scale, Sum, Zero
+
+__all__ = ["ONE", "Function", "Term", "added", "product", "spelled", "split"]
+
+ONE = Number(Fraction(1))
+
+
+@dataclass(frozen=True, slots=True)
+class Term:
+    """coefficient * core; a core of None stands for the number one."""
+
+    coefficient: Node
+    core: Node | None
+
+
+@dataclass(frozen=True, slots=True)
+class Function:
+    """A function of angles that coefficients are made of: numerator / denominator."""
+
+    numerator: Node = ONE
+    denominator: Node | None = None
+
+    @property
+    def node(self) -> Node:
+        return self.numerator if self.denominator is None else Quotient(self.numerator, self.denominator)
+
+
+def split(node: Node, constant: Callable[[Node], bool]) -> Term:
+    """The term's coefficient and core; `constant` says which scalars depend on angles alone."""
+    if node.is_scalar and constant(node):
+        return Term(node, None)
+    match node:
+        case Negative(term):
+            inner = split(term, constant)
+            return Term(_negated(inner.coefficient), inner.core)
+        case Scale(factor, term):
+            one, other = split(factor, constant), split(term, constant)
+            return Term(product(one.coefficient, other.coefficient), _product(one.core, other.core))
+        case Quotient(numerator, denominator):
+            above = split(numerator, constant)
+            if constant(denominator):
+                return Term(Quotient(above.coefficient, denominator), above.core)
+            return Term(above.coefficient, Quotient(above.core or ONE, denominator))
+        case Contract(factors):
+            parts = [split(factor, constant) for factor in factors]
+            if any(part.core is None for part in parts):
+                return Term(ONE, node)
+            coefficient = ONE
+            for part in parts:
+                coefficient = product(coefficient, part.coefficient)
+            return Term(coefficient, Contract(tuple(part.core for part in parts if part.core is not None)))
+        case Group(of) if not isinstance(of, Sum):
+            return split(of, constant)
+        case _:
+            return Term(ONE, node)
+
+
+def product(factor: Node, term: Node | None) -> Node:
+    """factor * term, a factor of one left out."""
+    if term is None or term == ONE:
+        return factor
+    return term if factor == ONE else Scale(factor, term)
+
+
+def _product(one: Node | None, other: Node | None) -> Node | None:
+    if one is None or other is None:
+        return other if one is None else one
+    return Scale(one, other)
+
+
+def _negated(node: Node) -> Node:
+    return node.term if isinstance(node, Negative) else Negative(node)
+
+
+def spelled(parts: Iterable[tuple[Fraction, Function]]) -> Node | None:
+    """The sum of number * function, as a person would write it: 2 (2 + cos(phi)); None if it is zero."""
+    groups: dict[Node | None, list[tuple[Fraction, Node]]] = {}
+    for value, function in parts:
+        if value:
+            groups.setdefault(function.denominator, []).append((value, function.numerator))
+    pieces = []
+    for denominator, group in groups.items():
+        size = Fraction(gcd(*(v.numerator for v, _ in group)), lcm(*(v.denominator for v, _ in group)))
+        size = size if group[0][0] > 0 else -size
+        inner = added([_times(value / size, node) for value, node in group])
+        piece = product(Number(abs(size)), inner)
+        piece = piece if denominator is None else Quotient(piece, denominator)
+        pieces.append(piece if size > 0 else Negative(piece))
+    return added(pieces) if pieces else None
+
+
+def _times(value: Fraction, node: Node) -> Node:
+    scaled = product(Number(abs(value)), node)
+    return scaled if value > 0 else Negative(scaled)
+
+
+def added(terms: Sequence[Node]) -> Node:
+    """The sum of the terms, those of a sum among them one by one; zeros are left out."""
+    flat = [part for term in terms for part in (term.terms if isinstance(term, Sum) else (term,))]
+    kept = [term for term in flat if not isinstance(term, Zero)] or flat[:1]
+    return kept[0] if len(kept) == 1 else Sum(tuple(kept))

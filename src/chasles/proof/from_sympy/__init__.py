@@ -1,0 +1,5 @@
+"""From SymPy to words: a question on SymPy expressions becomes a `Problem`, or an error names what is not treated."""
+
+from chasles.proof.from_sympy.question import Question, ask
+
+__all__ = ["Question", "ask"]

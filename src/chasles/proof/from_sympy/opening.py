@@ -1,0 +1,112 @@
+"""What did the user hand in? Scalars and matrices, opened entry by entry, with nothing left to evaluate."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+from sympy.core.function import AppliedUndef
+from sympy.matrices import MatrixBase, MatrixExpr
+
+from chasles.proof.variables import Untreatable
+
+__all__ = ["Entries", "excerpt", "is_atom", "opened", "sides"]
+
+LONGEST_EXCERPT = 80
+
+
+@dataclass(frozen=True, slots=True)
+class Entries:
+    """The entries of a scalar or a matrix, row by row."""
+
+    rows: tuple[tuple[Any, ...], ...]
+    is_matrix: bool
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        return len(self.rows), len(self.rows[0]) if self.rows else 0
+
+    @property
+    def size(self) -> str:
+        """The shape in words."""
+        return f"a {self.shape[0]} x {self.shape[1]} matrix" if self.is_matrix else "a scalar"
+
+
+def excerpt(expression: Any) -> str:
+    """The expression in SymPy's spelling, cut short if it is long."""
+    text = str(expression)
+    return text if len(text) <= LONGEST_EXCERPT else f"{text[: LONGEST_EXCERPT - 4]} ..."
+
+
+def is_atom(expression: Any) -> bool:
+    """Whether the expression is a real variable to us: a symbol, an entry of one, a function of symbols or its rate."""
+    if isinstance(expression, sympy.Derivative):
+        return isinstance(expression.expr, AppliedUndef)
+    return isinstance(expression, sympy.Symbol | AppliedUndef | sympy.matrices.expressions.matexpr.MatrixElement)
+
+
+def opened(value: Any, what: str) -> Entries:
+    """The entries of what was handed in as `what`; raises `Untreatable` for what is no SymPy scalar or matrix."""
+    if isinstance(value, str):
+        raise Untreatable(f"{what} is the text {value!r}: hand in a SymPy expression, for instance sympify({value!r})")
+    try:
+        value = sympy.sympify(value, strict=True)
+    except sympy.SympifyError:
+        raise Untreatable(f"{what} is {value!r}, which is no SymPy expression or matrix") from None
+    if isinstance(value, MatrixExpr):
+        value = _explicit(value, what)
+    if isinstance(value, MatrixBase):
+        if 0 in value.shape:
+            raise Untreatable(f"{what} is an empty matrix, {value.shape[0]} x {value.shape[1]}")
+        rows = tuple(tuple(_evaluated(value[i, j]) for j in range(value.cols)) for i in range(value.rows))
+        return Entries(rows, is_matrix=True)
+    if not isinstance(value, sympy.Expr):
+        raise Untreatable(f"{what} is {excerpt(value)}, a {type(value).__name__}: a scalar or a matrix is expected")
+    return Entries(((_evaluated(value),),), is_matrix=False)
+
+
+def _explicit(value: Any, what: str) -> Any:
+    try:
+        return value.as_explicit()
+    except (ValueError, TypeError, AttributeError, NotImplementedError) as error:
+        raise Untreatable(f"{what} is {excerpt(value)}, whose entries SymPy cannot write out: {error}") from None
+
+
+def _evaluated(entry: Any) -> Any:
+    """The entry with derivatives of expressions taken, and without complex conjugates, all symbols being real."""
+    for inexact in entry.atoms(sympy.Float):
+        exact = str(sympy.nsimplify(inexact, rational=True))
+        raise Untreatable(f"{inexact} is a floating-point number, which is not exact: write Rational({exact!r})")
+    for derivative in entry.atoms(sympy.Derivative):
+        if not isinstance(derivative.expr, AppliedUndef):
+            entry = entry.xreplace({derivative: derivative.doit()})
+    names = {conjugate: conjugate.args[0] for conjugate in entry.atoms(sympy.conjugate, sympy.re)}
+    names |= {part: sympy.S.Zero for part in entry.atoms(sympy.im)}
+    return _evaluated(entry.xreplace(names)) if names else entry
+
+
+def sides(relation: Any, what: str) -> Iterator[tuple[Any, Any]]:
+    """The pairs that an equation, or an expression that is zero, sets equal, entry by entry.
+
+    Raises `Untreatable` for inequalities and for what is false on its face.
+    """
+    if relation is True or relation is sympy.true:
+        return
+    if relation is False or relation is sympy.false:
+        raise Untreatable(f"{what} is false: an equation between two sides that SymPy knows to differ")
+    if isinstance(relation, sympy.Equality):
+        left, right = opened(relation.lhs, what), opened(relation.rhs, what)
+    elif isinstance(relation, sympy.core.relational.Relational):
+        raise Untreatable(
+            f"{what} is {excerpt(relation)}, which is no equation: say `nonzero=[...]` for what does not vanish, "
+            "and Symbol('m', positive=True) for what is positive"
+        )
+    else:
+        left = opened(relation, what)
+        right = Entries(tuple(tuple(sympy.S.Zero for _ in row) for row in left.rows), left.is_matrix)
+    if left.shape != right.shape:
+        raise Untreatable(f"{what} sets {left.size} equal to {right.size}")
+    for one, other in zip(left.rows, right.rows, strict=True):
+        yield from zip(one, other, strict=True)

@@ -1,0 +1,247 @@
+"""Expressions: SymPy's tree as words. What is divided by and what stands under a root is collected on the way."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import reduce
+from math import isqrt
+from typing import Any
+
+import sympy
+
+from chasles.proof.deadline import check
+from chasles.proof.from_sympy.angles import Angles
+from chasles.proof.from_sympy.atoms import Atoms
+from chasles.proof.from_sympy.opening import excerpt, is_atom
+from chasles.proof.surds import squarefree
+from chasles.proof.variables import Untreatable
+from chasles.vocabulary import PI, Call, Negative, Node, Number, Power, Quotient, Scale, Sum, Symbol
+
+__all__ = ["Divisor", "Reader", "Root", "multiplied"]
+
+# What each function of an angle has above and below the line: 1, the cosine or the sine.
+CIRCULAR = {
+    sympy.sin: ("sin", ""), sympy.cos: ("cos", ""), sympy.tan: ("sin", "cos"), sympy.cot: ("cos", "sin"),
+    sympy.sec: ("", "cos"), sympy.csc: ("", "sin"),
+}  # fmt: skip
+TREATED = (
+    "rational functions of real symbols, of sin, cos, tan, cot, sec and csc of angles, of square roots and absolute "
+    "values, functions such as f(t) with their derivatives, and pi are"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Divisor:
+    """Something that does not vanish, and how to say so; `constant` if it is a number."""
+
+    node: Node
+    text: str
+    constant: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Root:
+    """`word` is the nonnegative square root of `radicand`."""
+
+    word: Symbol
+    radicand: Node
+    expression: Any
+
+
+class Reader:
+    """Reads SymPy expressions into words; one reader for everything that belongs to a question."""
+
+    def __init__(self) -> None:
+        self.atoms = Atoms()
+        self.angles = Angles(self.atoms)
+        self.divisors: dict[Node, Divisor] = {}
+        self.roots: dict[Node, Root] = {}
+        self.primes: dict[int, Symbol] = {}
+        self.met: set[Node] = set()
+        self._known: dict[Any, Node] = {}
+
+    def __call__(self, expression: Any) -> Node:
+        """The expression in words; raises `Untreatable` naming the part that is not treated."""
+        known = self._known.get(expression)
+        if known is None:
+            check()
+            known = self._known[expression] = self._read(expression)
+        return known
+
+    def _read(self, e: Any) -> Node:
+        if isinstance(e, sympy.Rational):
+            return Number(Fraction(int(e.p), int(e.q)))
+        if e is sympy.pi:
+            return PI
+        if is_atom(e):
+            return self.atoms.word(e)
+        if isinstance(e, sympy.Add):
+            return Sum(tuple(map(self, e.args)))
+        if isinstance(e, sympy.Mul) or _is_reciprocal(e):
+            return self._product(e)
+        if isinstance(e, sympy.Pow):
+            return self._power(e.base, e.exp, e)
+        if e.func in CIRCULAR:
+            return self._circular(e)
+        if isinstance(e, sympy.Abs):
+            return self.root(Power(self(e.args[0]), 2), e.args[0] ** 2)
+        raise _untreatable(e)
+
+    def declare(self, node: Node, text: str, constant: bool = False) -> None:
+        """Something does not vanish: a product does so where none of its factors does."""
+        match node:
+            case Number():
+                return
+            case Negative(term) | Power(term, _):
+                self.declare(term, text, constant)
+            case Scale(factor, term):
+                self.declare(factor, text, constant)
+                self.declare(term, text, constant)
+            case _:
+                self.met.add(node)
+                self.divisors.setdefault(node, Divisor(node, text, constant))
+
+    def _product(self, e: Any) -> Node:
+        """Factors above and below the line."""
+        above: list[Node] = []
+        below: list[Node] = []
+        negative = False
+        for factor in sympy.Mul.make_args(e):
+            if _is_reciprocal(factor):
+                self._divide(factor, above, below)
+            elif factor is sympy.S.NegativeOne:
+                negative = True
+            else:
+                above.append(self(factor))
+        product = Quotient(multiplied(above), multiplied(below)) if below else multiplied(above)
+        return Negative(product) if negative else product
+
+    def _divide(self, factor: Any, above: list[Node], below: list[Node]) -> None:
+        """Put a power with a negative exponent below the line; a base that is itself a fraction is turned over.
+
+        What stands below is an integral power, and no absolute value: x^(-1/2) = x^(1/2) / x.
+        """
+        base, exponent = factor.base, -factor.exp
+        while (isinstance(base, sympy.Abs) and exponent.is_Integer) or not exponent.is_Integer:
+            if exponent.is_Integer:
+                above += [] if exponent.is_even else [self(base)]
+                base, exponent = base.args[0], exponent + exponent % 2
+            else:
+                whole = sympy.ceiling(exponent)
+                above.append(self._power(base, whole - exponent, factor))
+                exponent = whole
+        node, power = self(base), int(exponent)
+        if _divides(base):
+            numerator, denominator = sympy.fraction(sympy.together(_in_sines(base)))
+            if _divides(numerator) or _divides(denominator):
+                raise Untreatable(f"{excerpt(factor)} is not treated: SymPy finds no common denominator in it")
+            node, other = self(numerator), self(denominator)
+            above.append(_raised(other, power))
+        self.declare(node, f"{base} {'> 0' if base.is_positive else '!= 0'}", not base.free_symbols)
+        below.append(_raised(node, power))
+
+    def _power(self, base: Any, exponent: Any, whole: Any) -> Node:
+        base = base.args[0] if isinstance(base, sympy.Abs) and exponent.is_even else base
+        return self._halves(self(base), base, exponent, whole)
+
+    def _halves(self, node: Node, base: Any, exponent: Any, whole: Any) -> Node:
+        """A power with the exponent p, p/2, p/4, ... as an integral power of nested square roots."""
+        if not exponent.is_Rational or exponent.q & (exponent.q - 1):
+            raise _untreatable(whole)
+        power, below = int(exponent.p), int(exponent.q)
+        while below > 1:
+            node, base, below = self.root(node, base), sympy.sqrt(base), below // 2
+        return _raised(node, power)
+
+    def root(self, radicand: Node, expression: Any) -> Node:
+        """The nonnegative square root; a number's is a multiple of the roots of primes."""
+        if isinstance(radicand, Number):
+            return self.numeric_root(radicand.value)
+        if radicand not in self.roots:
+            word = self.atoms.fresh(f"root_{len(self.roots) + 1}", sympy.sqrt(expression))
+            self.roots[radicand] = Root(word, radicand, expression)
+        return self.roots[radicand].word
+
+    def numeric_root(self, value: Fraction) -> Node:
+        """The square root of a nonnegative rational number, in the square roots of primes."""
+        parts = squarefree(value.numerator * value.denominator) if value > 0 else (0, 1)
+        if value < 0 or parts is None:
+            what = "is not real" if value < 0 else "has no known factors"
+            raise Untreatable(f"sqrt({value}) is not treated: it {what}")
+        primes: list[Node] = [self._prime(p) for p in _primes(parts[1])]
+        factor = Fraction(parts[0], value.denominator)
+        return multiplied(primes if primes and factor == 1 else [Number(factor), *primes])
+
+    def _prime(self, number: int) -> Symbol:
+        if number not in self.primes:
+            self.primes[number] = self.atoms.fresh(f"root_of_{number}", sympy.sqrt(number))
+        return self.primes[number]
+
+    def _circular(self, e: Any) -> Node:
+        """A function of an angle: that of a multiple of pi is taken apart and evaluated by SymPy."""
+        above, below = CIRCULAR[e.func]
+        if not below:
+            return self._of_angle(above, e.args[0])
+        divisor = self._of_angle(below, e.args[0])
+        self.declare(divisor, f"{below}({e.args[0]}) != 0", not e.free_symbols)
+        return Quotient(self._of_angle(above, e.args[0]), divisor)
+
+    def _of_angle(self, function: str, argument: Any) -> Node:
+        if not function:
+            return Number(Fraction(1))
+        angle, cosine, sine = self.angles(argument)
+        if angle is None:
+            return self(cosine if function == "cos" else sine)
+        if sine == 0 and cosine == 1:
+            return Call(function, angle)
+        one, other = (Scale(self(value), Call(f, angle)) for value, f in _addition(function, cosine, sine))
+        return Sum((one, other))
+
+
+def _addition(function: str, cosine: Any, sine: Any) -> tuple[tuple[Any, str], tuple[Any, str]]:
+    """The addition formulas: what multiplies the cosine and what the sine of the other angle."""
+    return ((cosine, "cos"), (-sine, "sin")) if function == "cos" else ((sine, "cos"), (cosine, "sin"))
+
+
+def _is_reciprocal(e: Any) -> bool:
+    return isinstance(e, sympy.Pow) and bool(e.exp.is_Rational and e.exp.is_negative)
+
+
+def _divides(e: Any) -> bool:
+    """Whether the expression, as a rational function, divides by something."""
+    if isinstance(e, sympy.Add | sympy.Mul | sympy.Abs):
+        return any(map(_divides, e.args))
+    if isinstance(e, sympy.Pow):
+        return _is_reciprocal(e) or _divides(e.base)
+    return bool(CIRCULAR.get(e.func, ("", ""))[1])
+
+
+def _in_sines(e: Any) -> Any:
+    """The expression with every other function of an angle written as a quotient of sines and cosines."""
+    named = {"": lambda _: sympy.S.One, "sin": sympy.sin, "cos": sympy.cos}
+    others = {
+        call: named[CIRCULAR[call.func][0]](*call.args) / named[CIRCULAR[call.func][1]](*call.args)
+        for call in e.atoms(*(f for f, (_, below) in CIRCULAR.items() if below))
+    }
+    return e.xreplace(others)
+
+
+def multiplied(factors: list[Node]) -> Node:
+    """The product; one if there are no factors."""
+    return reduce(lambda total, factor: Scale(total, factor), factors) if factors else Number(Fraction(1))
+
+
+def _raised(node: Node, power: int) -> Node:
+    return node if power == 1 else Power(node, power)
+
+
+def _primes(number: int) -> list[int]:
+    for divisor in range(2, isqrt(number) + 1):
+        if number % divisor == 0:
+            return [divisor, *_primes(number // divisor)]
+    return [number] if number > 1 else []
+
+
+def _untreatable(e: Any) -> Untreatable:
+    return Untreatable(f"{excerpt(e)} is not treated: {TREATED}")

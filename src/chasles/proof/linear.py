@@ -1,0 +1,105 @@
+"""Linear systems in residues modulo a large prime, and the rational numbers that residues stand for.
+
+A residue system is the image of one over the rational numbers. What is found in it is a conjecture until it is proved;
+that it has no solution, or several, is true of the rational system unless the prime divides one of its minors.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from math import isqrt
+
+__all__ = ["MODULUS", "Column", "Span", "combination", "minus", "multiple", "rational"]
+
+MODULUS = (1 << 61) - 1
+LARGEST = 1 << 20
+"""Numerators and denominators above this one are no coefficients that a book prints."""
+
+Column = list[int]
+
+
+class Span:
+    """What a growing set of columns spans: an echelon form, each row with a one at its pivot."""
+
+    def __init__(self, columns: Iterable[Column] = ()) -> None:
+        self.rows: list[tuple[int, Column]] = []
+        self.independent = all([self.add(column) for column in columns])
+
+    @property
+    def pivots(self) -> list[int]:
+        """Places whose entries tell the columns of the span apart."""
+        return [pivot for pivot, _ in self.rows]
+
+    def reduced(self, column: Column) -> Column:
+        """The column less what the span has of it; zero exactly if it is in the span."""
+        for pivot, row in self.rows:
+            if factor := column[pivot]:
+                column = [(a - factor * b) % MODULUS for a, b in zip(column, row, strict=True)]
+        return column
+
+    def add(self, column: Column) -> bool:
+        """Whether the column is new to the span, which has it from then on."""
+        column = self.reduced(column)
+        pivot = next((place for place, entry in enumerate(column) if entry), None)
+        if pivot is None:
+            return False
+        inverse = pow(column[pivot], -1, MODULUS)
+        self.rows.append((pivot, [entry * inverse % MODULUS for entry in column]))
+        return True
+
+
+def minus(one: Column, other: Column) -> Column:
+    """The difference of two columns."""
+    return [(a - b) % MODULUS for a, b in zip(one, other, strict=True)]
+
+
+def multiple(column: Column, of: Column) -> int | None:
+    """The residue k with column = k of; None if there is none, or if `of` vanishes."""
+    place = next((place for place, entry in enumerate(of) if entry), None)
+    if place is None:
+        return None
+    k = column[place] * pow(of[place], -1, MODULUS) % MODULUS
+    return k if all((a - k * b) % MODULUS == 0 for a, b in zip(column, of, strict=True)) else None
+
+
+def combination(columns: Sequence[Column], target: Column) -> list[Fraction] | None:
+    """The rational coefficients with which the columns add up to the target; None if there are none, or several."""
+    size, rows = len(columns), list(zip(*columns, target, strict=True))
+    pivots: dict[int, list[int]] = {}
+    for row in rows:
+        line = list(row)
+        for column, pivot in pivots.items():
+            if factor := line[column]:
+                line = [(a - factor * b) % MODULUS for a, b in zip(line, pivot, strict=True)]
+        lead = next((column for column in range(size) if line[column]), None)
+        if lead is None:
+            if line[size]:
+                return None
+            continue
+        inverse = pow(line[lead], -1, MODULUS)
+        pivots[lead] = [entry * inverse % MODULUS for entry in line]
+        if len(pivots) == size:
+            break
+    if len(pivots) < size:
+        return None
+    values = [0] * size
+    for column, pivot in reversed(pivots.items()):
+        values[column] = (pivot[size] - sum(pivot[k] * values[k] for k in range(size) if k != column)) % MODULUS
+    if any((sum(a * x for a, x in zip(row, values, strict=False)) - row[size]) % MODULUS for row in rows):
+        return None
+    found = [rational(value) for value in values]
+    return [value for value in found if value is not None] if None not in found else None
+
+
+def rational(residue: int) -> Fraction | None:
+    """The one fraction of small numerator and denominator that leaves this residue, if there is one."""
+    bound = min(LARGEST, isqrt(MODULUS // 2))
+    above, below = (MODULUS, residue % MODULUS), (0, 1)
+    while above[1] > bound:
+        quotient = above[0] // above[1]
+        above = above[1], above[0] - quotient * above[1]
+        below = below[1], below[0] - quotient * below[1]
+    if below[1] == 0 or abs(below[1]) > bound:
+        return None
+    return Fraction(above[1], below[1])

@@ -1,0 +1,1 @@
+"""What the checker of certificates reads a declaration with; nothing here is the prover's."""

@@ -1,0 +1,209 @@
+"""Does a counterexample refute? It is evaluated again, exactly, by the checker's own arithmetic, at the point it shows.
+
+What it leaves out must follow from it: a norm from its vector, anything else from linear equations. Where there is a
+choice, the simplest is made; no other value is looked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from math import isqrt
+from typing import Protocol
+
+from chasles.proof.certificate import QUARTERS, Point, point_of, require, value_at
+from chasles.proof.recheck.reading import Reading
+from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected
+from chasles.statements import Goal, Problem
+from chasles.vocabulary import PI
+
+__all__ = ["Shown", "check_counterexample"]
+
+Value = Mapping[int, Fraction]
+IDENTITY = (1, 0, 0, 0, 1, 0, 0, 0, 1)
+SIMPLEST = {
+    "unit": (1, 0, 0),
+    "positive": (1,),
+    "rotation": IDENTITY,
+    "orthonormal": IDENTITY,
+    "half_turn": (1, 0, 0, 0, -1, 0, 0, 0, -1),
+}
+"""Entries of the subjects of a hypothesis, where a counterexample leaves all of them out."""
+
+
+class Shown(Protocol):
+    """A point by name, row and column counted from one, the two sides there as text, and the equation's label."""
+
+    @property
+    def at(self) -> Mapping[str, Fraction]: ...
+    @property
+    def entry(self) -> tuple[int, int]: ...
+    @property
+    def left(self) -> str: ...
+    @property
+    def right(self) -> str: ...
+    @property
+    def goal(self) -> str: ...
+
+
+def check_counterexample(problem: Problem, shown: Shown) -> None:
+    """The point satisfies every hypothesis and condition, and there the entry's two sides differ and are as shown.
+
+    Raises `Rejected` with the reason if not.
+    """
+    reading = Reading(problem, shown.at)
+    units = [(what[1], what[2]) for what in reading.variables if what[0] == "cos"]
+    if len({symbol for symbol, _ in units}) < len(units):
+        raise Rejected("the point does not say by which fraction of an angle its cosine and sine are measured")
+    goals = [goal for goal in problem.goals if goal.label == shown.goal]
+    if not goals:
+        raise Rejected(f"no equation of the statement is called {shown.goal!r}")
+    reasons = [_objection(reading, goal, shown) for goal in goals]
+    if all(reasons):
+        raise Rejected(str(reasons[0]))
+
+
+def _objection(reading: Reading, goal: Goal, shown: Shown) -> str:
+    """Why the counterexample does not refute this equation; empty if it does."""
+    row, column = shown.entry
+    rows, columns = goal.left.shape
+    if not (1 <= row <= rows and 1 <= column <= columns):
+        return f"the equation has no entry {row}, {column}"
+    sides = [reading(side)[row - 1][column - 1] for side in (goal.left, goal.right)]
+    relevant = _connected(reading, sides[0].places | sides[1].places)
+    try:
+        point = _completed(reading, shown.at, relevant)
+        require(reading, point, relevant)
+        left, right = (_quotient(reading, side, point) for side in sides)
+    except Rejected as error:
+        return str(error)
+    if left == right:
+        return f"both sides are {_text(reading, left, point)} at the point"
+    texts = (_text(reading, left, point), _text(reading, right, point))
+    if texts != (shown.left, shown.right):
+        return f"the sides are {texts[0]} and {texts[1]} at the point, not {shown.left} and {shown.right}"
+    return ""
+
+
+def _connected(reading: Reading, places: set[int]) -> set[int]:
+    """The variables on which the sides, the conditions and all hypotheses on these variables depend."""
+    relevant = places.union(*(condition.places for condition in reading.conditions))
+    relevant = relevant.union(*(reading.atoms[k].places for k in relevant if k < len(reading.atoms)))
+    known = [polynomial.places for polynomial in (*reading.vanishing.values(), *reading.atoms)]
+    while more := [places for places in known if places & relevant and not places <= relevant]:
+        relevant = relevant.union(*more)
+    return {place for place in relevant if place >= len(reading.atoms)}
+
+
+def _completed(reading: Reading, at: Mapping[str, Fraction], relevant: set[int]) -> Point:
+    """The point, with values for what it leaves out."""
+    point = point_of(reading, at)
+    _angles(reading, point, relevant)
+    _choose(reading, point, relevant)
+    _norms(reading, point, relevant)
+    _linear(reading, point, [k for k in sorted(relevant - point.keys()) if reading.variables[k][0] == "entry"])
+    _norms(reading, point, relevant)
+    return point
+
+
+def _angles(reading: Reading, point: Point, relevant: set[int]) -> None:
+    """A sine or cosine that is left out is not negative; an angle beside them is transcendental, or quarter turns."""
+    measured = {what[1]: (place, what[2]) for place, what in enumerate(reading.variables) if what[0] == "cos"}
+    for cosine, _ in measured.values():
+        for known, other in ((cosine, cosine + 1), (cosine + 1, cosine)):
+            root = _root(1 - point[known][0] ** 2) if known in point and other not in point else None
+            if root is not None:
+                point[other] = root, 0
+    symbols = {reading.places.get(symbol.name): symbol for symbol in (PI, *measured)}
+    bare = {place: symbols[place] for place in relevant - point.keys() if place in symbols}
+    for place, symbol in bare.items():
+        point[place] = Fraction(1), 1
+        if len(bare) > 1 and symbol != PI:
+            cosine, unit = measured[symbol]
+            turn = tuple(point[k][0] for k in (cosine, cosine + 1) if k in point)
+            if turn not in QUARTERS:
+                raise Rejected(f"{symbol} is measured by pi here, and its cosine and sine are not of quarter turns")
+            point[place] = Fraction(QUARTERS.index(turn), 2) / unit, 1
+
+
+def _choose(reading: Reading, point: Point, relevant: set[int]) -> None:
+    """What is left out altogether is as simple as its hypothesis, or its norm, allows."""
+    wanted = [(h.subjects, SIMPLEST[h.kind]) for h in reading.problem.hypotheses if h.kind in SIMPLEST]
+    norms = [(what[1], point[k][0]) for k, what in enumerate(reading.variables) if what[0] == "norm" and k in point]
+    for subjects, numbers in [*wanted, *(((of,), (size, *[0] * (of.shape[0] - 1))) for of, size in norms)]:
+        entries = [entry for subject in subjects for row in reading(subject) for entry in row]
+        places = [place for entry in entries for place in entry.places]
+        if len(places) == len(numbers) and relevant.issuperset(places) and point.keys().isdisjoint(places):
+            point.update({place: (Fraction(number), 0) for place, number in zip(places, numbers, strict=True)})
+
+
+def _norms(reading: Reading, point: Point, relevant: set[int]) -> None:
+    """A norm that is left out is the square root, where that is rational."""
+    for place in sorted(relevant - point.keys()):
+        kind, of, *_ = reading.variables[place]
+        entries = [entry for (entry,) in reading(of)] if kind == "norm" else []
+        if entries and all(entry.places <= point.keys() for entry in entries):
+            numbers = [number for entry in entries for number in _quotient(reading, entry, point).values()]
+            root = _root(sum((number * number for number in numbers), Fraction(0)))
+            if root is not None:
+                point[place] = root, 0
+
+
+def _linear(reading: Reading, point: Point, missing: list[int]) -> None:
+    """What is left out and occurs linearly in what vanishes is solved for; what that leaves free is zero."""
+    rows: list[list[Fraction]] = []
+    zeros = point | {place: (Fraction(0), 0) for place in missing}
+    for polynomial in reading.vanishing.values():
+        partials = polynomial.partials()
+        slopes = [partials.get(place, ZERO) for place in missing]
+        if polynomial.places <= zeros.keys() and not any(slope.places & {*missing} for slope in slopes):
+            values = [value_at(part, zeros) for part in (*slopes, -polynomial)]
+            if all(value.keys() <= {0} for value in values):
+                rows.append([value.get(0, Fraction(0)) for value in values])
+    for place, value in zip(missing, _solution(rows, len(missing)), strict=True):
+        point[place] = value, 0
+
+
+def _solution(rows: list[list[Fraction]], size: int) -> list[Fraction]:
+    """Values that satisfy the equations, by elimination, if any do; zero where there is a choice."""
+    pivots: list[int] = []
+    for column in range(size):
+        done = len(pivots)
+        pivot = next((row for row in range(done, len(rows)) if rows[row][column]), None)
+        if pivot is not None:
+            rows[done], rows[pivot] = rows[pivot], rows[done]
+            rows[done] = [x / rows[done][column] for x in rows[done]]
+            for row in {*range(len(rows))} - {done}:
+                rows[row] = [x - rows[row][column] * y for x, y in zip(rows[row], rows[done], strict=True)]
+            pivots.append(column)
+    values = {column: row[-1] for column, row in zip(pivots, rows, strict=False)}
+    return [values.get(column, Fraction(0)) for column in range(size)]
+
+
+def _root(square: Fraction) -> Fraction | None:
+    if square < 0:
+        return None
+    root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
+    return root if root * root == square else None
+
+
+def _quotient(reading: Reading, polynomial: Polynomial, point: Point) -> Value:
+    """The value of an expression, its inverses of atoms evaluated too."""
+    numerator, powers = reading.cleared(polynomial)
+    below = value_at(reading.product(powers), point)
+    if len(below) != 1:
+        raise Rejected("what is divided by is zero at the point, or a sum in a transcendental number")
+    ((shift, divisor),) = below.items()
+    return {power - shift: value / divisor for power, value in value_at(numerator, point).items()}
+
+
+def _text(reading: Reading, value: Value, point: Point) -> str:
+    """The value as 1/2, 2 pi, 1 - 3/4 phi."""
+    bare = [place for place, (_, power) in point.items() if power]
+    name = reading.variables[bare[0]][1].name if len(bare) == 1 else "pi"
+    text = ""
+    for power, number in sorted(value.items()):
+        unit = name if power == 1 else f"{name}^{power}"
+        size = str(abs(number)) if not power else unit if abs(number) == 1 else f"{abs(number)} {unit}"
+        text += f" {'-' if number < 0 else '+'} {size}" if text else f"{'-' * (number < 0)}{size}"
+    return text or "0"

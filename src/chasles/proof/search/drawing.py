@@ -1,0 +1,189 @@
+"""One attempt at a point: frames and fixed angles first, then equations, then the rest; roots as soon as they can be."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from random import Random
+
+from chasles.proof.deadline import check
+from chasles.proof.search.angles import Turning
+from chasles.proof.search.solving import solve_one, solve_together, unknowns
+from chasles.proof.search.stage import Stage
+from chasles.proof.search.values import Partial, Values, degree
+from chasles.proof.surds import Exact, square_root
+
+__all__ = ["Drawing", "Frame"]
+
+PLAIN_ATTEMPTS = 12
+TRIES = 12
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """The names of the entries of a matrix with orthonormal columns; `proper` if its determinant is one."""
+
+    rows: tuple[tuple[str, ...], ...]
+    proper: bool
+
+
+class Drawing:
+    """Draws points on a stage."""
+
+    def __init__(
+        self, stage: Stage, turning: Turning, frames: Sequence[Frame], allowed: Callable[[str, Exact], bool]
+    ) -> None:
+        self.stage = stage
+        self.turning = turning
+        self.frames = frames
+        self.allowed = allowed
+
+    def attempt(self, random: Random, number: int) -> Values | None:
+        """Values of all variables at which everything holds; None if it does not work out this time."""
+        self.random = random
+        self.plain = number < PLAIN_ATTEMPTS
+        self.values = Values()
+        for frame in self.frames:
+            self._draw_frame(frame)
+        drawn = self.turning.draw(self.values, self._number, random)
+        if not (drawn and self._solve() and self._draw_rest() and self._holds()):
+            return None
+        return self.values
+
+    def _number(self, place: int) -> Fraction:
+        """A small number that the variable may be."""
+        reach = 2 if self.plain else 5
+        for _ in range(TRIES):
+            below = 1 if self.plain else self.random.choice((1, 1, 1, 2, 3))
+            value = Fraction(self.random.randint(-reach, reach), below)
+            if place in self.stage.roots:
+                return abs(value)
+            if self.allowed(self.stage.names[place], Exact.rational(value)):
+                break
+        return value
+
+    def _draw_frame(self, frame: Frame) -> None:
+        size = len(frame.rows)
+        matrix = [[Fraction(int(i == j)) for j in range(size)] for i in range(size)]
+        reflections = 2 if frame.proper else self.random.choice((1, 2))
+        for _ in range(reflections):
+            matrix = self._reflected(matrix)
+        for names, entries in zip(frame.rows, matrix, strict=True):
+            for name, entry in zip(names, entries, strict=False):
+                if name in self.stage.place:
+                    self.values[self.stage.place[name]] = entry
+
+    def _reflected(self, matrix: list[list[Fraction]]) -> list[list[Fraction]]:
+        """The columns reflected in a random plane."""
+        size = len(matrix)
+        reach = 1 if self.plain else 3
+        normal = [0] * size
+        while not any(normal):
+            normal = [self.random.randint(-reach, reach) for _ in range(size)]
+        square = sum(n * n for n in normal)
+        along = [sum(n * row[j] for n, row in zip(normal, matrix, strict=True)) for j in range(size)]
+        return [
+            [entry - Fraction(2 * n, square) * along[j] for j, entry in enumerate(row)]
+            for n, row in zip(normal, matrix, strict=True)
+        ]
+
+    def _solve(self) -> bool:
+        """Satisfy the equations, roots included, until nothing is left that asks for a value."""
+        equations = list(self.stage.equations)
+        free = [a for a in self.stage.angles if a.cosine not in self.values]
+        equations += [self.stage.circles[angle.sine] for angle in free]
+        roots = dict(self.stage.roots)
+        while True:
+            check()
+            for place, radicand in list(roots.items()):
+                inside = self.values.into(radicand)
+                if place in self.values:
+                    equations.append([*radicand, (((place, 2),), Fraction(-1))])
+                    del roots[place]
+                elif not unknowns([inside]):
+                    value = inside.get((), Exact({})).as_rational
+                    root = None if value is None else square_root(value)
+                    if root is None:
+                        return False
+                    self.values[place] = root
+                    del roots[place]
+            partials = [self.values.into(terms) for terms in equations]
+            if any(partial and not unknowns([partial]) for partial in partials):
+                return False
+            equations = [terms for terms, partial in zip(equations, partials, strict=True) if partial]
+            partials = [partial for partial in partials if partial]
+            if partials:
+                if not self._step(partials):
+                    return False
+            elif not roots:
+                return True
+            elif not self._draw_radicand(next(iter(roots.values()))):
+                return False
+
+    def _step(self, partials: list[Partial]) -> bool:
+        """Satisfy the linear equations, or one of the others."""
+        linear = [partial for partial in partials if degree(partial) <= 1]
+        others = [partial for partial in partials if degree(partial) > 1]
+        if linear and (not others or self.random.random() < 0.7):
+            solution = solve_together(linear, self._number, self.random)
+        else:
+            solution = solve_one(self.random.choice(others), self._number, self.random, self.plain)
+        if solution is None:
+            return False
+        for place, value in solution.items():
+            self.values[place] = value
+        return True
+
+    def _draw_radicand(self, radicand: Sequence[tuple[tuple[tuple[int, int], ...], Fraction]]) -> bool:
+        """Values of the variables under a root for which it is real, rational if that is soon found."""
+        places = [k for k in unknowns([self.values.into(radicand)]) if k not in self.stage.roots]
+        if not places:
+            inner = [k for k in unknowns([self.values.into(radicand)])]
+            return self._draw_radicand(self.stage.roots[inner[0]])
+        good: dict[int, Fraction] | None = None
+        for _ in range(TRIES):
+            point = {place: self._number(place) for place in places}
+            trial = Values()
+            trial.rational, trial.irrational = {**self.values.rational, **point}, self.values.irrational
+            inside = trial.into(radicand)
+            root = self._root_of(inside)
+            good = point if root is not None or (unknowns([inside]) and good is None) else good
+            if root is not None and root.as_rational is not None:
+                break
+        for place, value in (good or {}).items():
+            self.values[place] = value
+        return good is not None
+
+    def _root_of(self, inside: Partial) -> Exact | None:
+        value = None if unknowns([inside]) else inside.get((), Exact({})).as_rational
+        return None if value is None else square_root(value)
+
+    def _draw_rest(self) -> bool:
+        for place in range(len(self.stage.names)):
+            if place not in self.values:
+                self.values[place] = self._number(place)
+        return True
+
+    def _holds(self) -> bool:
+        """Whether everything holds: the last word, whatever led here."""
+        values = self.values
+        squares = ((place, values[place] * values[place] - values.of(inside)) for place, inside in self.stage.roots.items())
+        return (
+            all(values.of(terms).is_zero for terms in (*self.stage.equations, *self.stage.circles.values()))
+            and all(rest.is_zero and _is_nonnegative(values[place]) for place, rest in squares)
+            and not any(values.of(atom).is_zero for atom in self.stage.atoms)
+            and not any(values[place].is_zero for place in self.turning.nonzero())
+            and all(
+                self.allowed(name, values[place])
+                for place, name in enumerate(self.stage.names)
+                if place not in self.stage.roots
+            )
+        )
+
+
+def _is_nonnegative(value: Exact) -> bool:
+    """Whether a number is visibly not negative: a single multiple of a square root."""
+    return value.is_zero or (
+        len(value.terms) == 1 and all(c > 0 and power == 0 for (power, _), c in value.terms.items())
+    )

@@ -1,0 +1,144 @@
+"""Values that satisfy equations: linear ones all at once, others one at a time through a point with small coordinates.
+
+A quadric is left through a second point on a line: rational coordinates stay rational. What is not found at one draw is
+tried again at another.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from random import Random
+
+from chasles.proof.search.values import Partial, Values, degree
+from chasles.proof.surds import Exact, square_root
+
+__all__ = ["solve_one", "solve_together", "unknowns"]
+
+Draw = Callable[[int], Fraction]
+TRIES = 60
+
+
+def unknowns(partials: Sequence[Partial]) -> list[int]:
+    """The places of the variables that have no value."""
+    return sorted({k for partial in partials for monomial in partial for k, _ in monomial})
+
+
+def solve_together(partials: Sequence[Partial], draw: Draw, random: Random) -> dict[int, Exact] | None:
+    """A solution of linear equations; what they leave free is drawn. None if they contradict each other."""
+    places = unknowns(partials)
+    random.shuffle(places)
+    rows = [[p.get(((k, 1),), Exact({})) for k in places] + [-p.get((), Exact({}))] for p in partials]
+    pivots: list[int] = []
+    for column in range(len(places)):
+        lead = len(pivots)
+        chosen = next((r for r in range(lead, len(rows)) if not rows[r][column].is_zero), None)
+        inverse = rows[chosen][column].inverse() if chosen is not None else None
+        if chosen is None or inverse is None:
+            continue
+        rows[lead], rows[chosen] = rows[chosen], rows[lead]
+        rows[lead] = [entry * inverse for entry in rows[lead]]
+        for r, row in enumerate(rows):
+            if r != lead and not row[column].is_zero:
+                factor = row[column]
+                rows[r] = [a - factor * b for a, b in zip(row, rows[lead], strict=True)]
+        pivots.append(column)
+    if any(not row[-1].is_zero for row in rows[len(pivots) :]):
+        return None
+    solution = {k: Exact.rational(draw(k)) for i, k in enumerate(places) if i not in pivots}
+    for row, column in zip(rows, pivots, strict=False):
+        value = row[-1]
+        for i, k in enumerate(places):
+            if i not in pivots:
+                value = value - row[i] * solution[k]
+        solution[places[column]] = value
+    return solution
+
+
+def solve_one(partial: Partial, draw: Draw, random: Random, plain: bool) -> dict[int, Exact] | None:
+    """Values of all the unknowns of one equation that satisfy it, if some are found; `plain` asks for simple ones."""
+    places = unknowns([partial])
+    linear = [k for k in places if all(e == 1 for monomial in partial for place, e in monomial if place == k)]
+    if linear:
+        return _for_one(partial, random.choice(linear), places, draw, random)
+    if degree(partial) == 2:
+        found = _on_quadric(partial, places, random, plain)
+        if found is not None:
+            return found
+    return _for_one(partial, random.choice(places), places, draw, random) or _small(partial, places, random)
+
+
+def _for_one(
+    partial: Partial, target: int, places: list[int], draw: Draw, random: Random
+) -> dict[int, Exact] | None:
+    """Draw all unknowns but one, and solve a linear or quadratic equation for that."""
+    solution = {k: Exact.rational(draw(k)) for k in places if k != target}
+    values = Values()
+    for k, value in solution.items():
+        values[k] = value
+    powers = [Exact({})] * 3
+    for monomial, coefficient in partial.items():
+        exponent = dict(monomial).get(target, 0)
+        if exponent > 2:
+            return None
+        rest = tuple(pair for pair in monomial if pair[0] != target)
+        powers[exponent] = powers[exponent] + coefficient * values.of([(rest, Fraction(1))])
+    root = _quadratic(powers, random)
+    if root is None:
+        return None
+    solution[target] = root if isinstance(root, Exact) else Exact.rational(draw(target))
+    return solution
+
+
+def _quadratic(powers: list[Exact], random: Random) -> Exact | bool | None:
+    """A real solution of a quadratic equation; True if every number is one, None if none is found."""
+    c, b, a = powers
+    if a.is_zero:
+        if b.is_zero:
+            return True if c.is_zero else None
+        inverse = b.inverse()
+        return None if inverse is None else -c * inverse
+    inverse = (a + a).inverse()
+    discriminant = (b * b - a * c * Exact.rational(4)).as_rational
+    root = None if discriminant is None else square_root(discriminant)
+    if inverse is None or root is None:
+        return None
+    return (random.choice((root, -root)) - b) * inverse
+
+
+def _small(partial: Partial, places: list[int], random: Random) -> dict[int, Exact] | None:
+    """Small integers that satisfy the equation."""
+    for trial in range(TRIES):
+        reach = 1 if trial < TRIES // 2 else 3
+        point = {k: Fraction(random.randint(-reach, reach)) for k in places}
+        if _at(partial, point).is_zero:
+            return {k: Exact.rational(x) for k, x in point.items()}
+    return None
+
+
+def _on_quadric(partial: Partial, places: list[int], random: Random, plain: bool) -> dict[int, Exact] | None:
+    """A point of a quadric: a small one, or where a line through a small one meets the quadric again."""
+    start = _small(partial, places, random)
+    if start is None or plain:
+        return start
+    point = {k: value.as_rational or Fraction(0) for k, value in start.items()}
+    way = {k: Fraction(random.randint(-3, 3)) for k in places}
+    ahead = _at(partial, {k: point[k] + way[k] for k in places})
+    behind = _at(partial, {k: point[k] - way[k] for k in places})
+    # Along the line the polynomial is t (slope + curve t), for it vanishes at t = 0.
+    slope, curve = (ahead - behind) * Exact.rational(Fraction(1, 2)), (ahead + behind) * Exact.rational(Fraction(1, 2))
+    inverse = curve.inverse()
+    t = None if inverse is None else (-slope * inverse).as_rational
+    if t is None:
+        return start
+    return {k: Exact.rational(point[k] + t * way[k]) for k in places}
+
+
+def _at(partial: Partial, point: dict[int, Fraction]) -> Exact:
+    total = Exact({})
+    for monomial, coefficient in partial.items():
+        size = Fraction(1)
+        for place, exponent in monomial:
+            size *= point[place] ** exponent
+        total = total + coefficient * Exact.rational(size)
+    return total

@@ -1,0 +1,78 @@
+"""Polynomials with some of their variables given exact values."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from chasles.proof.rings import Polynomial, Ring
+from chasles.proof.surds import Exact
+
+__all__ = ["Monomial", "Partial", "Sparse", "Values", "degree", "sparse"]
+
+Monomial = tuple[tuple[int, int], ...]
+Sparse = Sequence[tuple[Monomial, Fraction]]
+Partial = dict[Monomial, Exact]
+
+
+def sparse(ring: Ring, polynomial: Polynomial) -> Sparse:
+    """The terms, each with the variables that occur in it and their exponents."""
+    return [(tuple((k, e) for k, e in enumerate(exps) if e), c) for exps, c in ring.terms(polynomial)]
+
+
+def degree(partial: Partial) -> int:
+    """The total degree in the variables that have no value."""
+    return max((sum(e for _, e in monomial) for monomial in partial), default=0)
+
+
+class Values:
+    """The values that variables have so far, by place."""
+
+    def __init__(self) -> None:
+        self.rational: dict[int, Fraction] = {}
+        self.irrational: dict[int, Exact] = {}
+
+    def __contains__(self, place: int) -> bool:
+        return place in self.rational or place in self.irrational
+
+    def __getitem__(self, place: int) -> Exact:
+        return self.irrational[place] if place in self.irrational else Exact.rational(self.rational[place])
+
+    def __setitem__(self, place: int, value: Exact | Fraction) -> None:
+        exact = value.as_rational if isinstance(value, Exact) else value
+        if exact is not None:
+            self.rational[place] = exact
+        elif isinstance(value, Exact):
+            self.irrational[place] = value
+
+    def into(self, terms: Sparse) -> Partial:
+        """The polynomial with these values put in."""
+        gathered: dict[Monomial, dict[Monomial, Fraction]] = {}
+        for monomial, coefficient in terms:
+            free: list[tuple[int, int]] = []
+            awkward: list[tuple[int, int]] = []
+            for place, exponent in monomial:
+                if place in self.rational:
+                    coefficient *= self.rational[place] ** exponent
+                elif place in self.irrational:
+                    awkward.append((place, exponent))
+                else:
+                    free.append((place, exponent))
+            if coefficient:
+                into = gathered.setdefault(tuple(free), {})
+                into[tuple(awkward)] = into.get(tuple(awkward), Fraction(0)) + coefficient
+        found = {free: self._folded(parts) for free, parts in gathered.items()}
+        return {free: value for free, value in found.items() if not value.is_zero}
+
+    def _folded(self, parts: dict[Monomial, Fraction]) -> Exact:
+        total = Exact({})
+        for monomial, coefficient in parts.items():
+            term = Exact.rational(coefficient)
+            for place, exponent in monomial:
+                term = term * self.irrational[place] ** exponent
+            total = total + term
+        return total
+
+    def of(self, terms: Sparse) -> Exact:
+        """The value of a polynomial all of whose variables have values."""
+        return self.into(terms).get((), Exact({}))

@@ -1,0 +1,175 @@
+"""An equation on trial: by how much do its sides differ at generic points, and what does a change contribute?"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
+from dataclasses import replace as with_fields
+from functools import cached_property
+from itertools import islice
+
+from chasles.proof.coefficients import ONE, Function, Term, split
+from chasles.proof.conditions import Solved, solve_conditions
+from chasles.proof.context import Context, build
+from chasles.proof.linear import MODULUS, Column, Span, minus, multiple
+from chasles.proof.places import Place, put, with_term
+from chasles.proof.residues import Sampled, generic_points
+from chasles.statements import Claim, Goal, Problem, Statement, problem_of
+from chasles.vocabulary import (
+    Call,
+    Contract,
+    Identity,
+    Inverse,
+    Negative,
+    Node,
+    Quotient,
+    Rate,
+    Sum,
+    Symbol,
+    children,
+)
+
+__all__ = ["Standing", "Trial", "changed", "on_trial"]
+
+Standing = Callable[[Statement], str]
+
+POINTS = 10
+NUMBERS = 90
+"""So many numbers, or a few more, are compared: more than any system has unknowns."""
+PROBED = 2
+"""Points at which a change is tried first."""
+
+
+def changed(statement: Statement, left: Node, right: Node) -> Statement:
+    """The statement with other sides, and nothing to stand in for them."""
+    return with_fields(statement, left=left, right=right, reading=None, corrected=None, kernel=None)
+
+
+@dataclass(frozen=True)
+class Trial:
+    """An equation at points where its hypotheses hold: the angles differ at `varied` ones, at `fixed` ones they do not."""
+
+    statement: Statement
+    left: Node
+    right: Node
+    problem: Problem
+    varied: Sampled
+    fixed: Sampled
+    probe: Sampled = field(init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "probe", Sampled(self.fixed.context, self.fixed.points[:PROBED]))
+
+    def miss(self, at: Sampled, left: Node, right: Node) -> Column:
+        """left - right for other sides, less what the statement lets them differ by."""
+        if isinstance(left, Inverse):
+            return at.flat(Sum((Identity(left.shape[0]), Negative(Contract((left.of, right))))))
+        gap = minus(at.flat(left), at.flat(right))
+        if isinstance(self.statement, Claim) and self.statement.restates is not None:
+            return minus(gap, at.flat(self.problem.goals[0].right))
+        return gap
+
+    def gap(self, at: Sampled) -> Column:
+        """By how much the sides differ."""
+        return self.miss(at, self.left, self.right)
+
+    def share(self, at: Sampled, place: Place, term: Node | None = None) -> Column:
+        """What a term in a place of the right side contributes: the one that stands there, or one added to it."""
+        more = put(self.right, place.path, with_term(place.node, term or place.node))
+        return minus(self.gap(at), self.miss(at, self.left, more))
+
+    def holds(self, left: Node, right: Node) -> bool:
+        """Whether other sides agree at all points."""
+        return not any(self.miss(self.probe, left, right)) and not any(self.miss(self.varied, left, right))
+
+    def is_constant(self, scalar: Node) -> bool:
+        """Whether a scalar depends on angles alone."""
+        values = self.fixed(scalar)
+        return all(value == values[0] for value in values)
+
+    def split(self, term: Node) -> Term:
+        """A term as coefficient and core."""
+        return split(term, self.is_constant)
+
+    def times(self, at: Sampled, function: Function, column: Column) -> Column:
+        """A column of numbers at all points, each times the function's value at its point."""
+        values = [value[0][0] for value in at(function.node)]
+        size = len(column) // len(values)
+        return [entry * values[k // size] % MODULUS for k, entry in enumerate(column)]
+
+    @cached_property
+    def functions(self) -> tuple[Function, ...]:
+        """What coefficients are made of: one and the functions of angles that occur, none a combination of others."""
+        occurring = [*_scalars(self.right), *_scalars(self.left)]
+        known = [node for _, side in self.problem.rules for node in _scalars(side) if isinstance(node, Call)]
+        found = [n for n in occurring if self._is_function(n)] or [n for n in known if self._is_function(n)]
+        return tuple(self._independent(map(Function, (ONE, *found))))
+
+    @cached_property
+    def fractions(self) -> tuple[Function, ...]:
+        """The functions, and these over what may be divided by, once and twice."""
+        more = [
+            Function(function.numerator, below)
+            for divisor in self.divisors
+            for below in (divisor, divisor**2)
+            for function in self.functions
+        ]
+        return tuple(self._independent((*self.functions, *more)))
+
+    @cached_property
+    def divisors(self) -> tuple[Node, ...]:
+        """The functions of angles that are divided by or declared not to be zero; of multiples only the first."""
+        declared = [node for h in self.problem.hypotheses for node in h.nonvanishing]
+        printed = [node.denominator for node in _parts(self.right) if isinstance(node, Quotient)]
+        kept: list[Node] = []
+        for node in filter(self._is_function, (*declared, *printed)):
+            if all(multiple(self.varied.flat(node), self.varied.flat(other)) is None for other in kept):
+                kept.append(node)
+        return tuple(kept)
+
+    def _is_function(self, scalar: Node) -> bool:
+        values = self.varied(scalar)
+        return self.is_constant(scalar) and any(value != values[0] for value in values)
+
+    def _independent(self, functions: Iterable[Function]) -> Iterator[Function]:
+        span = Span()
+        for function in functions:
+            if span.add(self.varied.flat(function.node)):
+                yield function
+
+
+def _parts(node: Node) -> Iterator[Node]:
+    """The node and all below it but arguments of functions and rates."""
+    yield node
+    if not isinstance(node, Call | Rate):
+        for part in children(node):
+            yield from _parts(part)
+
+
+def _scalars(node: Node) -> Iterator[Node]:
+    return (part for part in _parts(node) if isinstance(part, Call | Symbol) and part.is_scalar)
+
+
+def on_trial(
+    statement: Statement, left: Node, right: Node, standing: Standing, beside: Iterable[Node] = ()
+) -> Trial | None:
+    """The equation with these sides, at points where expressions `beside` it have values too; None without such points.
+
+    Raises `Misfit` or TypeError for an equation that cannot be decided, `Untreatable` for what the prover does not treat.
+    """
+    problem = problem_of(changed(statement, left, right), "printed", standing)
+    context = build(with_fields(problem, goals=(*problem.goals, *(Goal("", node, node) for node in beside))))
+    solved = solve_conditions(context)[1]
+    if context.pi_measures:
+        return None
+    rows, columns = left.shape
+    count = max(POINTS, NUMBERS // (rows * columns))
+    varied = _sampled(context, solved, count, one_angle=False)
+    has_angles = any(variable.kind == "cos" for variable in context.variables)
+    fixed = _sampled(context, solved, count, one_angle=True) if has_angles else varied
+    return Trial(statement, left, right, problem, varied, fixed) if varied and fixed else None
+
+
+def _sampled(context: Context, solved: tuple[Solved, ...], count: int, *, one_angle: bool) -> Sampled | None:
+    points = list(islice(generic_points(context, solved, count, one_angle=one_angle), count))
+    return Sampled(context, points) if len(points) == count else None

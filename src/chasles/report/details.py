@@ -1,0 +1,108 @@
+"""What is there to say beside a verdict? Labels and lines of text, the same on every page."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rich.console import RenderableType
+from rich.padding import Padding
+from rich.table import Table
+from rich.text import Text
+
+from chasles.proof.judge import Decision
+from chasles.proof.verdict import Counterexample, Fails, Verdict
+from chasles.report.equations import in_latex, in_words, signature_in_words, standing_in
+from chasles.report.records import certificate_hash
+from chasles.report.words import point_in_words, reason, said
+from chasles.statements import Entry, Inverse, Statement
+
+__all__ = ["Lines", "evidence", "indented", "number_in_words", "objections", "printed", "rests_on"]
+
+Lines = Iterator[tuple[str, str]]
+
+
+def number_in_words(number: str, part: int = 1) -> str:
+    """A number as a reader looks for it: "(3.16)", "(3.4) part 2", "Thm 3.2.2"."""
+    cited = f"({number})" if number[:1].isdecimal() else number
+    return f"{cited} part {part}" if part > 1 else cited
+
+
+def printed(entry: Entry, latex: bool = False) -> Lines:
+    """The equations and what they say."""
+    if isinstance(entry.statement, Inverse):
+        for branch, equations in zip(entry.statement.branches, in_words(entry.statement), strict=True):
+            yield "case", f"{branch.says}: {equations}"
+    else:
+        label = "printed" if isinstance(entry.statement, Statement) else "equations"
+        yield from ((label, equation) for equation in in_words(entry.statement))
+    if latex:
+        yield from (("LaTeX", equation) for equation in in_latex(entry.statement))
+    yield "says", entry.statement.says
+
+
+def rests_on(entry: Entry, decision: Decision) -> Lines:
+    """What is given and assumed, and which function is asked for."""
+    for given in entry.statement.given:
+        form = decision.given.get(f"{given.number}/{given.part}", "printed")
+        how = {"printed": "", "reading": " (as read)"}.get(form, f" ({form})")
+        yield "given", f"{number_in_words(given.number, given.part)} {given.says}{how}"
+    for hypothesis in entry.statement.assuming:
+        yield "assuming", hypothesis.text
+    if call := signature_in_words(entry):
+        yield "kernel", call
+
+
+def objections(entry: Entry, decision: Decision) -> Lines:
+    """Why the print does not stand and what stands in, or which hypotheses it does not need."""
+    if why := reason(decision.verdict):
+        yield "because", why
+    if isinstance(decision.verdict, Fails):
+        yield from _refuted(decision.verdict.counterexample)
+    if decision.correction is not None and isinstance(entry.statement, Statement):
+        yield from _instead(entry.statement, decision.correction.form, decision.correction.verdict)
+    if unused := getattr(decision.verdict, "unused", ()):
+        yield "unused", f"assumes {', '.join(unused)}, which it does not need"
+
+
+def evidence(decision: Decision) -> Lines:
+    """What anyone can check again: the certificate's hash and size, and a point that satisfies all that is assumed."""
+    certificate = decision.certificate
+    if certificate is not None:
+        yield "certificate", str(certificate_hash(certificate))
+    standing = decision.correction.verdict if decision.correction and not decision.verdict.true else decision.verdict
+    witness = getattr(standing, "witness", None)
+    if witness:
+        yield "example", f"satisfies all that is assumed: {point_in_words(witness)}"
+
+
+def indented(lines: Lines) -> RenderableType:
+    """The lines in two columns; a label that repeats is shown once."""
+    grid = Table.grid(padding=(0, 2, 0, 0))
+    grid.add_column(style="dim", no_wrap=True)
+    grid.add_column(overflow="fold")
+    before = ""
+    for label, text in lines:
+        grid.add_row("" if label == before else label, Text(text))
+        before = label
+    return Padding(grid, (0, 0, 0, 2))
+
+
+def _refuted(found: Counterexample) -> Lines:
+    row, column = found.entry
+    yield "at", point_in_words(found.at) or "every point"
+    yield "left", f"{found.left}   (row {row}, column {column}{f'; {found.goal}' if found.goal else ''})"
+    yield "right", found.right
+
+
+def _instead(statement: Statement, form: str, verdict: Verdict) -> Lines:
+    text, _ = standing_in(statement, form)
+    how = "as read" if form == "reading" else form
+    yield "instead", text
+    yield "", ": ".join(filter(None, (f"{how}, it {_predicate(verdict)}", reason(verdict))))
+    if isinstance(verdict, Fails):
+        yield from _refuted(verdict.counterexample)
+
+
+def _predicate(verdict: Verdict) -> str:
+    words = said(verdict)
+    return words if words.startswith(("holds", "fails")) else f"is {words}"

@@ -1,0 +1,28 @@
+"""One statement on a page: the equation, what it says and rests on, its verdict, and what proves or refutes it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import chain
+
+from rich.console import RenderableType
+from rich.text import Text
+
+from chasles.proof.judge import Decision
+from chasles.report.details import evidence, indented, number_in_words, objections, printed, rests_on
+from chasles.report.screen import Screen
+from chasles.report.words import labelled
+from chasles.statements import Entry
+
+__all__ = ["statement_page"]
+
+
+def statement_page(screen: Screen, entry: Entry, decision: Decision, latex: bool = False) -> Iterator[RenderableType]:
+    """The page of one statement."""
+    number = number_in_words(entry.number, entry.statement.part)
+    verdict, needs = labelled(decision.verdict, screen.signs), ", ".join(getattr(decision.verdict, "needs", ()))
+    yield Text.assemble((number, "bold"), "  ", verdict, " " if needs else "", needs)
+    section = f"{entry.section.number} {entry.section.title}"
+    yield Text(f"  {entry.name}, {entry.statement.role} in {section}", "dim")
+    lines = printed(entry, latex), rests_on(entry, decision), objections(entry, decision), evidence(decision)
+    yield indented(chain.from_iterable(lines))

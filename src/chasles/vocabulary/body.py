@@ -1,0 +1,35 @@
+"""Integrals over a body: sums over all its elements of volume, each of them of positive density."""
+
+from __future__ import annotations
+
+from chasles.vocabulary.dimension import LENGTH
+from chasles.vocabulary.measure import Measure, scaled
+from chasles.vocabulary.nodes import Node, Symbol, _word, measured
+
+__all__ = ["Integral"]
+
+
+@_word
+class Integral(Node):
+    """The integral over the volume of a body.
+
+    The `density`, and the quantities `over` which the integral is taken, differ from element to element; so does what
+    a rule makes of them. Everything else is the same for all elements. An element's mass, density times volume, does
+    not change with time.
+    """
+
+    of: Node
+    density: Symbol
+    over: tuple[Symbol, ...]
+    body: str = r"\mathcal{B}"
+
+    def _parts(self) -> tuple[Node, ...]:
+        return (self.of,)
+
+    def _measured(self) -> Measure:
+        return scaled(measured(self.of), LENGTH**3)
+
+    @property
+    def running(self) -> frozenset[Symbol]:
+        """The symbols that differ from element to element."""
+        return frozenset((self.density, *self.over))
