@@ -1,0 +1,372 @@
+/* The kernels of section_3_2. Made by `chasles emit`; not to be edited by hand. */
+
+#include <math.h>
+#include <stddef.h>
+
+#include "chasles.h"
+
+/*
+ * (2.38) The cross-product matrix of v: multiplying by it is taking the vector product with v.
+ *   given       v[3]: any vector
+ *   returns     V[9]: cross-product matrix of a vector
+ *   verdict     defined
+ *   assumes     nothing
+ *   operations  0
+ *   derivation  sha256 0312c264dacf74dfcdb531a0b73d78f9f32811ece66c1d3463eee307878679e9
+ */
+void chasles_cross_product_matrix(const double v[3], double V[9])
+{
+    const double V7 = v[0];
+    const double V2 = v[1];
+    const double V3 = v[2];
+    const double V1 = -V3;
+    const double V5 = -V7;
+    const double V6 = -V2;
+    V[0] = 0.0;
+    V[1] = V1;
+    V[2] = V2;
+    V[3] = V3;
+    V[4] = 0.0;
+    V[5] = V5;
+    V[6] = V6;
+    V[7] = V7;
+    V[8] = 0.0;
+}
+
+/*
+ * (2.38) chasles_cross_product_matrix in single precision.
+ *   verdict: defined; assumes nothing
+ *   0 operations; derivation sha256 0312c264dacf74dfcdb531a0b73d78f9f32811ece66c1d3463eee307878679e9
+ */
+void chasles_cross_product_matrixf(const float v[3], float V[9])
+{
+    const float V7 = v[0];
+    const float V2 = v[1];
+    const float V3 = v[2];
+    const float V1 = -V3;
+    const float V5 = -V7;
+    const float V6 = -V2;
+    V[0] = 0.0f;
+    V[1] = V1;
+    V[2] = V2;
+    V[3] = V3;
+    V[4] = 0.0f;
+    V[5] = V5;
+    V[6] = V6;
+    V[7] = V7;
+    V[8] = 0.0f;
+}
+
+/*
+ * (2.38) chasles_cross_product_matrix for a batch.
+ *   verdict: defined; assumes nothing
+ *   0 operations; derivation sha256 0312c264dacf74dfcdb531a0b73d78f9f32811ece66c1d3463eee307878679e9
+ */
+void chasles_cross_product_matrix_batch(
+    size_t count,
+    const double *v, ptrdiff_t v_step,
+    double *V, ptrdiff_t V_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_cross_product_matrix(v + i * v_step, V + i * V_step);
+    }
+}
+
+/*
+ * (2.38) chasles_cross_product_matrixf for a batch.
+ *   verdict: defined; assumes nothing
+ *   0 operations; derivation sha256 0312c264dacf74dfcdb531a0b73d78f9f32811ece66c1d3463eee307878679e9
+ */
+void chasles_cross_product_matrix_batchf(
+    size_t count,
+    const float *v, ptrdiff_t v_step,
+    float *V, ptrdiff_t V_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_cross_product_matrixf(v + i * v_step, V + i * V_step);
+    }
+}
+
+/*
+ * (2.49) The rotation about the axis e through the angle phi.
+ *   given       e[3]: unit vector along the axis of rotation, or along a line
+ *               phi: angle of rotation
+ *   returns     Q[9]: rotation
+ *   verdict     defined
+ *   assumes     |e| = 1
+ *   operations  24: 6 add, 4 subtract, 12 multiply, 1 sine, 1 cosine
+ *   derivation  sha256 c07116d01fd9f3eec8b45e4fed312a9f9b8324ab6b8b43de598c12d93744c18c
+ */
+void chasles_rotation_from_axis_angle(const double e[3], double phi, double Q[9])
+{
+    const double cos_phi = cos(phi);
+    const double t1 = 1.0 - cos_phi;
+    const double sin_phi = sin(phi);
+    const double t2 = e[0] * t1;
+    const double t3 = e[1] * t1;
+    const double t4 = e[1] * t2;
+    const double t5 = e[2] * t2;
+    const double t6 = e[2] * t3;
+    const double Q0 = cos_phi + e[0] * t2;
+    const double Q4 = cos_phi + e[1] * t3;
+    const double Q8 = cos_phi + e[2] * (e[2] * t1);
+    const double t7 = e[0] * sin_phi;
+    const double t8 = e[1] * sin_phi;
+    const double t9 = e[2] * sin_phi;
+    const double Q1 = t4 - t9;
+    const double Q2 = t5 + t8;
+    const double Q3 = t4 + t9;
+    const double Q5 = t6 - t7;
+    const double Q6 = t5 - t8;
+    const double Q7 = t6 + t7;
+    Q[0] = Q0;
+    Q[1] = Q1;
+    Q[2] = Q2;
+    Q[3] = Q3;
+    Q[4] = Q4;
+    Q[5] = Q5;
+    Q[6] = Q6;
+    Q[7] = Q7;
+    Q[8] = Q8;
+}
+
+/*
+ * (2.49) chasles_rotation_from_axis_angle in single precision.
+ *   verdict: defined; assumes |e| = 1
+ *   24 operations; derivation sha256 c07116d01fd9f3eec8b45e4fed312a9f9b8324ab6b8b43de598c12d93744c18c
+ */
+void chasles_rotation_from_axis_anglef(const float e[3], float phi, float Q[9])
+{
+    const float cos_phi = cosf(phi);
+    const float t1 = 1.0f - cos_phi;
+    const float sin_phi = sinf(phi);
+    const float t2 = e[0] * t1;
+    const float t3 = e[1] * t1;
+    const float t4 = e[1] * t2;
+    const float t5 = e[2] * t2;
+    const float t6 = e[2] * t3;
+    const float Q0 = cos_phi + e[0] * t2;
+    const float Q4 = cos_phi + e[1] * t3;
+    const float Q8 = cos_phi + e[2] * (e[2] * t1);
+    const float t7 = e[0] * sin_phi;
+    const float t8 = e[1] * sin_phi;
+    const float t9 = e[2] * sin_phi;
+    const float Q1 = t4 - t9;
+    const float Q2 = t5 + t8;
+    const float Q3 = t4 + t9;
+    const float Q5 = t6 - t7;
+    const float Q6 = t5 - t8;
+    const float Q7 = t6 + t7;
+    Q[0] = Q0;
+    Q[1] = Q1;
+    Q[2] = Q2;
+    Q[3] = Q3;
+    Q[4] = Q4;
+    Q[5] = Q5;
+    Q[6] = Q6;
+    Q[7] = Q7;
+    Q[8] = Q8;
+}
+
+/*
+ * (2.49) chasles_rotation_from_axis_angle for a batch.
+ *   verdict: defined; assumes |e| = 1
+ *   24 operations; derivation sha256 c07116d01fd9f3eec8b45e4fed312a9f9b8324ab6b8b43de598c12d93744c18c
+ */
+void chasles_rotation_from_axis_angle_batch(
+    size_t count,
+    const double *e, ptrdiff_t e_step,
+    const double *phi, ptrdiff_t phi_step,
+    double *Q, ptrdiff_t Q_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_rotation_from_axis_angle(e + i * e_step, phi[i * phi_step], Q + i * Q_step);
+    }
+}
+
+/*
+ * (2.49) chasles_rotation_from_axis_anglef for a batch.
+ *   verdict: defined; assumes |e| = 1
+ *   24 operations; derivation sha256 c07116d01fd9f3eec8b45e4fed312a9f9b8324ab6b8b43de598c12d93744c18c
+ */
+void chasles_rotation_from_axis_angle_batchf(
+    size_t count,
+    const float *e, ptrdiff_t e_step,
+    const float *phi, ptrdiff_t phi_step,
+    float *Q, ptrdiff_t Q_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_rotation_from_axis_anglef(e + i * e_step, phi[i * phi_step], Q + i * Q_step);
+    }
+}
+
+/*
+ * (3.2) Where a point of the body lies after the displacement.
+ *   given       Q[9]: rotation
+ *               a[3]: position of the landmark point A
+ *               a_prime[3]: position of A after the displacement
+ *               p[3]: position of any point P
+ *   returns     p_prime[3]: position of P after the displacement
+ *   verdict     holds
+ *   assumes     nothing
+ *   operations  21: 9 add, 3 subtract, 9 multiply
+ *   derivation  sha256 b77ed46db033f7eed0ae1124f68ad31f483b7d8664bffaa4de83c9fc5b24f2ac
+ */
+void chasles_point_after_displacement(
+    const double Q[9],
+    const double a[3],
+    const double a_prime[3],
+    const double p[3],
+    double p_prime[3])
+{
+    const double t1 = p[0] - a[0];
+    const double t2 = p[1] - a[1];
+    const double t3 = p[2] - a[2];
+    const double p_prime0 = a_prime[0] + (Q[0] * t1 + Q[1] * t2 + Q[2] * t3);
+    const double p_prime1 = a_prime[1] + (Q[3] * t1 + Q[4] * t2 + Q[5] * t3);
+    const double p_prime2 = a_prime[2] + (Q[6] * t1 + Q[7] * t2 + Q[8] * t3);
+    p_prime[0] = p_prime0;
+    p_prime[1] = p_prime1;
+    p_prime[2] = p_prime2;
+}
+
+/*
+ * (3.2) chasles_point_after_displacement in single precision.
+ *   verdict: holds; assumes nothing
+ *   21 operations; derivation sha256 b77ed46db033f7eed0ae1124f68ad31f483b7d8664bffaa4de83c9fc5b24f2ac
+ */
+void chasles_point_after_displacementf(
+    const float Q[9],
+    const float a[3],
+    const float a_prime[3],
+    const float p[3],
+    float p_prime[3])
+{
+    const float t1 = p[0] - a[0];
+    const float t2 = p[1] - a[1];
+    const float t3 = p[2] - a[2];
+    const float p_prime0 = a_prime[0] + (Q[0] * t1 + Q[1] * t2 + Q[2] * t3);
+    const float p_prime1 = a_prime[1] + (Q[3] * t1 + Q[4] * t2 + Q[5] * t3);
+    const float p_prime2 = a_prime[2] + (Q[6] * t1 + Q[7] * t2 + Q[8] * t3);
+    p_prime[0] = p_prime0;
+    p_prime[1] = p_prime1;
+    p_prime[2] = p_prime2;
+}
+
+/*
+ * (3.2) chasles_point_after_displacement for a batch.
+ *   verdict: holds; assumes nothing
+ *   21 operations; derivation sha256 b77ed46db033f7eed0ae1124f68ad31f483b7d8664bffaa4de83c9fc5b24f2ac
+ */
+void chasles_point_after_displacement_batch(
+    size_t count,
+    const double *Q, ptrdiff_t Q_step,
+    const double *a, ptrdiff_t a_step,
+    const double *a_prime, ptrdiff_t a_prime_step,
+    const double *p, ptrdiff_t p_step,
+    double *p_prime, ptrdiff_t p_prime_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_point_after_displacement(
+            Q + i * Q_step,
+            a + i * a_step,
+            a_prime + i * a_prime_step,
+            p + i * p_step,
+            p_prime + i * p_prime_step);
+    }
+}
+
+/*
+ * (3.2) chasles_point_after_displacementf for a batch.
+ *   verdict: holds; assumes nothing
+ *   21 operations; derivation sha256 b77ed46db033f7eed0ae1124f68ad31f483b7d8664bffaa4de83c9fc5b24f2ac
+ */
+void chasles_point_after_displacement_batchf(
+    size_t count,
+    const float *Q, ptrdiff_t Q_step,
+    const float *a, ptrdiff_t a_step,
+    const float *a_prime, ptrdiff_t a_prime_step,
+    const float *p, ptrdiff_t p_step,
+    float *p_prime, ptrdiff_t p_prime_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_point_after_displacementf(
+            Q + i * Q_step,
+            a + i * a_step,
+            a_prime + i * a_prime_step,
+            p + i * p_step,
+            p_prime + i * p_prime_step);
+    }
+}
+
+/*
+ * (3.7) The pitch from the displacement of any point.
+ *   given       e[3]: unit vector along the axis of rotation, or along a line
+ *               phi: angle of rotation
+ *               d_P[3]: displacement of P
+ *   returns     result: d0 / phi
+ *   verdict     holds under
+ *   assumes     phi != 0
+ *               |e| = 1
+ *   operations  6: 2 add, 3 multiply, 1 divide
+ *   derivation  sha256 dd456a80abab27dec7bf7669b19bfc9e5e0a1d2b37fff41b4cf74a191918c756
+ */
+void chasles_pitch_of_motion(const double e[3], double phi, const double d_P[3], double *result)
+{
+    const double result_value = (phi == 0.0 ? 0.0 : e[0] * d_P[0] + e[1] * d_P[1] + e[2] * d_P[2]) / phi;
+    *result = result_value;
+}
+
+/*
+ * (3.7) chasles_pitch_of_motion in single precision.
+ *   verdict: holds under; assumes phi != 0, |e| = 1
+ *   6 operations; derivation sha256 dd456a80abab27dec7bf7669b19bfc9e5e0a1d2b37fff41b4cf74a191918c756
+ */
+void chasles_pitch_of_motionf(const float e[3], float phi, const float d_P[3], float *result)
+{
+    const float t1 = phi == 0.0f ? 0.0f : e[0] * d_P[0] + e[1] * d_P[1] + e[2] * d_P[2];
+    const float result_value = t1 / phi;
+    *result = result_value;
+}
+
+/*
+ * (3.7) chasles_pitch_of_motion for a batch.
+ *   verdict: holds under; assumes phi != 0, |e| = 1
+ *   6 operations; derivation sha256 dd456a80abab27dec7bf7669b19bfc9e5e0a1d2b37fff41b4cf74a191918c756
+ */
+void chasles_pitch_of_motion_batch(
+    size_t count,
+    const double *e, ptrdiff_t e_step,
+    const double *phi, ptrdiff_t phi_step,
+    const double *d_P, ptrdiff_t d_P_step,
+    double *result, ptrdiff_t result_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_pitch_of_motion(
+            e + i * e_step,
+            phi[i * phi_step],
+            d_P + i * d_P_step,
+            result + i * result_step);
+    }
+}
+
+/*
+ * (3.7) chasles_pitch_of_motionf for a batch.
+ *   verdict: holds under; assumes phi != 0, |e| = 1
+ *   6 operations; derivation sha256 dd456a80abab27dec7bf7669b19bfc9e5e0a1d2b37fff41b4cf74a191918c756
+ */
+void chasles_pitch_of_motion_batchf(
+    size_t count,
+    const float *e, ptrdiff_t e_step,
+    const float *phi, ptrdiff_t phi_step,
+    const float *d_P, ptrdiff_t d_P_step,
+    float *result, ptrdiff_t result_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_pitch_of_motionf(
+            e + i * e_step,
+            phi[i * phi_step],
+            d_P + i * d_P_step,
+            result + i * result_step);
+    }
+}

@@ -1,0 +1,201 @@
+/* The kernels of section_3_2_2. Made by `chasles emit`; not to be edited by hand. */
+
+#include <math.h>
+#include <stddef.h>
+
+#include "chasles.h"
+
+/*
+ * (3.23) The Plücker array of a line: its direction and its moment.
+ *   given       p_1[3]: position of point P_1
+ *               p_2[3]: position of point P_2
+ *   returns     kappa[6]: Pluecker array: direction and moment
+ *   verdict     defined
+ *   assumes     p_1 != p_2
+ *   operations  21: 2 add, 6 subtract, 9 multiply, 3 divide, 1 square root
+ *   derivation  sha256 5a85da491dcc75a6b181adfb1d68308f6f9082d82d41f48451dd972e32090871
+ */
+void chasles_plucker_line(const double p_1[3], const double p_2[3], double kappa[6])
+{
+    const double t1 = p_2[0] - p_1[0];
+    const double t2 = p_2[1] - p_1[1];
+    const double t3 = p_2[2] - p_1[2];
+    const double t4 = t1 * t1 + t2 * t2 + t3 * t3;
+    const double t5 = sqrt(t4);
+    const int t6 = t4 == 0.0;
+    const double kappa0 = (t6 ? 0.0 : t1) / t5;
+    const double kappa1 = (t6 ? 0.0 : t2) / t5;
+    const double kappa2 = (t6 ? 0.0 : t3) / t5;
+    const double kappa3 = p_1[1] * kappa2 - p_1[2] * kappa1;
+    const double kappa4 = p_1[2] * kappa0 - p_1[0] * kappa2;
+    const double kappa5 = p_1[0] * kappa1 - p_1[1] * kappa0;
+    kappa[0] = kappa0;
+    kappa[1] = kappa1;
+    kappa[2] = kappa2;
+    kappa[3] = kappa3;
+    kappa[4] = kappa4;
+    kappa[5] = kappa5;
+}
+
+/*
+ * (3.23) chasles_plucker_line in single precision.
+ *   verdict: defined; assumes p_1 != p_2
+ *   21 operations; derivation sha256 5a85da491dcc75a6b181adfb1d68308f6f9082d82d41f48451dd972e32090871
+ */
+void chasles_plucker_linef(const float p_1[3], const float p_2[3], float kappa[6])
+{
+    const float t1 = p_2[0] - p_1[0];
+    const float t2 = p_2[1] - p_1[1];
+    const float t3 = p_2[2] - p_1[2];
+    const float t4 = t1 * t1 + t2 * t2 + t3 * t3;
+    const float t5 = sqrtf(t4);
+    const int t6 = t4 == 0.0f;
+    const float kappa0 = (t6 ? 0.0f : t1) / t5;
+    const float kappa1 = (t6 ? 0.0f : t2) / t5;
+    const float kappa2 = (t6 ? 0.0f : t3) / t5;
+    const float kappa3 = p_1[1] * kappa2 - p_1[2] * kappa1;
+    const float kappa4 = p_1[2] * kappa0 - p_1[0] * kappa2;
+    const float kappa5 = p_1[0] * kappa1 - p_1[1] * kappa0;
+    kappa[0] = kappa0;
+    kappa[1] = kappa1;
+    kappa[2] = kappa2;
+    kappa[3] = kappa3;
+    kappa[4] = kappa4;
+    kappa[5] = kappa5;
+}
+
+/*
+ * (3.23) chasles_plucker_line for a batch.
+ *   verdict: defined; assumes p_1 != p_2
+ *   21 operations; derivation sha256 5a85da491dcc75a6b181adfb1d68308f6f9082d82d41f48451dd972e32090871
+ */
+void chasles_plucker_line_batch(
+    size_t count,
+    const double *p_1, ptrdiff_t p_1_step,
+    const double *p_2, ptrdiff_t p_2_step,
+    double *kappa, ptrdiff_t kappa_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_plucker_line(p_1 + i * p_1_step, p_2 + i * p_2_step, kappa + i * kappa_step);
+    }
+}
+
+/*
+ * (3.23) chasles_plucker_linef for a batch.
+ *   verdict: defined; assumes p_1 != p_2
+ *   21 operations; derivation sha256 5a85da491dcc75a6b181adfb1d68308f6f9082d82d41f48451dd972e32090871
+ */
+void chasles_plucker_line_batchf(
+    size_t count,
+    const float *p_1, ptrdiff_t p_1_step,
+    const float *p_2, ptrdiff_t p_2_step,
+    float *kappa, ptrdiff_t kappa_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_plucker_linef(p_1 + i * p_1_step, p_2 + i * p_2_step, kappa + i * kappa_step);
+    }
+}
+
+/*
+ * (3.29a) The Plücker-coordinate transfer formula.
+ *   given       kappa_A[6]: Pluecker array with the moment about A
+ *               a[3]: position of the landmark point A
+ *               b[3]: position of point B
+ *   returns     kappa_B[6]: Pluecker array with the moment about B
+ *   verdict     holds
+ *   assumes     nothing
+ *   operations  15: 3 add, 6 subtract, 6 multiply
+ *   derivation  sha256 223828bdc4a9d4093c744a6ff52678a900ce93b81e0164b035948d0874cac985
+ */
+void chasles_plucker_transfer(
+    const double kappa_A[6],
+    const double a[3],
+    const double b[3],
+    double kappa_B[6])
+{
+    const double kappa_B0 = kappa_A[0];
+    const double kappa_B1 = kappa_A[1];
+    const double kappa_B2 = kappa_A[2];
+    const double t1 = a[0] - b[0];
+    const double t2 = a[1] - b[1];
+    const double t3 = a[2] - b[2];
+    const double kappa_B3 = kappa_A[3] + (kappa_B2 * t2 - kappa_B1 * t3);
+    const double kappa_B4 = kappa_A[4] + (kappa_B0 * t3 - kappa_B2 * t1);
+    const double kappa_B5 = kappa_A[5] + (kappa_B1 * t1 - kappa_B0 * t2);
+    kappa_B[0] = kappa_B0;
+    kappa_B[1] = kappa_B1;
+    kappa_B[2] = kappa_B2;
+    kappa_B[3] = kappa_B3;
+    kappa_B[4] = kappa_B4;
+    kappa_B[5] = kappa_B5;
+}
+
+/*
+ * (3.29a) chasles_plucker_transfer in single precision.
+ *   verdict: holds; assumes nothing
+ *   15 operations; derivation sha256 223828bdc4a9d4093c744a6ff52678a900ce93b81e0164b035948d0874cac985
+ */
+void chasles_plucker_transferf(
+    const float kappa_A[6],
+    const float a[3],
+    const float b[3],
+    float kappa_B[6])
+{
+    const float kappa_B0 = kappa_A[0];
+    const float kappa_B1 = kappa_A[1];
+    const float kappa_B2 = kappa_A[2];
+    const float t1 = a[0] - b[0];
+    const float t2 = a[1] - b[1];
+    const float t3 = a[2] - b[2];
+    const float kappa_B3 = kappa_A[3] + (kappa_B2 * t2 - kappa_B1 * t3);
+    const float kappa_B4 = kappa_A[4] + (kappa_B0 * t3 - kappa_B2 * t1);
+    const float kappa_B5 = kappa_A[5] + (kappa_B1 * t1 - kappa_B0 * t2);
+    kappa_B[0] = kappa_B0;
+    kappa_B[1] = kappa_B1;
+    kappa_B[2] = kappa_B2;
+    kappa_B[3] = kappa_B3;
+    kappa_B[4] = kappa_B4;
+    kappa_B[5] = kappa_B5;
+}
+
+/*
+ * (3.29a) chasles_plucker_transfer for a batch.
+ *   verdict: holds; assumes nothing
+ *   15 operations; derivation sha256 223828bdc4a9d4093c744a6ff52678a900ce93b81e0164b035948d0874cac985
+ */
+void chasles_plucker_transfer_batch(
+    size_t count,
+    const double *kappa_A, ptrdiff_t kappa_A_step,
+    const double *a, ptrdiff_t a_step,
+    const double *b, ptrdiff_t b_step,
+    double *kappa_B, ptrdiff_t kappa_B_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_plucker_transfer(
+            kappa_A + i * kappa_A_step,
+            a + i * a_step,
+            b + i * b_step,
+            kappa_B + i * kappa_B_step);
+    }
+}
+
+/*
+ * (3.29a) chasles_plucker_transferf for a batch.
+ *   verdict: holds; assumes nothing
+ *   15 operations; derivation sha256 223828bdc4a9d4093c744a6ff52678a900ce93b81e0164b035948d0874cac985
+ */
+void chasles_plucker_transfer_batchf(
+    size_t count,
+    const float *kappa_A, ptrdiff_t kappa_A_step,
+    const float *a, ptrdiff_t a_step,
+    const float *b, ptrdiff_t b_step,
+    float *kappa_B, ptrdiff_t kappa_B_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_plucker_transferf(
+            kappa_A + i * kappa_A_step,
+            a + i * a_step,
+            b + i * b_step,
+            kappa_B + i * kappa_B_step);
+    }
+}

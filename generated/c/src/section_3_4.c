@@ -1,0 +1,105 @@
+/* The kernels of section_3_4. Made by `chasles emit`; not to be edited by hand. */
+
+#include <math.h>
+#include <stddef.h>
+
+#include "chasles.h"
+
+/*
+ * (3.50) The velocity of a point from that of the landmark.
+ *   given       omega[3]: angular velocity
+ *               a_dot[3]: time derivative of: position of the landmark point A
+ *               a[3]: position of the landmark point A
+ *               p[3]: position of any point P
+ *   returns     p_dot[3]: time derivative of: position of any point P
+ *   verdict     holds
+ *   assumes     nothing
+ *   operations  15: 3 add, 6 subtract, 6 multiply
+ *   derivation  sha256 22f0f01d1a02abc18f9574c08e8b9b427316b62ad07d3f9771f98896bece91a1
+ */
+void chasles_velocity_of_point(
+    const double omega[3],
+    const double a_dot[3],
+    const double a[3],
+    const double p[3],
+    double p_dot[3])
+{
+    const double t1 = p[0] - a[0];
+    const double t2 = p[1] - a[1];
+    const double t3 = p[2] - a[2];
+    const double p_dot0 = a_dot[0] + (omega[1] * t3 - omega[2] * t2);
+    const double p_dot1 = a_dot[1] + (omega[2] * t1 - omega[0] * t3);
+    const double p_dot2 = a_dot[2] + (omega[0] * t2 - omega[1] * t1);
+    p_dot[0] = p_dot0;
+    p_dot[1] = p_dot1;
+    p_dot[2] = p_dot2;
+}
+
+/*
+ * (3.50) chasles_velocity_of_point in single precision.
+ *   verdict: holds; assumes nothing
+ *   15 operations; derivation sha256 22f0f01d1a02abc18f9574c08e8b9b427316b62ad07d3f9771f98896bece91a1
+ */
+void chasles_velocity_of_pointf(
+    const float omega[3],
+    const float a_dot[3],
+    const float a[3],
+    const float p[3],
+    float p_dot[3])
+{
+    const float t1 = p[0] - a[0];
+    const float t2 = p[1] - a[1];
+    const float t3 = p[2] - a[2];
+    const float p_dot0 = a_dot[0] + (omega[1] * t3 - omega[2] * t2);
+    const float p_dot1 = a_dot[1] + (omega[2] * t1 - omega[0] * t3);
+    const float p_dot2 = a_dot[2] + (omega[0] * t2 - omega[1] * t1);
+    p_dot[0] = p_dot0;
+    p_dot[1] = p_dot1;
+    p_dot[2] = p_dot2;
+}
+
+/*
+ * (3.50) chasles_velocity_of_point for a batch.
+ *   verdict: holds; assumes nothing
+ *   15 operations; derivation sha256 22f0f01d1a02abc18f9574c08e8b9b427316b62ad07d3f9771f98896bece91a1
+ */
+void chasles_velocity_of_point_batch(
+    size_t count,
+    const double *omega, ptrdiff_t omega_step,
+    const double *a_dot, ptrdiff_t a_dot_step,
+    const double *a, ptrdiff_t a_step,
+    const double *p, ptrdiff_t p_step,
+    double *p_dot, ptrdiff_t p_dot_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_velocity_of_point(
+            omega + i * omega_step,
+            a_dot + i * a_dot_step,
+            a + i * a_step,
+            p + i * p_step,
+            p_dot + i * p_dot_step);
+    }
+}
+
+/*
+ * (3.50) chasles_velocity_of_pointf for a batch.
+ *   verdict: holds; assumes nothing
+ *   15 operations; derivation sha256 22f0f01d1a02abc18f9574c08e8b9b427316b62ad07d3f9771f98896bece91a1
+ */
+void chasles_velocity_of_point_batchf(
+    size_t count,
+    const float *omega, ptrdiff_t omega_step,
+    const float *a_dot, ptrdiff_t a_dot_step,
+    const float *a, ptrdiff_t a_step,
+    const float *p, ptrdiff_t p_step,
+    float *p_dot, ptrdiff_t p_dot_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_velocity_of_pointf(
+            omega + i * omega_step,
+            a_dot + i * a_dot_step,
+            a + i * a_step,
+            p + i * p_step,
+            p_dot + i * p_dot_step);
+    }
+}

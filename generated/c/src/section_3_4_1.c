@@ -1,0 +1,102 @@
+/* The kernels of section_3_4_1. Made by `chasles emit`; not to be edited by hand. */
+
+#include <math.h>
+#include <stddef.h>
+
+#include "chasles.h"
+
+/*
+ * (3.70) The same with vector products.
+ *   given       omega[3]: angular velocity
+ *               a_dot[3]: time derivative of: position of the landmark point A
+ *               a[3]: position of the landmark point A
+ *   returns     p_0_prime[3]: position of the point of the instant screw axis nearest the origin
+ *   verdict     holds under
+ *   assumes     omega != 0
+ *   operations  29: 2 add, 9 subtract, 15 multiply, 3 divide
+ *   derivation  sha256 895661a438fba706f89d52a51bf6f4eb7433041efb58f67d2933e449bd8b4711
+ */
+void chasles_instant_screw_point(
+    const double omega[3],
+    const double a_dot[3],
+    const double a[3],
+    double p_0_prime[3])
+{
+    const double t1 = omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2];
+    const double t2 = a_dot[0] - (omega[1] * a[2] - omega[2] * a[1]);
+    const double t3 = a_dot[1] - (omega[2] * a[0] - omega[0] * a[2]);
+    const double t4 = a_dot[2] - (omega[0] * a[1] - omega[1] * a[0]);
+    const int t5 = t1 == 0.0;
+    const double p_0_prime0 = (t5 ? 0.0 : omega[1] * t4 - omega[2] * t3) / t1;
+    const double p_0_prime1 = (t5 ? 0.0 : omega[2] * t2 - omega[0] * t4) / t1;
+    const double p_0_prime2 = (t5 ? 0.0 : omega[0] * t3 - omega[1] * t2) / t1;
+    p_0_prime[0] = p_0_prime0;
+    p_0_prime[1] = p_0_prime1;
+    p_0_prime[2] = p_0_prime2;
+}
+
+/*
+ * (3.70) chasles_instant_screw_point in single precision.
+ *   verdict: holds under; assumes omega != 0
+ *   29 operations; derivation sha256 895661a438fba706f89d52a51bf6f4eb7433041efb58f67d2933e449bd8b4711
+ */
+void chasles_instant_screw_pointf(
+    const float omega[3],
+    const float a_dot[3],
+    const float a[3],
+    float p_0_prime[3])
+{
+    const float t1 = omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2];
+    const float t2 = a_dot[0] - (omega[1] * a[2] - omega[2] * a[1]);
+    const float t3 = a_dot[1] - (omega[2] * a[0] - omega[0] * a[2]);
+    const float t4 = a_dot[2] - (omega[0] * a[1] - omega[1] * a[0]);
+    const int t5 = t1 == 0.0f;
+    const float p_0_prime0 = (t5 ? 0.0f : omega[1] * t4 - omega[2] * t3) / t1;
+    const float p_0_prime1 = (t5 ? 0.0f : omega[2] * t2 - omega[0] * t4) / t1;
+    const float p_0_prime2 = (t5 ? 0.0f : omega[0] * t3 - omega[1] * t2) / t1;
+    p_0_prime[0] = p_0_prime0;
+    p_0_prime[1] = p_0_prime1;
+    p_0_prime[2] = p_0_prime2;
+}
+
+/*
+ * (3.70) chasles_instant_screw_point for a batch.
+ *   verdict: holds under; assumes omega != 0
+ *   29 operations; derivation sha256 895661a438fba706f89d52a51bf6f4eb7433041efb58f67d2933e449bd8b4711
+ */
+void chasles_instant_screw_point_batch(
+    size_t count,
+    const double *omega, ptrdiff_t omega_step,
+    const double *a_dot, ptrdiff_t a_dot_step,
+    const double *a, ptrdiff_t a_step,
+    double *p_0_prime, ptrdiff_t p_0_prime_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_instant_screw_point(
+            omega + i * omega_step,
+            a_dot + i * a_dot_step,
+            a + i * a_step,
+            p_0_prime + i * p_0_prime_step);
+    }
+}
+
+/*
+ * (3.70) chasles_instant_screw_pointf for a batch.
+ *   verdict: holds under; assumes omega != 0
+ *   29 operations; derivation sha256 895661a438fba706f89d52a51bf6f4eb7433041efb58f67d2933e449bd8b4711
+ */
+void chasles_instant_screw_point_batchf(
+    size_t count,
+    const float *omega, ptrdiff_t omega_step,
+    const float *a_dot, ptrdiff_t a_dot_step,
+    const float *a, ptrdiff_t a_step,
+    float *p_0_prime, ptrdiff_t p_0_prime_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_instant_screw_pointf(
+            omega + i * omega_step,
+            a_dot + i * a_dot_step,
+            a + i * a_step,
+            p_0_prime + i * p_0_prime_step);
+    }
+}

@@ -1,0 +1,2292 @@
+/* The kernels of section_3_4_2. Made by `chasles emit`; not to be edited by hand. */
+
+#include <math.h>
+#include <stddef.h>
+
+#include "chasles.h"
+
+/*
+ * (3.76b) The matrix of the natural invariants' rates.
+ *   given       e[3]: unit vector along the axis of rotation, or along a line
+ *               phi: angle of rotation
+ *   returns     N[12]: natural invariants' rates from the angular velocity
+ *   verdict     defined
+ *   assumes     |e| = 1
+ *               phi != 0
+ *   operations  26: 3 add, 7 subtract, 13 multiply, 1 divide, 1 sine, 1 cosine
+ *   derivation  sha256 d1afff56486caa901f40463bd6490da7f0e507ea7be252aa239136060941d58a
+ */
+void chasles_natural_rate_matrix(const double e[3], double phi, double N[12])
+{
+    const double N9 = e[0];
+    const double N10 = e[1];
+    const double N11 = e[2];
+    const double t1 = 2.0 * (1.0 - cos(phi));
+    const double t2 = (t1 == 0.0 ? 0.0 : sin(phi)) / t1;
+    const double t3 = N9 * t2;
+    const double t4 = N10 * t2;
+    const double t5 = N10 * t3;
+    const double t6 = N11 * t3;
+    const double t7 = N11 * t4;
+    const double N0 = t2 - N9 * t3;
+    const double N4 = t2 - N10 * t4;
+    const double N8 = t2 - N11 * (N11 * t2);
+    const double half_N9 = 0.5 * N9;
+    const double half_N10 = 0.5 * N10;
+    const double half_N11 = 0.5 * N11;
+    const double N1 = half_N11 - t5;
+    const double N2 = -(t6 + half_N10);
+    const double N3 = -(t5 + half_N11);
+    const double N5 = half_N9 - t7;
+    const double N6 = half_N10 - t6;
+    const double N7 = -(t7 + half_N9);
+    N[0] = N0;
+    N[1] = N1;
+    N[2] = N2;
+    N[3] = N3;
+    N[4] = N4;
+    N[5] = N5;
+    N[6] = N6;
+    N[7] = N7;
+    N[8] = N8;
+    N[9] = N9;
+    N[10] = N10;
+    N[11] = N11;
+}
+
+/*
+ * (3.76b) chasles_natural_rate_matrix in single precision.
+ *   verdict: defined; assumes |e| = 1, phi != 0
+ *   26 operations; derivation sha256 d1afff56486caa901f40463bd6490da7f0e507ea7be252aa239136060941d58a
+ */
+void chasles_natural_rate_matrixf(const float e[3], float phi, float N[12])
+{
+    const float N9 = e[0];
+    const float N10 = e[1];
+    const float N11 = e[2];
+    const float t1 = 2.0f * (1.0f - cosf(phi));
+    const float t2 = (t1 == 0.0f ? 0.0f : sinf(phi)) / t1;
+    const float t3 = N9 * t2;
+    const float t4 = N10 * t2;
+    const float t5 = N10 * t3;
+    const float t6 = N11 * t3;
+    const float t7 = N11 * t4;
+    const float N0 = t2 - N9 * t3;
+    const float N4 = t2 - N10 * t4;
+    const float N8 = t2 - N11 * (N11 * t2);
+    const float half_N9 = 0.5f * N9;
+    const float half_N10 = 0.5f * N10;
+    const float half_N11 = 0.5f * N11;
+    const float N1 = half_N11 - t5;
+    const float N2 = -(t6 + half_N10);
+    const float N3 = -(t5 + half_N11);
+    const float N5 = half_N9 - t7;
+    const float N6 = half_N10 - t6;
+    const float N7 = -(t7 + half_N9);
+    N[0] = N0;
+    N[1] = N1;
+    N[2] = N2;
+    N[3] = N3;
+    N[4] = N4;
+    N[5] = N5;
+    N[6] = N6;
+    N[7] = N7;
+    N[8] = N8;
+    N[9] = N9;
+    N[10] = N10;
+    N[11] = N11;
+}
+
+/*
+ * (3.76b) chasles_natural_rate_matrix for a batch.
+ *   verdict: defined; assumes |e| = 1, phi != 0
+ *   26 operations; derivation sha256 d1afff56486caa901f40463bd6490da7f0e507ea7be252aa239136060941d58a
+ */
+void chasles_natural_rate_matrix_batch(
+    size_t count,
+    const double *e, ptrdiff_t e_step,
+    const double *phi, ptrdiff_t phi_step,
+    double *N, ptrdiff_t N_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_natural_rate_matrix(e + i * e_step, phi[i * phi_step], N + i * N_step);
+    }
+}
+
+/*
+ * (3.76b) chasles_natural_rate_matrixf for a batch.
+ *   verdict: defined; assumes |e| = 1, phi != 0
+ *   26 operations; derivation sha256 d1afff56486caa901f40463bd6490da7f0e507ea7be252aa239136060941d58a
+ */
+void chasles_natural_rate_matrix_batchf(
+    size_t count,
+    const float *e, ptrdiff_t e_step,
+    const float *phi, ptrdiff_t phi_step,
+    float *N, ptrdiff_t N_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_natural_rate_matrixf(e + i * e_step, phi[i * phi_step], N + i * N_step);
+    }
+}
+
+/*
+ * (3.76c) The matrix of the linear invariants' rates.
+ *   given       e[3]: unit vector along the axis of rotation, or along a line
+ *               phi: angle of rotation
+ *   returns     L[12]: linear invariants' rates from the angular velocity
+ *   verdict     defined
+ *   assumes     |e| = 1
+ *   operations  39: 6 add, 8 subtract, 23 multiply, 1 sine, 1 cosine
+ *   derivation  sha256 3932af0d951f36376775451ce3a1ee43e73ece9dbe47180b18d5645998d83d28
+ */
+void chasles_linear_rate_matrix(const double e[3], double phi, double L[12])
+{
+    const double cos_phi = cos(phi);
+    const double t1 = 1.0 - cos_phi;
+    const double sin_phi = sin(phi);
+    const double t2 = t1 * (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) + 3.0 * cos_phi - cos_phi;
+    const double half_t2 = 0.5 * t2;
+    const double half_t1 = 0.5 * t1;
+    const double half_sin_phi = 0.5 * sin_phi;
+    const double t3 = e[0] * half_t1;
+    const double t4 = e[1] * half_t1;
+    const double t5 = e[1] * t3;
+    const double t6 = e[2] * t3;
+    const double t7 = e[2] * t4;
+    const double L0 = half_t2 - e[0] * t3;
+    const double L4 = half_t2 - e[1] * t4;
+    const double L8 = half_t2 - e[2] * (e[2] * half_t1);
+    const double t8 = e[0] * half_sin_phi;
+    const double t9 = e[1] * half_sin_phi;
+    const double t10 = e[2] * half_sin_phi;
+    const double L1 = t10 - t5;
+    const double L2 = -(t6 + t9);
+    const double L3 = -(t5 + t10);
+    const double L5 = t8 - t7;
+    const double L6 = t9 - t6;
+    const double L7 = -(t7 + t8);
+    const double L9 = -(e[0] * sin_phi);
+    const double L10 = -(e[1] * sin_phi);
+    const double L11 = -(e[2] * sin_phi);
+    L[0] = L0;
+    L[1] = L1;
+    L[2] = L2;
+    L[3] = L3;
+    L[4] = L4;
+    L[5] = L5;
+    L[6] = L6;
+    L[7] = L7;
+    L[8] = L8;
+    L[9] = L9;
+    L[10] = L10;
+    L[11] = L11;
+}
+
+/*
+ * (3.76c) chasles_linear_rate_matrix in single precision.
+ *   verdict: defined; assumes |e| = 1
+ *   39 operations; derivation sha256 3932af0d951f36376775451ce3a1ee43e73ece9dbe47180b18d5645998d83d28
+ */
+void chasles_linear_rate_matrixf(const float e[3], float phi, float L[12])
+{
+    const float cos_phi = cosf(phi);
+    const float t1 = 1.0f - cos_phi;
+    const float sin_phi = sinf(phi);
+    const float t2 = t1 * (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) + 3.0f * cos_phi;
+    const float t3 = 0.5f * (t2 - cos_phi);
+    const float half_t1 = 0.5f * t1;
+    const float half_sin_phi = 0.5f * sin_phi;
+    const float t4 = e[0] * half_t1;
+    const float t5 = e[1] * half_t1;
+    const float t6 = e[1] * t4;
+    const float t7 = e[2] * t4;
+    const float t8 = e[2] * t5;
+    const float L0 = t3 - e[0] * t4;
+    const float L4 = t3 - e[1] * t5;
+    const float L8 = t3 - e[2] * (e[2] * half_t1);
+    const float t9 = e[0] * half_sin_phi;
+    const float t10 = e[1] * half_sin_phi;
+    const float t11 = e[2] * half_sin_phi;
+    const float L1 = t11 - t6;
+    const float L2 = -(t7 + t10);
+    const float L3 = -(t6 + t11);
+    const float L5 = t9 - t8;
+    const float L6 = t10 - t7;
+    const float L7 = -(t8 + t9);
+    const float L9 = -(e[0] * sin_phi);
+    const float L10 = -(e[1] * sin_phi);
+    const float L11 = -(e[2] * sin_phi);
+    L[0] = L0;
+    L[1] = L1;
+    L[2] = L2;
+    L[3] = L3;
+    L[4] = L4;
+    L[5] = L5;
+    L[6] = L6;
+    L[7] = L7;
+    L[8] = L8;
+    L[9] = L9;
+    L[10] = L10;
+    L[11] = L11;
+}
+
+/*
+ * (3.76c) chasles_linear_rate_matrix for a batch.
+ *   verdict: defined; assumes |e| = 1
+ *   39 operations; derivation sha256 3932af0d951f36376775451ce3a1ee43e73ece9dbe47180b18d5645998d83d28
+ */
+void chasles_linear_rate_matrix_batch(
+    size_t count,
+    const double *e, ptrdiff_t e_step,
+    const double *phi, ptrdiff_t phi_step,
+    double *L, ptrdiff_t L_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_linear_rate_matrix(e + i * e_step, phi[i * phi_step], L + i * L_step);
+    }
+}
+
+/*
+ * (3.76c) chasles_linear_rate_matrixf for a batch.
+ *   verdict: defined; assumes |e| = 1
+ *   39 operations; derivation sha256 3932af0d951f36376775451ce3a1ee43e73ece9dbe47180b18d5645998d83d28
+ */
+void chasles_linear_rate_matrix_batchf(
+    size_t count,
+    const float *e, ptrdiff_t e_step,
+    const float *phi, ptrdiff_t phi_step,
+    float *L, ptrdiff_t L_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_linear_rate_matrixf(e + i * e_step, phi[i * phi_step], L + i * L_step);
+    }
+}
+
+/*
+ * (3.76d) The matrix of the Euler-Rodrigues parameters' rates.
+ *   given       e[3]: unit vector along the axis of rotation, or along a line
+ *               phi: angle of rotation
+ *   returns     H[12]: Euler-Rodrigues parameters' rates from the angular velocity
+ *   verdict     defined
+ *   assumes     |e| = 1
+ *   operations  8: 6 multiply, 1 sine, 1 cosine
+ *   derivation  sha256 3a735e68dbe0a8f64cc814f18a0e5c5ed23fe697bfaae80247e65c806f072dee
+ */
+void chasles_euler_rodrigues_rate_matrix(const double e[3], double phi, double H[12])
+{
+    const double half_phi = 0.5 * phi;
+    const double H0 = 0.5 * cos(half_phi);
+    const double t1 = 0.5 * sin(half_phi);
+    const double H5 = e[0] * t1;
+    const double H7 = -H5;
+    const double H6 = e[1] * t1;
+    const double H2 = -H6;
+    const double H1 = e[2] * t1;
+    const double H3 = -H1;
+    H[0] = H0;
+    H[1] = H1;
+    H[2] = H2;
+    H[3] = H3;
+    H[4] = H0;
+    H[5] = H5;
+    H[6] = H6;
+    H[7] = H7;
+    H[8] = H0;
+    H[9] = H7;
+    H[10] = H2;
+    H[11] = H3;
+}
+
+/*
+ * (3.76d) chasles_euler_rodrigues_rate_matrix in single precision.
+ *   verdict: defined; assumes |e| = 1
+ *   8 operations; derivation sha256 3a735e68dbe0a8f64cc814f18a0e5c5ed23fe697bfaae80247e65c806f072dee
+ */
+void chasles_euler_rodrigues_rate_matrixf(const float e[3], float phi, float H[12])
+{
+    const float half_phi = 0.5f * phi;
+    const float H0 = 0.5f * cosf(half_phi);
+    const float t1 = 0.5f * sinf(half_phi);
+    const float H5 = e[0] * t1;
+    const float H7 = -H5;
+    const float H6 = e[1] * t1;
+    const float H2 = -H6;
+    const float H1 = e[2] * t1;
+    const float H3 = -H1;
+    H[0] = H0;
+    H[1] = H1;
+    H[2] = H2;
+    H[3] = H3;
+    H[4] = H0;
+    H[5] = H5;
+    H[6] = H6;
+    H[7] = H7;
+    H[8] = H0;
+    H[9] = H7;
+    H[10] = H2;
+    H[11] = H3;
+}
+
+/*
+ * (3.76d) chasles_euler_rodrigues_rate_matrix for a batch.
+ *   verdict: defined; assumes |e| = 1
+ *   8 operations; derivation sha256 3a735e68dbe0a8f64cc814f18a0e5c5ed23fe697bfaae80247e65c806f072dee
+ */
+void chasles_euler_rodrigues_rate_matrix_batch(
+    size_t count,
+    const double *e, ptrdiff_t e_step,
+    const double *phi, ptrdiff_t phi_step,
+    double *H, ptrdiff_t H_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_euler_rodrigues_rate_matrix(e + i * e_step, phi[i * phi_step], H + i * H_step);
+    }
+}
+
+/*
+ * (3.76d) chasles_euler_rodrigues_rate_matrixf for a batch.
+ *   verdict: defined; assumes |e| = 1
+ *   8 operations; derivation sha256 3a735e68dbe0a8f64cc814f18a0e5c5ed23fe697bfaae80247e65c806f072dee
+ */
+void chasles_euler_rodrigues_rate_matrix_batchf(
+    size_t count,
+    const float *e, ptrdiff_t e_step,
+    const float *phi, ptrdiff_t phi_step,
+    float *H, ptrdiff_t H_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_euler_rodrigues_rate_matrixf(e + i * e_step, phi[i * phi_step], H + i * H_step);
+    }
+}
+
+/*
+ * text 3.4.2 f The rotation from its linear invariants.
+ *   given       q[3]: vector part of four invariants of the rotation
+ *               q_0: scalar part of four invariants of the rotation
+ *   returns     Q[9]: rotation
+ *   verdict     holds under
+ *   assumes     phi != pi
+ *   operations  20: 7 add, 3 subtract, 9 multiply, 1 divide
+ *   derivation  sha256 6c875acb2742adb076485e3b75a69754af3515e24d15f1d3ff9dfbcee252fa0e
+ */
+void chasles_rotation_from_linear_invariants(const double q[3], double q_0, double Q[9])
+{
+    const double t1 = 1.0 + q_0;
+    const double t2 = (t1 == 0.0 ? 0.0 : 1.0) / t1;
+    const double t3 = q[0] * t2;
+    const double t4 = q[1] * t2;
+    const double t5 = q[1] * t3;
+    const double t6 = q[2] * t3;
+    const double t7 = q[2] * t4;
+    const double Q0 = q_0 + q[0] * t3;
+    const double Q4 = q_0 + q[1] * t4;
+    const double Q8 = q_0 + q[2] * (q[2] * t2);
+    const double Q1 = t5 - q[2];
+    const double Q2 = q[1] + t6;
+    const double Q3 = q[2] + t5;
+    const double Q5 = t7 - q[0];
+    const double Q6 = t6 - q[1];
+    const double Q7 = q[0] + t7;
+    Q[0] = Q0;
+    Q[1] = Q1;
+    Q[2] = Q2;
+    Q[3] = Q3;
+    Q[4] = Q4;
+    Q[5] = Q5;
+    Q[6] = Q6;
+    Q[7] = Q7;
+    Q[8] = Q8;
+}
+
+/*
+ * text 3.4.2 f chasles_rotation_from_linear_invariants in single precision.
+ *   verdict: holds under; assumes phi != pi
+ *   20 operations; derivation sha256 6c875acb2742adb076485e3b75a69754af3515e24d15f1d3ff9dfbcee252fa0e
+ */
+void chasles_rotation_from_linear_invariantsf(const float q[3], float q_0, float Q[9])
+{
+    const float t1 = 1.0f + q_0;
+    const float t2 = (t1 == 0.0f ? 0.0f : 1.0f) / t1;
+    const float t3 = q[0] * t2;
+    const float t4 = q[1] * t2;
+    const float t5 = q[1] * t3;
+    const float t6 = q[2] * t3;
+    const float t7 = q[2] * t4;
+    const float Q0 = q_0 + q[0] * t3;
+    const float Q4 = q_0 + q[1] * t4;
+    const float Q8 = q_0 + q[2] * (q[2] * t2);
+    const float Q1 = t5 - q[2];
+    const float Q2 = q[1] + t6;
+    const float Q3 = q[2] + t5;
+    const float Q5 = t7 - q[0];
+    const float Q6 = t6 - q[1];
+    const float Q7 = q[0] + t7;
+    Q[0] = Q0;
+    Q[1] = Q1;
+    Q[2] = Q2;
+    Q[3] = Q3;
+    Q[4] = Q4;
+    Q[5] = Q5;
+    Q[6] = Q6;
+    Q[7] = Q7;
+    Q[8] = Q8;
+}
+
+/*
+ * text 3.4.2 f chasles_rotation_from_linear_invariants for a batch.
+ *   verdict: holds under; assumes phi != pi
+ *   20 operations; derivation sha256 6c875acb2742adb076485e3b75a69754af3515e24d15f1d3ff9dfbcee252fa0e
+ */
+void chasles_rotation_from_linear_invariants_batch(
+    size_t count,
+    const double *q, ptrdiff_t q_step,
+    const double *q_0, ptrdiff_t q_0_step,
+    double *Q, ptrdiff_t Q_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_rotation_from_linear_invariants(q + i * q_step, q_0[i * q_0_step], Q + i * Q_step);
+    }
+}
+
+/*
+ * text 3.4.2 f chasles_rotation_from_linear_invariantsf for a batch.
+ *   verdict: holds under; assumes phi != pi
+ *   20 operations; derivation sha256 6c875acb2742adb076485e3b75a69754af3515e24d15f1d3ff9dfbcee252fa0e
+ */
+void chasles_rotation_from_linear_invariants_batchf(
+    size_t count,
+    const float *q, ptrdiff_t q_step,
+    const float *q_0, ptrdiff_t q_0_step,
+    float *Q, ptrdiff_t Q_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_rotation_from_linear_invariantsf(q + i * q_step, q_0[i * q_0_step], Q + i * Q_step);
+    }
+}
+
+/*
+ * text 3.4.2 f The rotation from its Euler-Rodrigues parameters.
+ *   given       q[3]: vector part of four invariants of the rotation
+ *               q_0: scalar part of four invariants of the rotation
+ *   returns     Q[9]: rotation
+ *   verdict     holds under
+ *   assumes     |e| = 1
+ *   operations  32: 8 add, 4 subtract, 20 multiply
+ *   derivation  sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
+ */
+void chasles_rotation_from_euler_rodrigues(const double q[3], double q_0, double Q[9])
+{
+    const double t1 = q_0 * q_0 - (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
+    const double t2 = 2.0 * q[0];
+    const double t3 = 2.0 * q[1];
+    const double t4 = 2.0 * q[2];
+    const double t5 = 2.0 * q_0;
+    const double Q0 = t1 + q[0] * t2;
+    const double Q4 = t1 + q[1] * t3;
+    const double Q8 = t1 + q[2] * t4;
+    const double t6 = q[0] * t5;
+    const double t7 = q[1] * t5;
+    const double t8 = q[2] * t5;
+    const double Q1 = q[1] * t2 - t8;
+    const double Q2 = q[2] * t2 + t7;
+    const double Q3 = q[0] * t3 + t8;
+    const double Q5 = q[2] * t3 - t6;
+    const double Q6 = q[0] * t4 - t7;
+    const double Q7 = q[1] * t4 + t6;
+    Q[0] = Q0;
+    Q[1] = Q1;
+    Q[2] = Q2;
+    Q[3] = Q3;
+    Q[4] = Q4;
+    Q[5] = Q5;
+    Q[6] = Q6;
+    Q[7] = Q7;
+    Q[8] = Q8;
+}
+
+/*
+ * text 3.4.2 f chasles_rotation_from_euler_rodrigues in single precision.
+ *   verdict: holds under; assumes |e| = 1
+ *   32 operations; derivation sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
+ */
+void chasles_rotation_from_euler_rodriguesf(const float q[3], float q_0, float Q[9])
+{
+    const float t1 = q_0 * q_0 - (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
+    const float t2 = 2.0f * q[0];
+    const float t3 = 2.0f * q[1];
+    const float t4 = 2.0f * q[2];
+    const float t5 = 2.0f * q_0;
+    const float Q0 = t1 + q[0] * t2;
+    const float Q4 = t1 + q[1] * t3;
+    const float Q8 = t1 + q[2] * t4;
+    const float t6 = q[0] * t5;
+    const float t7 = q[1] * t5;
+    const float t8 = q[2] * t5;
+    const float Q1 = q[1] * t2 - t8;
+    const float Q2 = q[2] * t2 + t7;
+    const float Q3 = q[0] * t3 + t8;
+    const float Q5 = q[2] * t3 - t6;
+    const float Q6 = q[0] * t4 - t7;
+    const float Q7 = q[1] * t4 + t6;
+    Q[0] = Q0;
+    Q[1] = Q1;
+    Q[2] = Q2;
+    Q[3] = Q3;
+    Q[4] = Q4;
+    Q[5] = Q5;
+    Q[6] = Q6;
+    Q[7] = Q7;
+    Q[8] = Q8;
+}
+
+/*
+ * text 3.4.2 f chasles_rotation_from_euler_rodrigues for a batch.
+ *   verdict: holds under; assumes |e| = 1
+ *   32 operations; derivation sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
+ */
+void chasles_rotation_from_euler_rodrigues_batch(
+    size_t count,
+    const double *q, ptrdiff_t q_step,
+    const double *q_0, ptrdiff_t q_0_step,
+    double *Q, ptrdiff_t Q_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_rotation_from_euler_rodrigues(q + i * q_step, q_0[i * q_0_step], Q + i * Q_step);
+    }
+}
+
+/*
+ * text 3.4.2 f chasles_rotation_from_euler_rodriguesf for a batch.
+ *   verdict: holds under; assumes |e| = 1
+ *   32 operations; derivation sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
+ */
+void chasles_rotation_from_euler_rodrigues_batchf(
+    size_t count,
+    const float *q, ptrdiff_t q_step,
+    const float *q_0, ptrdiff_t q_0_step,
+    float *Q, ptrdiff_t Q_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_rotation_from_euler_rodriguesf(q + i * q_step, q_0[i * q_0_step], Q + i * Q_step);
+    }
+}
+
+/*
+ * text 3.4.2 g The linear invariants from the rotation.
+ *   given       Q[9]: rotation
+ *   returns     q[3]: vector part of four invariants of the rotation
+ *               q_0: scalar part of four invariants of the rotation
+ *   verdict     holds under
+ *   assumes     |e| = 1
+ *   operations  10: 2 add, 4 subtract, 4 multiply
+ *   derivation  sha256 33d342698b1bbb0ed8e2b1fc28a50f559e7edf4004942693b00b69e15c4fa640
+ */
+void chasles_linear_invariants(const double Q[9], double q[3], double *q_0)
+{
+    const double q0 = 0.5 * (Q[7] - Q[5]);
+    const double q1 = 0.5 * (Q[2] - Q[6]);
+    const double q2 = 0.5 * (Q[3] - Q[1]);
+    const double q_0_value = 0.5 * (Q[8] + (Q[0] + Q[4]) - 1.0);
+    q[0] = q0;
+    q[1] = q1;
+    q[2] = q2;
+    *q_0 = q_0_value;
+}
+
+/*
+ * text 3.4.2 g chasles_linear_invariants in single precision.
+ *   verdict: holds under; assumes |e| = 1
+ *   10 operations; derivation sha256 33d342698b1bbb0ed8e2b1fc28a50f559e7edf4004942693b00b69e15c4fa640
+ */
+void chasles_linear_invariantsf(const float Q[9], float q[3], float *q_0)
+{
+    const float q0 = 0.5f * (Q[7] - Q[5]);
+    const float q1 = 0.5f * (Q[2] - Q[6]);
+    const float q2 = 0.5f * (Q[3] - Q[1]);
+    const float q_0_value = 0.5f * (Q[8] + (Q[0] + Q[4]) - 1.0f);
+    q[0] = q0;
+    q[1] = q1;
+    q[2] = q2;
+    *q_0 = q_0_value;
+}
+
+/*
+ * text 3.4.2 g chasles_linear_invariants for a batch.
+ *   verdict: holds under; assumes |e| = 1
+ *   10 operations; derivation sha256 33d342698b1bbb0ed8e2b1fc28a50f559e7edf4004942693b00b69e15c4fa640
+ */
+void chasles_linear_invariants_batch(
+    size_t count,
+    const double *Q, ptrdiff_t Q_step,
+    double *q, ptrdiff_t q_step,
+    double *q_0, ptrdiff_t q_0_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_linear_invariants(Q + i * Q_step, q + i * q_step, q_0 + i * q_0_step);
+    }
+}
+
+/*
+ * text 3.4.2 g chasles_linear_invariantsf for a batch.
+ *   verdict: holds under; assumes |e| = 1
+ *   10 operations; derivation sha256 33d342698b1bbb0ed8e2b1fc28a50f559e7edf4004942693b00b69e15c4fa640
+ */
+void chasles_linear_invariants_batchf(
+    size_t count,
+    const float *Q, ptrdiff_t Q_step,
+    float *q, ptrdiff_t q_step,
+    float *q_0, ptrdiff_t q_0_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_linear_invariantsf(Q + i * Q_step, q + i * q_step, q_0 + i * q_0_step);
+    }
+}
+
+/*
+ * text 3.4.2 h The natural invariants from the rotation.
+ *   given       Q[9]: rotation
+ *   returns     e[3]: unit vector along the axis of rotation, or along a line
+ *               phi: angle of rotation
+ *   verdict     holds under
+ *   assumes     Q is a rotation
+ *   operations  39: 13 add, 4 subtract, 16 multiply, 3 divide, 2 square root, 1 arctangent2
+ *   derivation  sha256 ce23ec446d990ff7e0b558fdd07ff9dade09e7e0b95886da8f4657dae3611696
+ */
+void chasles_natural_invariants(const double Q[9], double e[3], double *phi)
+{
+    const double t1 = NAN;
+    const double t2 = 1.0 + Q[8];
+    const double t3 = Q[2] * Q[2] + Q[5] * Q[5] + t2 * t2;
+    const double t4 = Q[8] + (Q[0] + Q[4]);
+    const int t5 = t4 < 0.0;
+    const int t6 = 0.0 == t3;
+    const double t7 = t6 ? t1 : (t5 ? Q[2] : t1);
+    const double t8 = t6 ? t1 : (t5 ? Q[5] : t1);
+    const double t9 = t6 ? t1 : (t5 ? t2 : t1);
+    const double t10 = 1.0 + Q[4];
+    const double t11 = Q[1] * Q[1] + t10 * t10 + Q[7] * Q[7];
+    const int t12 = 0.0 == t11;
+    const double t13 = t12 ? t7 : (t5 ? Q[1] : t7);
+    const double t14 = t12 ? t3 : (t5 ? t11 : t3);
+    const double t15 = t12 ? t8 : (t5 ? t10 : t8);
+    const double t16 = t12 ? t9 : (t5 ? Q[7] : t9);
+    const double t17 = 1.0 + Q[0];
+    const double t18 = t17 * t17 + Q[3] * Q[3] + Q[6] * Q[6];
+    const int t19 = 0.0 == t18;
+    const double t20 = 0.5 * (Q[7] - Q[5]);
+    const double t21 = 0.5 * (Q[2] - Q[6]);
+    const double t22 = 0.5 * (Q[3] - Q[1]);
+    const double t23 = t20 * t20 + t21 * t21 + t22 * t22;
+    const int t24 = 0.0 == t23;
+    const double t25 = t24 ? (t19 ? t14 : (t5 ? t18 : t14)) : t23;
+    const double t26 = sqrt(t25);
+    const int t27 = t25 == 0.0;
+    const double e0 = (t27 ? 0.0 : (t24 ? (t19 ? t13 : (t5 ? t17 : t13)) : t20)) / t26;
+    const double e1 = (t27 ? 0.0 : (t24 ? (t19 ? t15 : (t5 ? Q[3] : t15)) : t21)) / t26;
+    const double e2 = (t27 ? 0.0 : (t24 ? (t19 ? t16 : (t5 ? Q[6] : t16)) : t22)) / t26;
+    const double t28 = t6 ? t1 : (t5 ? -1.0 : t1);
+    const double t29 = t12 ? t28 : (t5 ? -1.0 : t28);
+    const double t30 = t6 ? t1 : (t5 ? 0.0 : t1);
+    const double t31 = t12 ? t30 : (t5 ? 0.0 : t30);
+    const double t32 = t24 ? (t19 ? t29 : (t5 ? -1.0 : t29)) : 0.5 * (t4 - 1.0);
+    const double phi_value = atan2(t24 ? (t19 ? t31 : (t5 ? 0.0 : t31)) : sqrt(t23), t32);
+    e[0] = e0;
+    e[1] = e1;
+    e[2] = e2;
+    *phi = phi_value;
+}
+
+/*
+ * text 3.4.2 h chasles_natural_invariants in single precision.
+ *   verdict: holds under; assumes Q is a rotation
+ *   39 operations; derivation sha256 ce23ec446d990ff7e0b558fdd07ff9dade09e7e0b95886da8f4657dae3611696
+ */
+void chasles_natural_invariantsf(const float Q[9], float e[3], float *phi)
+{
+    const float t1 = NAN;
+    const float t2 = 1.0f + Q[8];
+    const float t3 = Q[2] * Q[2] + Q[5] * Q[5] + t2 * t2;
+    const float t4 = Q[8] + (Q[0] + Q[4]);
+    const int t5 = t4 < 0.0f;
+    const int t6 = 0.0f == t3;
+    const float t7 = t6 ? t1 : (t5 ? Q[2] : t1);
+    const float t8 = t6 ? t1 : (t5 ? Q[5] : t1);
+    const float t9 = t6 ? t1 : (t5 ? t2 : t1);
+    const float t10 = 1.0f + Q[4];
+    const float t11 = Q[1] * Q[1] + t10 * t10 + Q[7] * Q[7];
+    const int t12 = 0.0f == t11;
+    const float t13 = t12 ? t7 : (t5 ? Q[1] : t7);
+    const float t14 = t12 ? t3 : (t5 ? t11 : t3);
+    const float t15 = t12 ? t8 : (t5 ? t10 : t8);
+    const float t16 = t12 ? t9 : (t5 ? Q[7] : t9);
+    const float t17 = 1.0f + Q[0];
+    const float t18 = t17 * t17 + Q[3] * Q[3] + Q[6] * Q[6];
+    const int t19 = 0.0f == t18;
+    const float t20 = 0.5f * (Q[7] - Q[5]);
+    const float t21 = 0.5f * (Q[2] - Q[6]);
+    const float t22 = 0.5f * (Q[3] - Q[1]);
+    const float t23 = t20 * t20 + t21 * t21 + t22 * t22;
+    const int t24 = 0.0f == t23;
+    const float t25 = t24 ? (t19 ? t14 : (t5 ? t18 : t14)) : t23;
+    const float t26 = sqrtf(t25);
+    const int t27 = t25 == 0.0f;
+    const float e0 = (t27 ? 0.0f : (t24 ? (t19 ? t13 : (t5 ? t17 : t13)) : t20)) / t26;
+    const float e1 = (t27 ? 0.0f : (t24 ? (t19 ? t15 : (t5 ? Q[3] : t15)) : t21)) / t26;
+    const float e2 = (t27 ? 0.0f : (t24 ? (t19 ? t16 : (t5 ? Q[6] : t16)) : t22)) / t26;
+    const float t28 = t6 ? t1 : (t5 ? -1.0f : t1);
+    const float t29 = t12 ? t28 : (t5 ? -1.0f : t28);
+    const float t30 = t6 ? t1 : (t5 ? 0.0f : t1);
+    const float t31 = t12 ? t30 : (t5 ? 0.0f : t30);
+    const float t32 = t24 ? (t19 ? t29 : (t5 ? -1.0f : t29)) : 0.5f * (t4 - 1.0f);
+    const float phi_value = atan2f(t24 ? (t19 ? t31 : (t5 ? 0.0f : t31)) : sqrtf(t23), t32);
+    e[0] = e0;
+    e[1] = e1;
+    e[2] = e2;
+    *phi = phi_value;
+}
+
+/*
+ * text 3.4.2 h chasles_natural_invariants for a batch.
+ *   verdict: holds under; assumes Q is a rotation
+ *   39 operations; derivation sha256 ce23ec446d990ff7e0b558fdd07ff9dade09e7e0b95886da8f4657dae3611696
+ */
+void chasles_natural_invariants_batch(
+    size_t count,
+    const double *Q, ptrdiff_t Q_step,
+    double *e, ptrdiff_t e_step,
+    double *phi, ptrdiff_t phi_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_natural_invariants(Q + i * Q_step, e + i * e_step, phi + i * phi_step);
+    }
+}
+
+/*
+ * text 3.4.2 h chasles_natural_invariantsf for a batch.
+ *   verdict: holds under; assumes Q is a rotation
+ *   39 operations; derivation sha256 ce23ec446d990ff7e0b558fdd07ff9dade09e7e0b95886da8f4657dae3611696
+ */
+void chasles_natural_invariants_batchf(
+    size_t count,
+    const float *Q, ptrdiff_t Q_step,
+    float *e, ptrdiff_t e_step,
+    float *phi, ptrdiff_t phi_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_natural_invariantsf(Q + i * Q_step, e + i * e_step, phi + i * phi_step);
+    }
+}
+
+/*
+ * text 3.4.2 i The Euler-Rodrigues parameters from the rotation.
+ *   given       Q[9]: rotation
+ *   returns     q[3]: vector part of four invariants of the rotation
+ *               q_0: scalar part of four invariants of the rotation
+ *   verdict     holds under
+ *   assumes     Q is a rotation
+ *   operations  44: 15 add, 3 subtract, 19 multiply, 5 divide, 2 square root
+ *   derivation  sha256 50d4440dd06d9ac3b74077d2653ac1b42afedddee70962f67db8cd4740e9b85f
+ */
+void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *q_0)
+{
+    const double t1 = NAN;
+    const double t2 = 1.0 + Q[8];
+    const double t3 = Q[2] * Q[2] + Q[5] * Q[5] + t2 * t2;
+    const double t4 = Q[8] + (Q[0] + Q[4]);
+    const int t5 = t4 < 0.0;
+    const int t6 = 0.0 == t3;
+    const double t7 = t6 ? t1 : (t5 ? Q[2] : t1);
+    const double t8 = t6 ? t1 : (t5 ? Q[5] : t1);
+    const double t9 = t6 ? t1 : (t5 ? t2 : t1);
+    const double t10 = 1.0 + Q[4];
+    const double t11 = Q[1] * Q[1] + t10 * t10 + Q[7] * Q[7];
+    const int t12 = 0.0 == t11;
+    const double t13 = t12 ? t7 : (t5 ? Q[1] : t7);
+    const double t14 = t12 ? t3 : (t5 ? t11 : t3);
+    const double t15 = t12 ? t8 : (t5 ? t10 : t8);
+    const double t16 = t12 ? t9 : (t5 ? Q[7] : t9);
+    const double t17 = 1.0 + Q[0];
+    const double t18 = t17 * t17 + Q[3] * Q[3] + Q[6] * Q[6];
+    const int t19 = 0.0 == t18;
+    const double t20 = t19 ? t14 : (t5 ? t18 : t14);
+    const double t21 = sqrt(t20);
+    const int t22 = t20 == 0.0;
+    const double t23 = Q[7] - Q[5];
+    const double t24 = Q[2] - Q[6];
+    const double t25 = Q[3] - Q[1];
+    const double t26 = 1.0 + t4;
+    const double t27 = t23 * t23 + t24 * t24 + t25 * t25 + t26 * t26;
+    const double t28 = sqrt(t27);
+    const int t29 = t27 == 0.0;
+    const double t30 = (t29 ? 0.0 : 2.0) / t28;
+    const int t31 = 0.0 == t27;
+    const double t32 = (t22 ? 0.0 : (t19 ? t13 : (t5 ? t17 : t13))) / t21;
+    const double q0 = t31 ? t32 : 0.5 * t23 * t30;
+    const double t33 = (t22 ? 0.0 : (t19 ? t15 : (t5 ? Q[3] : t15))) / t21;
+    const double q1 = t31 ? t33 : 0.5 * t24 * t30;
+    const double t34 = (t22 ? 0.0 : (t19 ? t16 : (t5 ? Q[6] : t16))) / t21;
+    const double q2 = t31 ? t34 : 0.5 * t25 * t30;
+    const double t35 = t6 ? t1 : (t5 ? 0.0 : t1);
+    const double t36 = t12 ? t35 : (t5 ? 0.0 : t35);
+    const double q_0_value = t31 ? (t19 ? t36 : (t5 ? 0.0 : t36)) : (t29 ? 0.0 : t26) / t28;
+    q[0] = q0;
+    q[1] = q1;
+    q[2] = q2;
+    *q_0 = q_0_value;
+}
+
+/*
+ * text 3.4.2 i chasles_euler_rodrigues_parameters in single precision.
+ *   verdict: holds under; assumes Q is a rotation
+ *   44 operations; derivation sha256 50d4440dd06d9ac3b74077d2653ac1b42afedddee70962f67db8cd4740e9b85f
+ */
+void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_0)
+{
+    const float t1 = NAN;
+    const float t2 = 1.0f + Q[8];
+    const float t3 = Q[2] * Q[2] + Q[5] * Q[5] + t2 * t2;
+    const float t4 = Q[8] + (Q[0] + Q[4]);
+    const int t5 = t4 < 0.0f;
+    const int t6 = 0.0f == t3;
+    const float t7 = t6 ? t1 : (t5 ? Q[2] : t1);
+    const float t8 = t6 ? t1 : (t5 ? Q[5] : t1);
+    const float t9 = t6 ? t1 : (t5 ? t2 : t1);
+    const float t10 = 1.0f + Q[4];
+    const float t11 = Q[1] * Q[1] + t10 * t10 + Q[7] * Q[7];
+    const int t12 = 0.0f == t11;
+    const float t13 = t12 ? t7 : (t5 ? Q[1] : t7);
+    const float t14 = t12 ? t3 : (t5 ? t11 : t3);
+    const float t15 = t12 ? t8 : (t5 ? t10 : t8);
+    const float t16 = t12 ? t9 : (t5 ? Q[7] : t9);
+    const float t17 = 1.0f + Q[0];
+    const float t18 = t17 * t17 + Q[3] * Q[3] + Q[6] * Q[6];
+    const int t19 = 0.0f == t18;
+    const float t20 = t19 ? t14 : (t5 ? t18 : t14);
+    const float t21 = sqrtf(t20);
+    const int t22 = t20 == 0.0f;
+    const float t23 = Q[7] - Q[5];
+    const float t24 = Q[2] - Q[6];
+    const float t25 = Q[3] - Q[1];
+    const float t26 = 1.0f + t4;
+    const float t27 = t23 * t23 + t24 * t24 + t25 * t25 + t26 * t26;
+    const float t28 = sqrtf(t27);
+    const int t29 = t27 == 0.0f;
+    const float t30 = (t29 ? 0.0f : 2.0f) / t28;
+    const int t31 = 0.0f == t27;
+    const float t32 = (t22 ? 0.0f : (t19 ? t13 : (t5 ? t17 : t13))) / t21;
+    const float q0 = t31 ? t32 : 0.5f * t23 * t30;
+    const float t33 = (t22 ? 0.0f : (t19 ? t15 : (t5 ? Q[3] : t15))) / t21;
+    const float q1 = t31 ? t33 : 0.5f * t24 * t30;
+    const float t34 = (t22 ? 0.0f : (t19 ? t16 : (t5 ? Q[6] : t16))) / t21;
+    const float q2 = t31 ? t34 : 0.5f * t25 * t30;
+    const float t35 = t6 ? t1 : (t5 ? 0.0f : t1);
+    const float t36 = t12 ? t35 : (t5 ? 0.0f : t35);
+    const float q_0_value = t31 ? (t19 ? t36 : (t5 ? 0.0f : t36)) : (t29 ? 0.0f : t26) / t28;
+    q[0] = q0;
+    q[1] = q1;
+    q[2] = q2;
+    *q_0 = q_0_value;
+}
+
+/*
+ * text 3.4.2 i chasles_euler_rodrigues_parameters for a batch.
+ *   verdict: holds under; assumes Q is a rotation
+ *   44 operations; derivation sha256 50d4440dd06d9ac3b74077d2653ac1b42afedddee70962f67db8cd4740e9b85f
+ */
+void chasles_euler_rodrigues_parameters_batch(
+    size_t count,
+    const double *Q, ptrdiff_t Q_step,
+    double *q, ptrdiff_t q_step,
+    double *q_0, ptrdiff_t q_0_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_euler_rodrigues_parameters(Q + i * Q_step, q + i * q_step, q_0 + i * q_0_step);
+    }
+}
+
+/*
+ * text 3.4.2 i chasles_euler_rodrigues_parametersf for a batch.
+ *   verdict: holds under; assumes Q is a rotation
+ *   44 operations; derivation sha256 50d4440dd06d9ac3b74077d2653ac1b42afedddee70962f67db8cd4740e9b85f
+ */
+void chasles_euler_rodrigues_parameters_batchf(
+    size_t count,
+    const float *Q, ptrdiff_t Q_step,
+    float *q, ptrdiff_t q_step,
+    float *q_0, ptrdiff_t q_0_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_euler_rodrigues_parametersf(Q + i * Q_step, q + i * q_step, q_0 + i * q_0_step);
+    }
+}
+
+/*
+ * text 3.4.2 j The screw of a motion: Plücker array of its axis, translation along it, angle.
+ *   given       Q[9]: rotation
+ *               a[3]: position of the landmark point A
+ *               a_prime[3]: position of A after the displacement
+ *   returns     axis[6]: [e; p_0 x e]
+ *               d_0: e . (a' - a)
+ *               phi: angle of rotation
+ *   verdict     holds under
+ *   assumes     Q is a rotation
+ *   operations  97: 27 add, 17 subtract, 44 multiply, 6 divide, 2 square root, 1 arctangent2
+ *   derivation  sha256 39fd2c9a765bdb2fac1a7e8f9c30e2d5bb6b4ca83ea8343c9396eb347055e45c
+ */
+void chasles_screw_of_motion(
+    const double Q[9],
+    const double a[3],
+    const double a_prime[3],
+    double axis[6],
+    double *d_0,
+    double *phi)
+{
+    const double t1 = NAN;
+    const double t2 = 1.0 + Q[8];
+    const double t3 = Q[2] * Q[2] + Q[5] * Q[5] + t2 * t2;
+    const double t4 = Q[8] + (Q[0] + Q[4]);
+    const int t5 = t4 < 0.0;
+    const int t6 = 0.0 == t3;
+    const double t7 = t6 ? t1 : (t5 ? Q[2] : t1);
+    const double t8 = t6 ? t1 : (t5 ? Q[5] : t1);
+    const double t9 = t6 ? t1 : (t5 ? t2 : t1);
+    const double t10 = 1.0 + Q[4];
+    const double t11 = Q[1] * Q[1] + t10 * t10 + Q[7] * Q[7];
+    const int t12 = 0.0 == t11;
+    const double t13 = t12 ? t7 : (t5 ? Q[1] : t7);
+    const double t14 = t12 ? t3 : (t5 ? t11 : t3);
+    const double t15 = t12 ? t8 : (t5 ? t10 : t8);
+    const double t16 = t12 ? t9 : (t5 ? Q[7] : t9);
+    const double t17 = 1.0 + Q[0];
+    const double t18 = t17 * t17 + Q[3] * Q[3] + Q[6] * Q[6];
+    const int t19 = 0.0 == t18;
+    const double t20 = 0.5 * (Q[7] - Q[5]);
+    const double t21 = 0.5 * (Q[2] - Q[6]);
+    const double t22 = 0.5 * (Q[3] - Q[1]);
+    const double t23 = t20 * t20 + t21 * t21 + t22 * t22;
+    const int t24 = 0.0 == t23;
+    const double t25 = t24 ? (t19 ? t14 : (t5 ? t18 : t14)) : t23;
+    const double t26 = sqrt(t25);
+    const int t27 = t25 == 0.0;
+    const double axis0 = (t27 ? 0.0 : (t24 ? (t19 ? t13 : (t5 ? t17 : t13)) : t20)) / t26;
+    const double axis1 = (t27 ? 0.0 : (t24 ? (t19 ? t15 : (t5 ? Q[3] : t15)) : t21)) / t26;
+    const double axis2 = (t27 ? 0.0 : (t24 ? (t19 ? t16 : (t5 ? Q[6] : t16)) : t22)) / t26;
+    const double t28 = t6 ? t1 : (t5 ? -1.0 : t1);
+    const double t29 = t12 ? t28 : (t5 ? -1.0 : t28);
+    const double t30 = t24 ? (t19 ? t29 : (t5 ? -1.0 : t29)) : 0.5 * (t4 - 1.0);
+    const double t31 = t6 ? t1 : (t5 ? 0.0 : t1);
+    const double t32 = t12 ? t31 : (t5 ? 0.0 : t31);
+    const double t33 = 2.0 * (1.0 - t30);
+    const double t34 = Q[0] * a[0] + Q[1] * a[1] + Q[2] * a[2] - a_prime[0];
+    const double t35 = Q[3] * a[0] + Q[4] * a[1] + Q[5] * a[2] - a_prime[1];
+    const double t36 = Q[6] * a[0] + Q[7] * a[1] + Q[8] * a[2] - a_prime[2];
+    const int t37 = t33 == 0.0;
+    const double t38 = (t37 ? 0.0 : Q[0] * t34 + Q[3] * t35 + Q[6] * t36 - t34) / t33;
+    const double t39 = (t37 ? 0.0 : Q[1] * t34 + Q[4] * t35 + Q[7] * t36 - t35) / t33;
+    const double t40 = (t37 ? 0.0 : Q[2] * t34 + Q[5] * t35 + Q[8] * t36 - t36) / t33;
+    const double axis3 = axis2 * t39 - axis1 * t40;
+    const double axis4 = axis0 * t40 - axis2 * t38;
+    const double axis5 = axis1 * t38 - axis0 * t39;
+    const double t41 = axis0 * (a_prime[0] - a[0]) + axis1 * (a_prime[1] - a[1]);
+    const double d_0_value = t41 + axis2 * (a_prime[2] - a[2]);
+    const double phi_value = atan2(t24 ? (t19 ? t32 : (t5 ? 0.0 : t32)) : sqrt(t23), t30);
+    axis[0] = axis0;
+    axis[1] = axis1;
+    axis[2] = axis2;
+    axis[3] = axis3;
+    axis[4] = axis4;
+    axis[5] = axis5;
+    *d_0 = d_0_value;
+    *phi = phi_value;
+}
+
+/*
+ * text 3.4.2 j chasles_screw_of_motion in single precision.
+ *   verdict: holds under; assumes Q is a rotation
+ *   97 operations; derivation sha256 39fd2c9a765bdb2fac1a7e8f9c30e2d5bb6b4ca83ea8343c9396eb347055e45c
+ */
+void chasles_screw_of_motionf(
+    const float Q[9],
+    const float a[3],
+    const float a_prime[3],
+    float axis[6],
+    float *d_0,
+    float *phi)
+{
+    const float t1 = NAN;
+    const float t2 = 1.0f + Q[8];
+    const float t3 = Q[2] * Q[2] + Q[5] * Q[5] + t2 * t2;
+    const float t4 = Q[8] + (Q[0] + Q[4]);
+    const int t5 = t4 < 0.0f;
+    const int t6 = 0.0f == t3;
+    const float t7 = t6 ? t1 : (t5 ? Q[2] : t1);
+    const float t8 = t6 ? t1 : (t5 ? Q[5] : t1);
+    const float t9 = t6 ? t1 : (t5 ? t2 : t1);
+    const float t10 = 1.0f + Q[4];
+    const float t11 = Q[1] * Q[1] + t10 * t10 + Q[7] * Q[7];
+    const int t12 = 0.0f == t11;
+    const float t13 = t12 ? t7 : (t5 ? Q[1] : t7);
+    const float t14 = t12 ? t3 : (t5 ? t11 : t3);
+    const float t15 = t12 ? t8 : (t5 ? t10 : t8);
+    const float t16 = t12 ? t9 : (t5 ? Q[7] : t9);
+    const float t17 = 1.0f + Q[0];
+    const float t18 = t17 * t17 + Q[3] * Q[3] + Q[6] * Q[6];
+    const int t19 = 0.0f == t18;
+    const float t20 = 0.5f * (Q[7] - Q[5]);
+    const float t21 = 0.5f * (Q[2] - Q[6]);
+    const float t22 = 0.5f * (Q[3] - Q[1]);
+    const float t23 = t20 * t20 + t21 * t21 + t22 * t22;
+    const int t24 = 0.0f == t23;
+    const float t25 = t24 ? (t19 ? t14 : (t5 ? t18 : t14)) : t23;
+    const float t26 = sqrtf(t25);
+    const int t27 = t25 == 0.0f;
+    const float axis0 = (t27 ? 0.0f : (t24 ? (t19 ? t13 : (t5 ? t17 : t13)) : t20)) / t26;
+    const float axis1 = (t27 ? 0.0f : (t24 ? (t19 ? t15 : (t5 ? Q[3] : t15)) : t21)) / t26;
+    const float axis2 = (t27 ? 0.0f : (t24 ? (t19 ? t16 : (t5 ? Q[6] : t16)) : t22)) / t26;
+    const float t28 = t6 ? t1 : (t5 ? -1.0f : t1);
+    const float t29 = t12 ? t28 : (t5 ? -1.0f : t28);
+    const float t30 = t24 ? (t19 ? t29 : (t5 ? -1.0f : t29)) : 0.5f * (t4 - 1.0f);
+    const float t31 = t6 ? t1 : (t5 ? 0.0f : t1);
+    const float t32 = t12 ? t31 : (t5 ? 0.0f : t31);
+    const float t33 = 2.0f * (1.0f - t30);
+    const float t34 = Q[0] * a[0] + Q[1] * a[1] + Q[2] * a[2] - a_prime[0];
+    const float t35 = Q[3] * a[0] + Q[4] * a[1] + Q[5] * a[2] - a_prime[1];
+    const float t36 = Q[6] * a[0] + Q[7] * a[1] + Q[8] * a[2] - a_prime[2];
+    const int t37 = t33 == 0.0f;
+    const float t38 = (t37 ? 0.0f : Q[0] * t34 + Q[3] * t35 + Q[6] * t36 - t34) / t33;
+    const float t39 = (t37 ? 0.0f : Q[1] * t34 + Q[4] * t35 + Q[7] * t36 - t35) / t33;
+    const float t40 = (t37 ? 0.0f : Q[2] * t34 + Q[5] * t35 + Q[8] * t36 - t36) / t33;
+    const float axis3 = axis2 * t39 - axis1 * t40;
+    const float axis4 = axis0 * t40 - axis2 * t38;
+    const float axis5 = axis1 * t38 - axis0 * t39;
+    const float t41 = axis0 * (a_prime[0] - a[0]) + axis1 * (a_prime[1] - a[1]);
+    const float d_0_value = t41 + axis2 * (a_prime[2] - a[2]);
+    const float phi_value = atan2f(t24 ? (t19 ? t32 : (t5 ? 0.0f : t32)) : sqrtf(t23), t30);
+    axis[0] = axis0;
+    axis[1] = axis1;
+    axis[2] = axis2;
+    axis[3] = axis3;
+    axis[4] = axis4;
+    axis[5] = axis5;
+    *d_0 = d_0_value;
+    *phi = phi_value;
+}
+
+/*
+ * text 3.4.2 j chasles_screw_of_motion for a batch.
+ *   verdict: holds under; assumes Q is a rotation
+ *   97 operations; derivation sha256 39fd2c9a765bdb2fac1a7e8f9c30e2d5bb6b4ca83ea8343c9396eb347055e45c
+ */
+void chasles_screw_of_motion_batch(
+    size_t count,
+    const double *Q, ptrdiff_t Q_step,
+    const double *a, ptrdiff_t a_step,
+    const double *a_prime, ptrdiff_t a_prime_step,
+    double *axis, ptrdiff_t axis_step,
+    double *d_0, ptrdiff_t d_0_step,
+    double *phi, ptrdiff_t phi_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_screw_of_motion(
+            Q + i * Q_step,
+            a + i * a_step,
+            a_prime + i * a_prime_step,
+            axis + i * axis_step,
+            d_0 + i * d_0_step,
+            phi + i * phi_step);
+    }
+}
+
+/*
+ * text 3.4.2 j chasles_screw_of_motionf for a batch.
+ *   verdict: holds under; assumes Q is a rotation
+ *   97 operations; derivation sha256 39fd2c9a765bdb2fac1a7e8f9c30e2d5bb6b4ca83ea8343c9396eb347055e45c
+ */
+void chasles_screw_of_motion_batchf(
+    size_t count,
+    const float *Q, ptrdiff_t Q_step,
+    const float *a, ptrdiff_t a_step,
+    const float *a_prime, ptrdiff_t a_prime_step,
+    float *axis, ptrdiff_t axis_step,
+    float *d_0, ptrdiff_t d_0_step,
+    float *phi, ptrdiff_t phi_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_screw_of_motionf(
+            Q + i * Q_step,
+            a + i * a_step,
+            a_prime + i * a_prime_step,
+            axis + i * axis_step,
+            d_0 + i * d_0_step,
+            phi + i * phi_step);
+    }
+}
+
+/*
+ * text 3.4.1 c The instant screw: Plücker array of its axis, and pitch.
+ *   given       omega[3]: angular velocity
+ *               a_dot[3]: time derivative of: position of the landmark point A
+ *               a[3]: position of the landmark point A
+ *   returns     axis[6]: [e'; n']
+ *               pitch: pitch of the instant screw, in metres per radian
+ *   verdict     holds under
+ *   assumes     omega != 0
+ *   operations  48: 4 add, 12 subtract, 24 multiply, 7 divide, 1 square root
+ *   derivation  sha256 8db7e09eddaec370ad0459ae8e80d7446e066a7c7a50b64d1e58a04d14bf3409
+ */
+void chasles_instant_screw(
+    const double omega[3],
+    const double a_dot[3],
+    const double a[3],
+    double axis[6],
+    double *pitch)
+{
+    const double t1 = omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2];
+    const double t2 = sqrt(t1);
+    const int t3 = t1 == 0.0;
+    const double axis0 = (t3 ? 0.0 : omega[0]) / t2;
+    const double axis1 = (t3 ? 0.0 : omega[1]) / t2;
+    const double axis2 = (t3 ? 0.0 : omega[2]) / t2;
+    const double t4 = a_dot[0] - (omega[1] * a[2] - omega[2] * a[1]);
+    const double t5 = a_dot[1] - (omega[2] * a[0] - omega[0] * a[2]);
+    const double t6 = a_dot[2] - (omega[0] * a[1] - omega[1] * a[0]);
+    const double t7 = (t3 ? 0.0 : omega[1] * t6 - omega[2] * t5) / t1;
+    const double t8 = (t3 ? 0.0 : omega[2] * t4 - omega[0] * t6) / t1;
+    const double t9 = (t3 ? 0.0 : omega[0] * t5 - omega[1] * t4) / t1;
+    const double axis3 = axis2 * t8 - axis1 * t9;
+    const double axis4 = axis0 * t9 - axis2 * t7;
+    const double axis5 = axis1 * t7 - axis0 * t8;
+    const double t10 = omega[0] * a_dot[0] + omega[1] * a_dot[1] + omega[2] * a_dot[2];
+    const double pitch_value = (t3 ? 0.0 : t10) / t1;
+    axis[0] = axis0;
+    axis[1] = axis1;
+    axis[2] = axis2;
+    axis[3] = axis3;
+    axis[4] = axis4;
+    axis[5] = axis5;
+    *pitch = pitch_value;
+}
+
+/*
+ * text 3.4.1 c chasles_instant_screw in single precision.
+ *   verdict: holds under; assumes omega != 0
+ *   48 operations; derivation sha256 8db7e09eddaec370ad0459ae8e80d7446e066a7c7a50b64d1e58a04d14bf3409
+ */
+void chasles_instant_screwf(
+    const float omega[3],
+    const float a_dot[3],
+    const float a[3],
+    float axis[6],
+    float *pitch)
+{
+    const float t1 = omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2];
+    const float t2 = sqrtf(t1);
+    const int t3 = t1 == 0.0f;
+    const float axis0 = (t3 ? 0.0f : omega[0]) / t2;
+    const float axis1 = (t3 ? 0.0f : omega[1]) / t2;
+    const float axis2 = (t3 ? 0.0f : omega[2]) / t2;
+    const float t4 = a_dot[0] - (omega[1] * a[2] - omega[2] * a[1]);
+    const float t5 = a_dot[1] - (omega[2] * a[0] - omega[0] * a[2]);
+    const float t6 = a_dot[2] - (omega[0] * a[1] - omega[1] * a[0]);
+    const float t7 = (t3 ? 0.0f : omega[1] * t6 - omega[2] * t5) / t1;
+    const float t8 = (t3 ? 0.0f : omega[2] * t4 - omega[0] * t6) / t1;
+    const float t9 = (t3 ? 0.0f : omega[0] * t5 - omega[1] * t4) / t1;
+    const float axis3 = axis2 * t8 - axis1 * t9;
+    const float axis4 = axis0 * t9 - axis2 * t7;
+    const float axis5 = axis1 * t7 - axis0 * t8;
+    const float t10 = omega[0] * a_dot[0] + omega[1] * a_dot[1] + omega[2] * a_dot[2];
+    const float pitch_value = (t3 ? 0.0f : t10) / t1;
+    axis[0] = axis0;
+    axis[1] = axis1;
+    axis[2] = axis2;
+    axis[3] = axis3;
+    axis[4] = axis4;
+    axis[5] = axis5;
+    *pitch = pitch_value;
+}
+
+/*
+ * text 3.4.1 c chasles_instant_screw for a batch.
+ *   verdict: holds under; assumes omega != 0
+ *   48 operations; derivation sha256 8db7e09eddaec370ad0459ae8e80d7446e066a7c7a50b64d1e58a04d14bf3409
+ */
+void chasles_instant_screw_batch(
+    size_t count,
+    const double *omega, ptrdiff_t omega_step,
+    const double *a_dot, ptrdiff_t a_dot_step,
+    const double *a, ptrdiff_t a_step,
+    double *axis, ptrdiff_t axis_step,
+    double *pitch, ptrdiff_t pitch_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_instant_screw(
+            omega + i * omega_step,
+            a_dot + i * a_dot_step,
+            a + i * a_step,
+            axis + i * axis_step,
+            pitch + i * pitch_step);
+    }
+}
+
+/*
+ * text 3.4.1 c chasles_instant_screwf for a batch.
+ *   verdict: holds under; assumes omega != 0
+ *   48 operations; derivation sha256 8db7e09eddaec370ad0459ae8e80d7446e066a7c7a50b64d1e58a04d14bf3409
+ */
+void chasles_instant_screw_batchf(
+    size_t count,
+    const float *omega, ptrdiff_t omega_step,
+    const float *a_dot, ptrdiff_t a_dot_step,
+    const float *a, ptrdiff_t a_step,
+    float *axis, ptrdiff_t axis_step,
+    float *pitch, ptrdiff_t pitch_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_instant_screwf(
+            omega + i * omega_step,
+            a_dot + i * a_dot_step,
+            a + i * a_step,
+            axis + i * axis_step,
+            pitch + i * pitch_step);
+    }
+}
+
+/*
+ * (3.77b) The matrix that gives the angular velocity from the natural invariants' rates.
+ *   given       e[3]: unit vector along the axis of rotation, or along a line
+ *               phi: angle of rotation
+ *   returns     N_tilde[12]: angular velocity from the natural invariants' rates
+ *   verdict     ill-formed as printed, defined as read
+ *   assumes     |e| = 1
+ *   operations  6: 1 subtract, 3 multiply, 1 sine, 1 cosine
+ *   derivation  sha256 4f53ceafce1dca350cbdb1d07bdf8034bfa4606e93e39373e34ca9e8e55d7ef2
+ */
+void chasles_natural_velocity_matrix(const double e[3], double phi, double N_tilde[12])
+{
+    const double N_tilde3 = e[0];
+    const double N_tilde7 = e[1];
+    const double N_tilde11 = e[2];
+    const double N_tilde0 = sin(phi);
+    const double t1 = 1.0 - cos(phi);
+    const double N_tilde9 = N_tilde3 * t1;
+    const double N_tilde2 = N_tilde7 * t1;
+    const double N_tilde4 = N_tilde11 * t1;
+    const double N_tilde1 = -N_tilde4;
+    const double N_tilde6 = -N_tilde9;
+    const double N_tilde8 = -N_tilde2;
+    N_tilde[0] = N_tilde0;
+    N_tilde[1] = N_tilde1;
+    N_tilde[2] = N_tilde2;
+    N_tilde[3] = N_tilde3;
+    N_tilde[4] = N_tilde4;
+    N_tilde[5] = N_tilde0;
+    N_tilde[6] = N_tilde6;
+    N_tilde[7] = N_tilde7;
+    N_tilde[8] = N_tilde8;
+    N_tilde[9] = N_tilde9;
+    N_tilde[10] = N_tilde0;
+    N_tilde[11] = N_tilde11;
+}
+
+/*
+ * (3.77b) chasles_natural_velocity_matrix in single precision.
+ *   verdict: ill-formed as printed, defined as read; assumes |e| = 1
+ *   6 operations; derivation sha256 4f53ceafce1dca350cbdb1d07bdf8034bfa4606e93e39373e34ca9e8e55d7ef2
+ */
+void chasles_natural_velocity_matrixf(const float e[3], float phi, float N_tilde[12])
+{
+    const float N_tilde3 = e[0];
+    const float N_tilde7 = e[1];
+    const float N_tilde11 = e[2];
+    const float N_tilde0 = sinf(phi);
+    const float t1 = 1.0f - cosf(phi);
+    const float N_tilde9 = N_tilde3 * t1;
+    const float N_tilde2 = N_tilde7 * t1;
+    const float N_tilde4 = N_tilde11 * t1;
+    const float N_tilde1 = -N_tilde4;
+    const float N_tilde6 = -N_tilde9;
+    const float N_tilde8 = -N_tilde2;
+    N_tilde[0] = N_tilde0;
+    N_tilde[1] = N_tilde1;
+    N_tilde[2] = N_tilde2;
+    N_tilde[3] = N_tilde3;
+    N_tilde[4] = N_tilde4;
+    N_tilde[5] = N_tilde0;
+    N_tilde[6] = N_tilde6;
+    N_tilde[7] = N_tilde7;
+    N_tilde[8] = N_tilde8;
+    N_tilde[9] = N_tilde9;
+    N_tilde[10] = N_tilde0;
+    N_tilde[11] = N_tilde11;
+}
+
+/*
+ * (3.77b) chasles_natural_velocity_matrix for a batch.
+ *   verdict: ill-formed as printed, defined as read; assumes |e| = 1
+ *   6 operations; derivation sha256 4f53ceafce1dca350cbdb1d07bdf8034bfa4606e93e39373e34ca9e8e55d7ef2
+ */
+void chasles_natural_velocity_matrix_batch(
+    size_t count,
+    const double *e, ptrdiff_t e_step,
+    const double *phi, ptrdiff_t phi_step,
+    double *N_tilde, ptrdiff_t N_tilde_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_natural_velocity_matrix(e + i * e_step, phi[i * phi_step], N_tilde + i * N_tilde_step);
+    }
+}
+
+/*
+ * (3.77b) chasles_natural_velocity_matrixf for a batch.
+ *   verdict: ill-formed as printed, defined as read; assumes |e| = 1
+ *   6 operations; derivation sha256 4f53ceafce1dca350cbdb1d07bdf8034bfa4606e93e39373e34ca9e8e55d7ef2
+ */
+void chasles_natural_velocity_matrix_batchf(
+    size_t count,
+    const float *e, ptrdiff_t e_step,
+    const float *phi, ptrdiff_t phi_step,
+    float *N_tilde, ptrdiff_t N_tilde_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_natural_velocity_matrixf(e + i * e_step, phi[i * phi_step], N_tilde + i * N_tilde_step);
+    }
+}
+
+/*
+ * (3.77c) The matrix that gives the angular velocity from the linear invariants' rates.
+ *   given       e[3]: unit vector along the axis of rotation, or along a line
+ *               phi: angle of rotation
+ *   returns     L_tilde[12]: angular velocity from the linear invariants' rates
+ *   verdict     ill-formed as printed, defined as read
+ *   assumes     |e| = 1
+ *               phi != pi
+ *   operations  7: 1 add, 3 multiply, 1 divide, 1 sine, 1 cosine
+ *   derivation  sha256 e678fa61f2ca614341b1b520d453177cbb36d5adbe5d7bfc71cf23d916da1626
+ */
+void chasles_linear_velocity_matrix(const double e[3], double phi, double L_tilde[12])
+{
+    const double t1 = 1.0 + cos(phi);
+    const double t2 = (t1 == 0.0 ? 0.0 : sin(phi)) / t1;
+    const double L_tilde9 = e[0] * t2;
+    const double L_tilde2 = e[1] * t2;
+    const double L_tilde4 = e[2] * t2;
+    const double L_tilde1 = -L_tilde4;
+    const double L_tilde3 = -L_tilde9;
+    const double L_tilde7 = -L_tilde2;
+    L_tilde[0] = 1.0;
+    L_tilde[1] = L_tilde1;
+    L_tilde[2] = L_tilde2;
+    L_tilde[3] = L_tilde3;
+    L_tilde[4] = L_tilde4;
+    L_tilde[5] = 1.0;
+    L_tilde[6] = L_tilde3;
+    L_tilde[7] = L_tilde7;
+    L_tilde[8] = L_tilde7;
+    L_tilde[9] = L_tilde9;
+    L_tilde[10] = 1.0;
+    L_tilde[11] = L_tilde1;
+}
+
+/*
+ * (3.77c) chasles_linear_velocity_matrix in single precision.
+ *   verdict: ill-formed as printed, defined as read; assumes |e| = 1, phi != pi
+ *   7 operations; derivation sha256 e678fa61f2ca614341b1b520d453177cbb36d5adbe5d7bfc71cf23d916da1626
+ */
+void chasles_linear_velocity_matrixf(const float e[3], float phi, float L_tilde[12])
+{
+    const float t1 = 1.0f + cosf(phi);
+    const float t2 = (t1 == 0.0f ? 0.0f : sinf(phi)) / t1;
+    const float L_tilde9 = e[0] * t2;
+    const float L_tilde2 = e[1] * t2;
+    const float L_tilde4 = e[2] * t2;
+    const float L_tilde1 = -L_tilde4;
+    const float L_tilde3 = -L_tilde9;
+    const float L_tilde7 = -L_tilde2;
+    L_tilde[0] = 1.0f;
+    L_tilde[1] = L_tilde1;
+    L_tilde[2] = L_tilde2;
+    L_tilde[3] = L_tilde3;
+    L_tilde[4] = L_tilde4;
+    L_tilde[5] = 1.0f;
+    L_tilde[6] = L_tilde3;
+    L_tilde[7] = L_tilde7;
+    L_tilde[8] = L_tilde7;
+    L_tilde[9] = L_tilde9;
+    L_tilde[10] = 1.0f;
+    L_tilde[11] = L_tilde1;
+}
+
+/*
+ * (3.77c) chasles_linear_velocity_matrix for a batch.
+ *   verdict: ill-formed as printed, defined as read; assumes |e| = 1, phi != pi
+ *   7 operations; derivation sha256 e678fa61f2ca614341b1b520d453177cbb36d5adbe5d7bfc71cf23d916da1626
+ */
+void chasles_linear_velocity_matrix_batch(
+    size_t count,
+    const double *e, ptrdiff_t e_step,
+    const double *phi, ptrdiff_t phi_step,
+    double *L_tilde, ptrdiff_t L_tilde_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_linear_velocity_matrix(e + i * e_step, phi[i * phi_step], L_tilde + i * L_tilde_step);
+    }
+}
+
+/*
+ * (3.77c) chasles_linear_velocity_matrixf for a batch.
+ *   verdict: ill-formed as printed, defined as read; assumes |e| = 1, phi != pi
+ *   7 operations; derivation sha256 e678fa61f2ca614341b1b520d453177cbb36d5adbe5d7bfc71cf23d916da1626
+ */
+void chasles_linear_velocity_matrix_batchf(
+    size_t count,
+    const float *e, ptrdiff_t e_step,
+    const float *phi, ptrdiff_t phi_step,
+    float *L_tilde, ptrdiff_t L_tilde_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_linear_velocity_matrixf(e + i * e_step, phi[i * phi_step], L_tilde + i * L_tilde_step);
+    }
+}
+
+/*
+ * (3.77d) The matrix that gives the angular velocity from the Euler-Rodrigues parameters' rates.
+ *   given       e[3]: unit vector along the axis of rotation, or along a line
+ *               phi: angle of rotation
+ *   returns     H_tilde[12]: angular velocity from the Euler-Rodrigues parameters' rates
+ *   verdict     ill-formed as printed, defined as read
+ *   assumes     |e| = 1
+ *   operations  8: 6 multiply, 1 sine, 1 cosine
+ *   derivation  sha256 49057ffb7954605c353481ff3155b854e23f59cd6c3eb25c530b76ce9a72408e
+ */
+void chasles_euler_rodrigues_velocity_matrix(const double e[3], double phi, double H_tilde[12])
+{
+    const double half_phi = 0.5 * phi;
+    const double H_tilde0 = 2.0 * cos(half_phi);
+    const double t1 = 2.0 * sin(half_phi);
+    const double H_tilde9 = e[0] * t1;
+    const double H_tilde2 = e[1] * t1;
+    const double H_tilde4 = e[2] * t1;
+    const double H_tilde1 = -H_tilde4;
+    const double H_tilde3 = -H_tilde9;
+    const double H_tilde7 = -H_tilde2;
+    H_tilde[0] = H_tilde0;
+    H_tilde[1] = H_tilde1;
+    H_tilde[2] = H_tilde2;
+    H_tilde[3] = H_tilde3;
+    H_tilde[4] = H_tilde4;
+    H_tilde[5] = H_tilde0;
+    H_tilde[6] = H_tilde3;
+    H_tilde[7] = H_tilde7;
+    H_tilde[8] = H_tilde7;
+    H_tilde[9] = H_tilde9;
+    H_tilde[10] = H_tilde0;
+    H_tilde[11] = H_tilde1;
+}
+
+/*
+ * (3.77d) chasles_euler_rodrigues_velocity_matrix in single precision.
+ *   verdict: ill-formed as printed, defined as read; assumes |e| = 1
+ *   8 operations; derivation sha256 49057ffb7954605c353481ff3155b854e23f59cd6c3eb25c530b76ce9a72408e
+ */
+void chasles_euler_rodrigues_velocity_matrixf(const float e[3], float phi, float H_tilde[12])
+{
+    const float half_phi = 0.5f * phi;
+    const float H_tilde0 = 2.0f * cosf(half_phi);
+    const float t1 = 2.0f * sinf(half_phi);
+    const float H_tilde9 = e[0] * t1;
+    const float H_tilde2 = e[1] * t1;
+    const float H_tilde4 = e[2] * t1;
+    const float H_tilde1 = -H_tilde4;
+    const float H_tilde3 = -H_tilde9;
+    const float H_tilde7 = -H_tilde2;
+    H_tilde[0] = H_tilde0;
+    H_tilde[1] = H_tilde1;
+    H_tilde[2] = H_tilde2;
+    H_tilde[3] = H_tilde3;
+    H_tilde[4] = H_tilde4;
+    H_tilde[5] = H_tilde0;
+    H_tilde[6] = H_tilde3;
+    H_tilde[7] = H_tilde7;
+    H_tilde[8] = H_tilde7;
+    H_tilde[9] = H_tilde9;
+    H_tilde[10] = H_tilde0;
+    H_tilde[11] = H_tilde1;
+}
+
+/*
+ * (3.77d) chasles_euler_rodrigues_velocity_matrix for a batch.
+ *   verdict: ill-formed as printed, defined as read; assumes |e| = 1
+ *   8 operations; derivation sha256 49057ffb7954605c353481ff3155b854e23f59cd6c3eb25c530b76ce9a72408e
+ */
+void chasles_euler_rodrigues_velocity_matrix_batch(
+    size_t count,
+    const double *e, ptrdiff_t e_step,
+    const double *phi, ptrdiff_t phi_step,
+    double *H_tilde, ptrdiff_t H_tilde_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_euler_rodrigues_velocity_matrix(
+            e + i * e_step,
+            phi[i * phi_step],
+            H_tilde + i * H_tilde_step);
+    }
+}
+
+/*
+ * (3.77d) chasles_euler_rodrigues_velocity_matrixf for a batch.
+ *   verdict: ill-formed as printed, defined as read; assumes |e| = 1
+ *   8 operations; derivation sha256 49057ffb7954605c353481ff3155b854e23f59cd6c3eb25c530b76ce9a72408e
+ */
+void chasles_euler_rodrigues_velocity_matrix_batchf(
+    size_t count,
+    const float *e, ptrdiff_t e_step,
+    const float *phi, ptrdiff_t phi_step,
+    float *H_tilde, ptrdiff_t H_tilde_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_euler_rodrigues_velocity_matrixf(
+            e + i * e_step,
+            phi[i * phi_step],
+            H_tilde + i * H_tilde_step);
+    }
+}
+
+/*
+ * (3.78) The rate of the pose from the twist, with the natural invariants.
+ *   given       e[3]: unit vector along the axis of rotation, or along a line
+ *               phi: angle of rotation
+ *               t[6]: twist: angular velocity, velocity of a landmark point
+ *   returns     s_dot[7]: time derivative of: pose array
+ *   verdict     holds under
+ *   assumes     |e| = 1
+ *               phi != 0
+ *   operations  35: 2 add, 10 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine
+ *   derivation  sha256 a45c42e2bfaa929db67370adbe054106e4220311d7cb3f6156f04276d0320465
+ */
+void chasles_pose_rate_natural(const double e[3], double phi, const double t[6], double s_dot[7])
+{
+    const double s_dot4 = t[3];
+    const double s_dot5 = t[4];
+    const double s_dot6 = t[5];
+    const double t1 = 2.0 * (1.0 - cos(phi));
+    const double t2 = (t1 == 0.0 ? 0.0 : sin(phi)) / t1;
+    const double s_dot3 = e[0] * t[0] + e[1] * t[1] + e[2] * t[2];
+    const double t3 = t2 * s_dot3;
+    const double s_dot0 = t[0] * t2 - e[0] * t3 - 0.5 * (e[1] * t[2] - e[2] * t[1]);
+    const double s_dot1 = t[1] * t2 - e[1] * t3 - 0.5 * (e[2] * t[0] - e[0] * t[2]);
+    const double s_dot2 = t[2] * t2 - e[2] * t3 - 0.5 * (e[0] * t[1] - e[1] * t[0]);
+    s_dot[0] = s_dot0;
+    s_dot[1] = s_dot1;
+    s_dot[2] = s_dot2;
+    s_dot[3] = s_dot3;
+    s_dot[4] = s_dot4;
+    s_dot[5] = s_dot5;
+    s_dot[6] = s_dot6;
+}
+
+/*
+ * (3.78) chasles_pose_rate_natural in single precision.
+ *   verdict: holds under; assumes |e| = 1, phi != 0
+ *   35 operations; derivation sha256 a45c42e2bfaa929db67370adbe054106e4220311d7cb3f6156f04276d0320465
+ */
+void chasles_pose_rate_naturalf(const float e[3], float phi, const float t[6], float s_dot[7])
+{
+    const float s_dot4 = t[3];
+    const float s_dot5 = t[4];
+    const float s_dot6 = t[5];
+    const float t1 = 2.0f * (1.0f - cosf(phi));
+    const float t2 = (t1 == 0.0f ? 0.0f : sinf(phi)) / t1;
+    const float s_dot3 = e[0] * t[0] + e[1] * t[1] + e[2] * t[2];
+    const float t3 = t2 * s_dot3;
+    const float s_dot0 = t[0] * t2 - e[0] * t3 - 0.5f * (e[1] * t[2] - e[2] * t[1]);
+    const float s_dot1 = t[1] * t2 - e[1] * t3 - 0.5f * (e[2] * t[0] - e[0] * t[2]);
+    const float s_dot2 = t[2] * t2 - e[2] * t3 - 0.5f * (e[0] * t[1] - e[1] * t[0]);
+    s_dot[0] = s_dot0;
+    s_dot[1] = s_dot1;
+    s_dot[2] = s_dot2;
+    s_dot[3] = s_dot3;
+    s_dot[4] = s_dot4;
+    s_dot[5] = s_dot5;
+    s_dot[6] = s_dot6;
+}
+
+/*
+ * (3.78) chasles_pose_rate_natural for a batch.
+ *   verdict: holds under; assumes |e| = 1, phi != 0
+ *   35 operations; derivation sha256 a45c42e2bfaa929db67370adbe054106e4220311d7cb3f6156f04276d0320465
+ */
+void chasles_pose_rate_natural_batch(
+    size_t count,
+    const double *e, ptrdiff_t e_step,
+    const double *phi, ptrdiff_t phi_step,
+    const double *t, ptrdiff_t t_step,
+    double *s_dot, ptrdiff_t s_dot_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_pose_rate_natural(
+            e + i * e_step,
+            phi[i * phi_step],
+            t + i * t_step,
+            s_dot + i * s_dot_step);
+    }
+}
+
+/*
+ * (3.78) chasles_pose_rate_naturalf for a batch.
+ *   verdict: holds under; assumes |e| = 1, phi != 0
+ *   35 operations; derivation sha256 a45c42e2bfaa929db67370adbe054106e4220311d7cb3f6156f04276d0320465
+ */
+void chasles_pose_rate_natural_batchf(
+    size_t count,
+    const float *e, ptrdiff_t e_step,
+    const float *phi, ptrdiff_t phi_step,
+    const float *t, ptrdiff_t t_step,
+    float *s_dot, ptrdiff_t s_dot_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_pose_rate_naturalf(
+            e + i * e_step,
+            phi[i * phi_step],
+            t + i * t_step,
+            s_dot + i * s_dot_step);
+    }
+}
+
+/*
+ * (3.78) The rate of the pose from the twist, with the linear invariants.
+ *   given       e[3]: unit vector along the axis of rotation, or along a line
+ *               phi: angle of rotation
+ *               t[6]: twist: angular velocity, velocity of a landmark point
+ *   returns     s_dot[7]: time derivative of: pose array
+ *   verdict     holds under
+ *   assumes     |e| = 1
+ *   operations  53: 7 add, 11 subtract, 33 multiply, 1 sine, 1 cosine
+ *   derivation  sha256 4cb4ee584c4c8eabc8772f8942b039808bd844366959cb05e5013b108a6a13b3
+ */
+void chasles_pose_rate_linear(const double e[3], double phi, const double t[6], double s_dot[7])
+{
+    const double s_dot4 = t[3];
+    const double s_dot5 = t[4];
+    const double s_dot6 = t[5];
+    const double cos_phi = cos(phi);
+    const double t1 = 1.0 - cos_phi;
+    const double sin_phi = sin(phi);
+    const double t2 = t1 * (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) + 3.0 * cos_phi - cos_phi;
+    const double half_t2 = 0.5 * t2;
+    const double half_sin_phi = 0.5 * sin_phi;
+    const double t3 = 0.5 * t1 * (e[0] * t[0] + e[1] * t[1] + e[2] * t[2]);
+    const double s_dot0 = t[0] * half_t2 - e[0] * t3 - half_sin_phi * (e[1] * t[2] - e[2] * t[1]);
+    const double s_dot1 = t[1] * half_t2 - e[1] * t3 - half_sin_phi * (e[2] * t[0] - e[0] * t[2]);
+    const double s_dot2 = t[2] * half_t2 - e[2] * t3 - half_sin_phi * (e[0] * t[1] - e[1] * t[0]);
+    const double t4 = t[0] * (e[0] * sin_phi) + t[1] * (e[1] * sin_phi);
+    const double s_dot3 = -(t4 + t[2] * (e[2] * sin_phi));
+    s_dot[0] = s_dot0;
+    s_dot[1] = s_dot1;
+    s_dot[2] = s_dot2;
+    s_dot[3] = s_dot3;
+    s_dot[4] = s_dot4;
+    s_dot[5] = s_dot5;
+    s_dot[6] = s_dot6;
+}
+
+/*
+ * (3.78) chasles_pose_rate_linear in single precision.
+ *   verdict: holds under; assumes |e| = 1
+ *   53 operations; derivation sha256 4cb4ee584c4c8eabc8772f8942b039808bd844366959cb05e5013b108a6a13b3
+ */
+void chasles_pose_rate_linearf(const float e[3], float phi, const float t[6], float s_dot[7])
+{
+    const float s_dot4 = t[3];
+    const float s_dot5 = t[4];
+    const float s_dot6 = t[5];
+    const float cos_phi = cosf(phi);
+    const float t1 = 1.0f - cos_phi;
+    const float sin_phi = sinf(phi);
+    const float t2 = t1 * (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) + 3.0f * cos_phi;
+    const float t3 = 0.5f * (t2 - cos_phi);
+    const float half_sin_phi = 0.5f * sin_phi;
+    const float t4 = 0.5f * t1 * (e[0] * t[0] + e[1] * t[1] + e[2] * t[2]);
+    const float s_dot0 = t[0] * t3 - e[0] * t4 - half_sin_phi * (e[1] * t[2] - e[2] * t[1]);
+    const float s_dot1 = t[1] * t3 - e[1] * t4 - half_sin_phi * (e[2] * t[0] - e[0] * t[2]);
+    const float s_dot2 = t[2] * t3 - e[2] * t4 - half_sin_phi * (e[0] * t[1] - e[1] * t[0]);
+    const float t5 = t[0] * (e[0] * sin_phi) + t[1] * (e[1] * sin_phi);
+    const float s_dot3 = -(t5 + t[2] * (e[2] * sin_phi));
+    s_dot[0] = s_dot0;
+    s_dot[1] = s_dot1;
+    s_dot[2] = s_dot2;
+    s_dot[3] = s_dot3;
+    s_dot[4] = s_dot4;
+    s_dot[5] = s_dot5;
+    s_dot[6] = s_dot6;
+}
+
+/*
+ * (3.78) chasles_pose_rate_linear for a batch.
+ *   verdict: holds under; assumes |e| = 1
+ *   53 operations; derivation sha256 4cb4ee584c4c8eabc8772f8942b039808bd844366959cb05e5013b108a6a13b3
+ */
+void chasles_pose_rate_linear_batch(
+    size_t count,
+    const double *e, ptrdiff_t e_step,
+    const double *phi, ptrdiff_t phi_step,
+    const double *t, ptrdiff_t t_step,
+    double *s_dot, ptrdiff_t s_dot_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_pose_rate_linear(e + i * e_step, phi[i * phi_step], t + i * t_step, s_dot + i * s_dot_step);
+    }
+}
+
+/*
+ * (3.78) chasles_pose_rate_linearf for a batch.
+ *   verdict: holds under; assumes |e| = 1
+ *   53 operations; derivation sha256 4cb4ee584c4c8eabc8772f8942b039808bd844366959cb05e5013b108a6a13b3
+ */
+void chasles_pose_rate_linear_batchf(
+    size_t count,
+    const float *e, ptrdiff_t e_step,
+    const float *phi, ptrdiff_t phi_step,
+    const float *t, ptrdiff_t t_step,
+    float *s_dot, ptrdiff_t s_dot_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_pose_rate_linearf(
+            e + i * e_step,
+            phi[i * phi_step],
+            t + i * t_step,
+            s_dot + i * s_dot_step);
+    }
+}
+
+/*
+ * (3.78) The rate of the pose from the twist, with the Euler-Rodrigues parameters.
+ *   given       e[3]: unit vector along the axis of rotation, or along a line
+ *               phi: angle of rotation
+ *               t[6]: twist: angular velocity, velocity of a landmark point
+ *   returns     s_dot[7]: time derivative of: pose array
+ *   verdict     holds under
+ *   assumes     |e| = 1
+ *   operations  28: 5 add, 3 subtract, 18 multiply, 1 sine, 1 cosine
+ *   derivation  sha256 ccca2d15e0eec02319f6d43a1e14916d4dc7aee6853dc302880ff46b704da961
+ */
+void chasles_pose_rate_euler_rodrigues(
+    const double e[3],
+    double phi,
+    const double t[6],
+    double s_dot[7])
+{
+    const double s_dot4 = t[3];
+    const double s_dot5 = t[4];
+    const double s_dot6 = t[5];
+    const double half_phi = 0.5 * phi;
+    const double t1 = 0.5 * cos(half_phi);
+    const double t2 = 0.5 * sin(half_phi);
+    const double t3 = e[0] * t2;
+    const double t4 = e[1] * t2;
+    const double t5 = e[2] * t2;
+    const double s_dot0 = t[0] * t1 + t[1] * t5 - t[2] * t4;
+    const double s_dot1 = t[1] * t1 - t[0] * t5 + t[2] * t3;
+    const double s_dot2 = t[0] * t4 - t[1] * t3 + t[2] * t1;
+    const double s_dot3 = -(t[0] * t3 + t[1] * t4 + t[2] * t5);
+    s_dot[0] = s_dot0;
+    s_dot[1] = s_dot1;
+    s_dot[2] = s_dot2;
+    s_dot[3] = s_dot3;
+    s_dot[4] = s_dot4;
+    s_dot[5] = s_dot5;
+    s_dot[6] = s_dot6;
+}
+
+/*
+ * (3.78) chasles_pose_rate_euler_rodrigues in single precision.
+ *   verdict: holds under; assumes |e| = 1
+ *   28 operations; derivation sha256 ccca2d15e0eec02319f6d43a1e14916d4dc7aee6853dc302880ff46b704da961
+ */
+void chasles_pose_rate_euler_rodriguesf(
+    const float e[3],
+    float phi,
+    const float t[6],
+    float s_dot[7])
+{
+    const float s_dot4 = t[3];
+    const float s_dot5 = t[4];
+    const float s_dot6 = t[5];
+    const float half_phi = 0.5f * phi;
+    const float t1 = 0.5f * cosf(half_phi);
+    const float t2 = 0.5f * sinf(half_phi);
+    const float t3 = e[0] * t2;
+    const float t4 = e[1] * t2;
+    const float t5 = e[2] * t2;
+    const float s_dot0 = t[0] * t1 + t[1] * t5 - t[2] * t4;
+    const float s_dot1 = t[1] * t1 - t[0] * t5 + t[2] * t3;
+    const float s_dot2 = t[0] * t4 - t[1] * t3 + t[2] * t1;
+    const float s_dot3 = -(t[0] * t3 + t[1] * t4 + t[2] * t5);
+    s_dot[0] = s_dot0;
+    s_dot[1] = s_dot1;
+    s_dot[2] = s_dot2;
+    s_dot[3] = s_dot3;
+    s_dot[4] = s_dot4;
+    s_dot[5] = s_dot5;
+    s_dot[6] = s_dot6;
+}
+
+/*
+ * (3.78) chasles_pose_rate_euler_rodrigues for a batch.
+ *   verdict: holds under; assumes |e| = 1
+ *   28 operations; derivation sha256 ccca2d15e0eec02319f6d43a1e14916d4dc7aee6853dc302880ff46b704da961
+ */
+void chasles_pose_rate_euler_rodrigues_batch(
+    size_t count,
+    const double *e, ptrdiff_t e_step,
+    const double *phi, ptrdiff_t phi_step,
+    const double *t, ptrdiff_t t_step,
+    double *s_dot, ptrdiff_t s_dot_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_pose_rate_euler_rodrigues(
+            e + i * e_step,
+            phi[i * phi_step],
+            t + i * t_step,
+            s_dot + i * s_dot_step);
+    }
+}
+
+/*
+ * (3.78) chasles_pose_rate_euler_rodriguesf for a batch.
+ *   verdict: holds under; assumes |e| = 1
+ *   28 operations; derivation sha256 ccca2d15e0eec02319f6d43a1e14916d4dc7aee6853dc302880ff46b704da961
+ */
+void chasles_pose_rate_euler_rodrigues_batchf(
+    size_t count,
+    const float *e, ptrdiff_t e_step,
+    const float *phi, ptrdiff_t phi_step,
+    const float *t, ptrdiff_t t_step,
+    float *s_dot, ptrdiff_t s_dot_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_pose_rate_euler_rodriguesf(
+            e + i * e_step,
+            phi[i * phi_step],
+            t + i * t_step,
+            s_dot + i * s_dot_step);
+    }
+}
+
+/*
+ * (3.80a) The twist from the rate of the pose, with the natural invariants.
+ *   given       e[3]: unit vector along the axis of rotation, or along a line
+ *               phi: angle of rotation
+ *               s_dot[7]: time derivative of: pose array
+ *   returns     t[6]: twist: angular velocity, velocity of a landmark point
+ *   verdict     holds under
+ *   assumes     |e| = 1
+ *   operations  27: 6 add, 4 subtract, 15 multiply, 1 sine, 1 cosine
+ *   derivation  sha256 e7ecc39745f5c7fe863f4574b3d7db66237826b5cd6ef5ba62078dc2f87eb979
+ */
+void chasles_twist_from_pose_rate_natural(
+    const double e[3],
+    double phi,
+    const double s_dot[7],
+    double t[6])
+{
+    const double t3 = s_dot[4];
+    const double t4 = s_dot[5];
+    const double t5 = s_dot[6];
+    const double sin_phi = sin(phi);
+    const double t6 = 1.0 - cos(phi);
+    const double t7 = s_dot[0] * sin_phi + t6 * (e[1] * s_dot[2] - e[2] * s_dot[1]);
+    const double t0 = t7 + e[0] * s_dot[3];
+    const double t8 = s_dot[1] * sin_phi + t6 * (e[2] * s_dot[0] - e[0] * s_dot[2]);
+    const double t1 = t8 + e[1] * s_dot[3];
+    const double t9 = s_dot[2] * sin_phi + t6 * (e[0] * s_dot[1] - e[1] * s_dot[0]);
+    const double t2 = t9 + e[2] * s_dot[3];
+    t[0] = t0;
+    t[1] = t1;
+    t[2] = t2;
+    t[3] = t3;
+    t[4] = t4;
+    t[5] = t5;
+}
+
+/*
+ * (3.80a) chasles_twist_from_pose_rate_natural in single precision.
+ *   verdict: holds under; assumes |e| = 1
+ *   27 operations; derivation sha256 e7ecc39745f5c7fe863f4574b3d7db66237826b5cd6ef5ba62078dc2f87eb979
+ */
+void chasles_twist_from_pose_rate_naturalf(
+    const float e[3],
+    float phi,
+    const float s_dot[7],
+    float t[6])
+{
+    const float t3 = s_dot[4];
+    const float t4 = s_dot[5];
+    const float t5 = s_dot[6];
+    const float sin_phi = sinf(phi);
+    const float t6 = 1.0f - cosf(phi);
+    const float t7 = s_dot[0] * sin_phi + t6 * (e[1] * s_dot[2] - e[2] * s_dot[1]);
+    const float t0 = t7 + e[0] * s_dot[3];
+    const float t8 = s_dot[1] * sin_phi + t6 * (e[2] * s_dot[0] - e[0] * s_dot[2]);
+    const float t1 = t8 + e[1] * s_dot[3];
+    const float t9 = s_dot[2] * sin_phi + t6 * (e[0] * s_dot[1] - e[1] * s_dot[0]);
+    const float t2 = t9 + e[2] * s_dot[3];
+    t[0] = t0;
+    t[1] = t1;
+    t[2] = t2;
+    t[3] = t3;
+    t[4] = t4;
+    t[5] = t5;
+}
+
+/*
+ * (3.80a) chasles_twist_from_pose_rate_natural for a batch.
+ *   verdict: holds under; assumes |e| = 1
+ *   27 operations; derivation sha256 e7ecc39745f5c7fe863f4574b3d7db66237826b5cd6ef5ba62078dc2f87eb979
+ */
+void chasles_twist_from_pose_rate_natural_batch(
+    size_t count,
+    const double *e, ptrdiff_t e_step,
+    const double *phi, ptrdiff_t phi_step,
+    const double *s_dot, ptrdiff_t s_dot_step,
+    double *t, ptrdiff_t t_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_twist_from_pose_rate_natural(
+            e + i * e_step,
+            phi[i * phi_step],
+            s_dot + i * s_dot_step,
+            t + i * t_step);
+    }
+}
+
+/*
+ * (3.80a) chasles_twist_from_pose_rate_naturalf for a batch.
+ *   verdict: holds under; assumes |e| = 1
+ *   27 operations; derivation sha256 e7ecc39745f5c7fe863f4574b3d7db66237826b5cd6ef5ba62078dc2f87eb979
+ */
+void chasles_twist_from_pose_rate_natural_batchf(
+    size_t count,
+    const float *e, ptrdiff_t e_step,
+    const float *phi, ptrdiff_t phi_step,
+    const float *s_dot, ptrdiff_t s_dot_step,
+    float *t, ptrdiff_t t_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_twist_from_pose_rate_naturalf(
+            e + i * e_step,
+            phi[i * phi_step],
+            s_dot + i * s_dot_step,
+            t + i * t_step);
+    }
+}
+
+/*
+ * (3.80a) The twist from the rate of the pose, with the linear invariants.
+ *   given       e[3]: unit vector along the axis of rotation, or along a line
+ *               phi: angle of rotation
+ *               s_dot[7]: time derivative of: pose array
+ *   returns     t[6]: twist: angular velocity, velocity of a landmark point
+ *   verdict     holds under
+ *   assumes     |e| = 1
+ *               phi != pi
+ *   operations  25: 4 add, 6 subtract, 12 multiply, 1 divide, 1 sine, 1 cosine
+ *   derivation  sha256 fa1304d2c5d6753e7d389022ed11c42daecd4c9ae21809318a87cd32029de36f
+ */
+void chasles_twist_from_pose_rate_linear(
+    const double e[3],
+    double phi,
+    const double s_dot[7],
+    double t[6])
+{
+    const double t3 = s_dot[4];
+    const double t4 = s_dot[5];
+    const double t5 = s_dot[6];
+    const double t6 = 1.0 + cos(phi);
+    const double t7 = (t6 == 0.0 ? 0.0 : sin(phi)) / t6;
+    const double t8 = e[0] * t7;
+    const double t9 = e[1] * t7;
+    const double t10 = e[2] * t7;
+    const double t0 = s_dot[0] - s_dot[1] * t10 + s_dot[2] * t9 - s_dot[3] * t8;
+    const double t1 = s_dot[1] + s_dot[0] * t10 - s_dot[2] * t8 - s_dot[3] * t9;
+    const double t2 = s_dot[2] + (s_dot[1] * t8 - s_dot[0] * t9) - s_dot[3] * t10;
+    t[0] = t0;
+    t[1] = t1;
+    t[2] = t2;
+    t[3] = t3;
+    t[4] = t4;
+    t[5] = t5;
+}
+
+/*
+ * (3.80a) chasles_twist_from_pose_rate_linear in single precision.
+ *   verdict: holds under; assumes |e| = 1, phi != pi
+ *   25 operations; derivation sha256 fa1304d2c5d6753e7d389022ed11c42daecd4c9ae21809318a87cd32029de36f
+ */
+void chasles_twist_from_pose_rate_linearf(
+    const float e[3],
+    float phi,
+    const float s_dot[7],
+    float t[6])
+{
+    const float t3 = s_dot[4];
+    const float t4 = s_dot[5];
+    const float t5 = s_dot[6];
+    const float t6 = 1.0f + cosf(phi);
+    const float t7 = (t6 == 0.0f ? 0.0f : sinf(phi)) / t6;
+    const float t8 = e[0] * t7;
+    const float t9 = e[1] * t7;
+    const float t10 = e[2] * t7;
+    const float t0 = s_dot[0] - s_dot[1] * t10 + s_dot[2] * t9 - s_dot[3] * t8;
+    const float t1 = s_dot[1] + s_dot[0] * t10 - s_dot[2] * t8 - s_dot[3] * t9;
+    const float t2 = s_dot[2] + (s_dot[1] * t8 - s_dot[0] * t9) - s_dot[3] * t10;
+    t[0] = t0;
+    t[1] = t1;
+    t[2] = t2;
+    t[3] = t3;
+    t[4] = t4;
+    t[5] = t5;
+}
+
+/*
+ * (3.80a) chasles_twist_from_pose_rate_linear for a batch.
+ *   verdict: holds under; assumes |e| = 1, phi != pi
+ *   25 operations; derivation sha256 fa1304d2c5d6753e7d389022ed11c42daecd4c9ae21809318a87cd32029de36f
+ */
+void chasles_twist_from_pose_rate_linear_batch(
+    size_t count,
+    const double *e, ptrdiff_t e_step,
+    const double *phi, ptrdiff_t phi_step,
+    const double *s_dot, ptrdiff_t s_dot_step,
+    double *t, ptrdiff_t t_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_twist_from_pose_rate_linear(
+            e + i * e_step,
+            phi[i * phi_step],
+            s_dot + i * s_dot_step,
+            t + i * t_step);
+    }
+}
+
+/*
+ * (3.80a) chasles_twist_from_pose_rate_linearf for a batch.
+ *   verdict: holds under; assumes |e| = 1, phi != pi
+ *   25 operations; derivation sha256 fa1304d2c5d6753e7d389022ed11c42daecd4c9ae21809318a87cd32029de36f
+ */
+void chasles_twist_from_pose_rate_linear_batchf(
+    size_t count,
+    const float *e, ptrdiff_t e_step,
+    const float *phi, ptrdiff_t phi_step,
+    const float *s_dot, ptrdiff_t s_dot_step,
+    float *t, ptrdiff_t t_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_twist_from_pose_rate_linearf(
+            e + i * e_step,
+            phi[i * phi_step],
+            s_dot + i * s_dot_step,
+            t + i * t_step);
+    }
+}
+
+/*
+ * (3.80a) The twist from the rate of the pose, with the Euler-Rodrigues parameters.
+ *   given       e[3]: unit vector along the axis of rotation, or along a line
+ *               phi: angle of rotation
+ *               s_dot[7]: time derivative of: pose array
+ *   returns     t[6]: twist: angular velocity, velocity of a landmark point
+ *   verdict     holds under
+ *   assumes     |e| = 1
+ *   operations  29: 3 add, 6 subtract, 18 multiply, 1 sine, 1 cosine
+ *   derivation  sha256 e7f95cb1e1f8858232fa295001c353462018829181e53800500336674a222548
+ */
+void chasles_twist_from_pose_rate_euler_rodrigues(
+    const double e[3],
+    double phi,
+    const double s_dot[7],
+    double t[6])
+{
+    const double t3 = s_dot[4];
+    const double t4 = s_dot[5];
+    const double t5 = s_dot[6];
+    const double half_phi = 0.5 * phi;
+    const double t6 = 2.0 * cos(half_phi);
+    const double t7 = 2.0 * sin(half_phi);
+    const double t8 = e[0] * t7;
+    const double t9 = e[1] * t7;
+    const double t10 = e[2] * t7;
+    const double t0 = s_dot[0] * t6 - s_dot[1] * t10 + s_dot[2] * t9 - s_dot[3] * t8;
+    const double t1 = s_dot[0] * t10 + s_dot[1] * t6 - s_dot[2] * t8 - s_dot[3] * t9;
+    const double t2 = s_dot[1] * t8 - s_dot[0] * t9 + s_dot[2] * t6 - s_dot[3] * t10;
+    t[0] = t0;
+    t[1] = t1;
+    t[2] = t2;
+    t[3] = t3;
+    t[4] = t4;
+    t[5] = t5;
+}
+
+/*
+ * (3.80a) chasles_twist_from_pose_rate_euler_rodrigues in single precision.
+ *   verdict: holds under; assumes |e| = 1
+ *   29 operations; derivation sha256 e7f95cb1e1f8858232fa295001c353462018829181e53800500336674a222548
+ */
+void chasles_twist_from_pose_rate_euler_rodriguesf(
+    const float e[3],
+    float phi,
+    const float s_dot[7],
+    float t[6])
+{
+    const float t3 = s_dot[4];
+    const float t4 = s_dot[5];
+    const float t5 = s_dot[6];
+    const float half_phi = 0.5f * phi;
+    const float t6 = 2.0f * cosf(half_phi);
+    const float t7 = 2.0f * sinf(half_phi);
+    const float t8 = e[0] * t7;
+    const float t9 = e[1] * t7;
+    const float t10 = e[2] * t7;
+    const float t0 = s_dot[0] * t6 - s_dot[1] * t10 + s_dot[2] * t9 - s_dot[3] * t8;
+    const float t1 = s_dot[0] * t10 + s_dot[1] * t6 - s_dot[2] * t8 - s_dot[3] * t9;
+    const float t2 = s_dot[1] * t8 - s_dot[0] * t9 + s_dot[2] * t6 - s_dot[3] * t10;
+    t[0] = t0;
+    t[1] = t1;
+    t[2] = t2;
+    t[3] = t3;
+    t[4] = t4;
+    t[5] = t5;
+}
+
+/*
+ * (3.80a) chasles_twist_from_pose_rate_euler_rodrigues for a batch.
+ *   verdict: holds under; assumes |e| = 1
+ *   29 operations; derivation sha256 e7f95cb1e1f8858232fa295001c353462018829181e53800500336674a222548
+ */
+void chasles_twist_from_pose_rate_euler_rodrigues_batch(
+    size_t count,
+    const double *e, ptrdiff_t e_step,
+    const double *phi, ptrdiff_t phi_step,
+    const double *s_dot, ptrdiff_t s_dot_step,
+    double *t, ptrdiff_t t_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_twist_from_pose_rate_euler_rodrigues(
+            e + i * e_step,
+            phi[i * phi_step],
+            s_dot + i * s_dot_step,
+            t + i * t_step);
+    }
+}
+
+/*
+ * (3.80a) chasles_twist_from_pose_rate_euler_rodriguesf for a batch.
+ *   verdict: holds under; assumes |e| = 1
+ *   29 operations; derivation sha256 e7f95cb1e1f8858232fa295001c353462018829181e53800500336674a222548
+ */
+void chasles_twist_from_pose_rate_euler_rodrigues_batchf(
+    size_t count,
+    const float *e, ptrdiff_t e_step,
+    const float *phi, ptrdiff_t phi_step,
+    const float *s_dot, ptrdiff_t s_dot_step,
+    float *t, ptrdiff_t t_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_twist_from_pose_rate_euler_rodriguesf(
+            e + i * e_step,
+            phi[i * phi_step],
+            s_dot + i * s_dot_step,
+            t + i * t_step);
+    }
+}
+
+/*
+ * (3.83a) The twist-transfer formula.
+ *   given       t_A[6]: twist at A
+ *               a[3]: position of the landmark point A
+ *               p[3]: position of any point P
+ *   returns     t_P[6]: twist at P
+ *   verdict     holds
+ *   assumes     nothing
+ *   operations  15: 3 add, 6 subtract, 6 multiply
+ *   derivation  sha256 967e7d1cf62d3815299774946eb2642eb91e46a3429c284829933f4e75e4e219
+ */
+void chasles_twist_transfer(
+    const double t_A[6],
+    const double a[3],
+    const double p[3],
+    double t_P[6])
+{
+    const double t_P0 = t_A[0];
+    const double t_P1 = t_A[1];
+    const double t_P2 = t_A[2];
+    const double t1 = a[0] - p[0];
+    const double t2 = a[1] - p[1];
+    const double t3 = a[2] - p[2];
+    const double t_P3 = t_A[3] + (t_P2 * t2 - t_P1 * t3);
+    const double t_P4 = t_A[4] + (t_P0 * t3 - t_P2 * t1);
+    const double t_P5 = t_A[5] + (t_P1 * t1 - t_P0 * t2);
+    t_P[0] = t_P0;
+    t_P[1] = t_P1;
+    t_P[2] = t_P2;
+    t_P[3] = t_P3;
+    t_P[4] = t_P4;
+    t_P[5] = t_P5;
+}
+
+/*
+ * (3.83a) chasles_twist_transfer in single precision.
+ *   verdict: holds; assumes nothing
+ *   15 operations; derivation sha256 967e7d1cf62d3815299774946eb2642eb91e46a3429c284829933f4e75e4e219
+ */
+void chasles_twist_transferf(const float t_A[6], const float a[3], const float p[3], float t_P[6])
+{
+    const float t_P0 = t_A[0];
+    const float t_P1 = t_A[1];
+    const float t_P2 = t_A[2];
+    const float t1 = a[0] - p[0];
+    const float t2 = a[1] - p[1];
+    const float t3 = a[2] - p[2];
+    const float t_P3 = t_A[3] + (t_P2 * t2 - t_P1 * t3);
+    const float t_P4 = t_A[4] + (t_P0 * t3 - t_P2 * t1);
+    const float t_P5 = t_A[5] + (t_P1 * t1 - t_P0 * t2);
+    t_P[0] = t_P0;
+    t_P[1] = t_P1;
+    t_P[2] = t_P2;
+    t_P[3] = t_P3;
+    t_P[4] = t_P4;
+    t_P[5] = t_P5;
+}
+
+/*
+ * (3.83a) chasles_twist_transfer for a batch.
+ *   verdict: holds; assumes nothing
+ *   15 operations; derivation sha256 967e7d1cf62d3815299774946eb2642eb91e46a3429c284829933f4e75e4e219
+ */
+void chasles_twist_transfer_batch(
+    size_t count,
+    const double *t_A, ptrdiff_t t_A_step,
+    const double *a, ptrdiff_t a_step,
+    const double *p, ptrdiff_t p_step,
+    double *t_P, ptrdiff_t t_P_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_twist_transfer(t_A + i * t_A_step, a + i * a_step, p + i * p_step, t_P + i * t_P_step);
+    }
+}
+
+/*
+ * (3.83a) chasles_twist_transferf for a batch.
+ *   verdict: holds; assumes nothing
+ *   15 operations; derivation sha256 967e7d1cf62d3815299774946eb2642eb91e46a3429c284829933f4e75e4e219
+ */
+void chasles_twist_transfer_batchf(
+    size_t count,
+    const float *t_A, ptrdiff_t t_A_step,
+    const float *a, ptrdiff_t a_step,
+    const float *p, ptrdiff_t p_step,
+    float *t_P, ptrdiff_t t_P_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_twist_transferf(t_A + i * t_A_step, a + i * a_step, p + i * p_step, t_P + i * t_P_step);
+    }
+}

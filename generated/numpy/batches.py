@@ -1,0 +1,117 @@
+"""What the kernels share: inputs to a common batch, entries to arrays. Made by `chasles emit`; not to be edited."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy
+
+__all__ = ("Batch", "delivered", "prepared")
+
+
+@dataclass(frozen=True)
+class Batch:
+    """The batch axes that the inputs of a call have in common, their array library and their dtype."""
+
+    xp: Any
+    shape: tuple[int, ...]
+    dtype: Any
+
+    def number(self, value: float) -> Any:
+        """The number as an array without axes."""
+        return self.xp.asarray(value, dtype=self.dtype)
+
+    def array(self, shape: tuple[int, ...], *entries: Any) -> Any:
+        """A new array with these entries, row-major, on its core axes."""
+        spread = [self.xp.broadcast_to(self.number(entry), self.shape) for entry in entries]
+        return self.xp.reshape(self.xp.stack(spread, axis=-1), self.shape + shape)
+
+
+def prepared(kernel: str, *inputs: tuple[str, Any, tuple[int, ...]]) -> tuple[Any, ...]:
+    """The batch of the inputs (name, value, core shape), then each input as nested tuples of its entries.
+
+    Raises ValueError where shapes do not fit, TypeError where an input is not of real numbers.
+    """
+    xp = _library([value for _, value, _ in inputs])
+    arrays = [_real(xp, kernel, name, value) for name, value, _ in inputs]
+    for (name, _, core), array in zip(inputs, arrays, strict=True):
+        found = tuple(array.shape)
+        if found[len(found) - len(core) :] != core or len(found) < len(core):
+            raise ValueError(f"{kernel}: {name} must have the core shape {core} in its last axes; it has {found}")
+    batches = [tuple(array.shape)[: array.ndim - len(core)] for (_, _, core), array in zip(inputs, arrays, strict=True)]
+    try:
+        shape = numpy.broadcast_shapes(*batches)
+    except ValueError:
+        given = ", ".join(f"{name} {batch}" for (name, _, _), batch in zip(inputs, batches, strict=True))
+        raise ValueError(f"{kernel}: the batch axes do not broadcast: {given}") from None
+    # A Python number takes the precision of the arrays beside it, as everywhere in NumPy.
+    strong = [array for (_, value, _), array in zip(inputs, arrays, strict=True) if type(value) not in (int, float)]
+    batch = Batch(xp, shape, _precision(xp, strong))
+    return batch, *(_entries(batch.number(array), core) for (_, _, core), array in zip(inputs, arrays, strict=True))
+
+
+def delivered(out: Any, *results: Any) -> Any:
+    """The results, or `out` with the results in it; nothing is stored unless all of them fit."""
+    if out is None:
+        places: tuple[Any, ...] = (None,) * len(results)
+    else:
+        places = out if isinstance(out, tuple) else (out,)
+    if len(places) != len(results):
+        raise ValueError(f"out must hold {len(results)} arrays, not {len(places)}")
+    for place, result in zip(places, results, strict=True):
+        if place is not None:
+            _require_room(place, result)
+    given = []
+    for place, result in zip(places, results, strict=True):
+        if place is None:
+            given.append(result if result.ndim else result[()])
+        else:
+            place[...] = result
+            given.append(place)
+    return given[0] if len(given) == 1 else tuple(given)
+
+
+def _library(values: list[Any]) -> Any:
+    """The array library of the first input that has one other than NumPy."""
+    found = [value.__array_namespace__() for value in values if hasattr(value, "__array_namespace__")]
+    return next((xp for xp in found if xp is not numpy), numpy)
+
+
+def _real(xp: Any, kernel: str, name: str, value: Any) -> Any:
+    try:
+        array = xp.asarray(value)
+    except (TypeError, ValueError) as error:
+        kind = TypeError if isinstance(error, TypeError) else ValueError
+        raise kind(f"{kernel}: {name} is no array of numbers: {error}") from None
+    if not xp.isdtype(array.dtype, ("bool", "integral", "real floating")):
+        raise TypeError(f"{kernel}: {name} must hold real numbers; it holds {array.dtype}")
+    return array
+
+
+def _precision(xp: Any, arrays: list[Any]) -> Any:
+    """The dtype to compute in: at least single precision; what is not floating counts as the library's default."""
+    default = xp.asarray(0.0).dtype
+    dtypes = [array.dtype if xp.isdtype(array.dtype, "real floating") else default for array in arrays] or [default]
+    return xp.result_type(xp.float32, *dtypes)
+
+
+def _entries(array: Any, core: tuple[int, ...]) -> Any:
+    """The array split along its core axes, which are its last, into tuples in tuples."""
+    if not core:
+        return array
+    rest = (slice(None),) * (len(core) - 1)
+    return tuple(_entries(array[(..., place, *rest)], core[1:]) for place in range(core[0]))
+
+
+def _require_room(place: Any, result: Any) -> None:
+    """Raise where the result cannot be stored in `place` without loss of axes or of the fraction."""
+    kind = getattr(place, "dtype", None)
+    if kind is None or not _library([place]).isdtype(kind, "real floating"):
+        raise TypeError(f"out must be an array of floating-point numbers, not of {kind or type(place).__name__}")
+    try:
+        fits = numpy.broadcast_shapes(tuple(place.shape), tuple(result.shape)) == tuple(place.shape)
+    except ValueError:
+        fits = False
+    if not fits:
+        raise ValueError(f"out has the shape {tuple(place.shape)}, the result {tuple(result.shape)}")
