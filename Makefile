@@ -24,10 +24,10 @@ all: chapter
 
 # The main job. Emitting may change C files, hence the second look at what has to be compiled.
 chapter: compile
-	@$(BIN)/chasles decide
+	@$(BIN)/chasles decide --brief
 	@$(BIN)/chasles emit
 	@$(MAKE) --no-print-directory compile
-	@$(BIN)/chasles verify
+	@$(BIN)/chasles summary
 
 compile: $(VENV)/.compiled
 	@:

@@ -6,6 +6,7 @@ import os
 import sys
 from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
+from io import TextIOWrapper
 from traceback import print_exc
 from typing import Any
 
@@ -61,6 +62,7 @@ class Guarded(click.Group):
     def _status(self, *args: Any, **kwargs: Any) -> int:
         """The exit status; whatever went wrong has been said."""
         kwargs["standalone_mode"] = False
+        _show_what_can_be_shown()
         try:
             return int(super().main(*args, **kwargs) or 0)
         except click.exceptions.Exit as end:
@@ -102,6 +104,13 @@ def nearest(word: str, words: Sequence[str]) -> str:
     longer = [known for known in words if known.startswith(word)]
     near = list(dict.fromkeys([*longer[:4], *get_close_matches(word, words, n=4, cutoff=0.6)]))
     return f"; near it: {', '.join(near[:4])}" if near else ""
+
+
+def _show_what_can_be_shown() -> None:
+    """A name that the terminal's encoding lacks, as Plücker's may be, must not end the command."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, TextIOWrapper):
+            stream.reconfigure(errors="replace")
 
 
 def _with_help(error: click.ClickException) -> str:

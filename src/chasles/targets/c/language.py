@@ -49,6 +49,7 @@ def _dialect(precision: Precision) -> Dialect:
         Op.SINE: call(f"sin{suffix}"),
         Op.COSINE: call(f"cos{suffix}"),
         Op.ARCTANGENT2: call(f"atan2{suffix}", 2),
+        Op.NOT_A_NUMBER: Phrase("NAN", Level.ATOM, ()),
         Op.SELECT: Phrase("{} ? {} : {}", Level.CHOICE, (Level.COMPARISON, Level.SUM, Level.SUM)),
     }
 

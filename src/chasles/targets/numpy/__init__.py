@@ -14,7 +14,7 @@ from chasles.targets.contract import contract
 from chasles.targets.dialect import ARITHMETIC, Dialect, Phrase, Shape, call
 from chasles.targets.kernel import Kernel, signature
 from chasles.targets.layout import listed
-from chasles.targets.spelling import Spelled, spelled
+from chasles.targets.spelling import Level, Spelled, spelled
 from chasles.targets.target import COMMAND, Page, Target
 
 __all__ = ["TARGET"]
@@ -26,6 +26,7 @@ _SPELL: Mapping[Op, Phrase] = {
     Op.COSINE: call("xp.cos"),
     Op.ARCTANGENT2: call("xp.atan2", 2),
     Op.SELECT: call("xp.where", 3),
+    Op.NOT_A_NUMBER: Phrase("batch.number(xp.nan)", Level.ATOM, ()),
 }
 _USED = ("xp", "batch", "out", "prepared", "delivered", "Any")
 _RESERVED = frozenset({*keyword.kwlist, *keyword.softkwlist, *dir(builtins), *_USED})
