@@ -7,19 +7,27 @@ book's prime; a quantity whose letter is taken has a longer name.
 
 from chasles.vocabulary import (
     CPM,
+    FORCE,
     FREQUENCY,
     LENGTH,
+    MASS,
+    MOMENT,
     TIME,
     VELOCITY,
     Family,
     Identity,
     Index,
+    Integral,
+    Node,
     Zero,
     abbreviation,
     array,
     column,
     cross,
+    integral,
+    inverse,
     matrix,
+    number,
     scalar,
     square,
     uniform,
@@ -165,3 +173,73 @@ B_N = square("B", "B", "the upper block of the rate of N, times 4 (1 - cos(phi))
 V_lin = square("V", "V", "the left block of the rate of L~, times D", FREQUENCY)
 D = scalar("D", "D", "one plus the scalar linear invariant")
 theta = scalar("theta", r"\theta", "an angle that the text does not introduce")
+
+# Moving frames
+o = vector("o", "o", "position of the origin of the moving frame", LENGTH)
+rho_F = vector("rho_F", r"\rho", "position of P from the origin of the moving frame, in the fixed frame", LENGTH)
+rho_M = vector("rho", r"\rho", "position of P in the moving frame", LENGTH)
+
+# Statics
+force = vector("f", "f", "resultant force", FORCE)
+moment = vector("n", "n", "resultant moment about the point at which the force acts", MOMENT)
+moment_A = vector("n_A", "n_A", "resultant moment about A", MOMENT)
+moment_P = vector("n_P", "n_P", "resultant moment about P", MOMENT)
+n_0 = vector("n_0", "n_0", "resultant moment of least magnitude", MOMENT)
+n0 = scalar("n0", "n_0", "signed magnitude of that moment", MOMENT)
+pitch__ = scalar("p''", "p''", "pitch of the wrench, in metres per radian", LENGTH)
+pitch_per_turn__ = scalar("p''", "p''", "pitch of the wrench, in metres per turn", LENGTH)
+e__ = vector("e''", "e''", "unit vector along the axis of the wrench")
+n__ = vector("n''", "n''", "moment of the axis of the wrench about the origin", LENGTH)
+axis__ = array("p_L''", r"\mathbf{p}_{\mathcal{L}''}", "Pluecker array of the axis of the wrench", column(e__, n__))
+p_0__ = vector("p_0''", "p_0''", "position of the point of the axis of the wrench nearest the origin", LENGTH)
+arc_by_force = scalar("lambda", r"\lambda", "signed distance along an axis, per unit of force", LENGTH / FORCE)
+Gamma = array("Gamma", r"\Gamma", "exchanges the halves of a six-dimensional array", matrix((O, one), (one, O)))
+amplitude = scalar("A", "A", "amplitude of a screw", FORCE)
+amplitude_of_wrench = scalar("W", "W", "amplitude of a wrench", FORCE)
+amplitude_of_twist = scalar("T", "T", "amplitude of a twist", FREQUENCY)
+w = array("w", "w", "wrench: moment, force", column(moment, force))
+w_A = array("w_A", "w_A", "wrench at A", column(moment, force))
+w_P = array("w_P", "w_P", "wrench at P", column(moment, force))
+power_ = scalar("Pi", r"\Pi", "power developed by a wrench on a moving body", MOMENT / TIME)
+s_w = array("s_w", "s_w", "screw of a wrench", column(e, n))
+s_t = array("s_t", "s_t", "screw of a twist", column(e, n))
+V = array("V", "V", "transfer of wrenches to another point", matrix((one, A - P), (O, one)))
+O_in_V = Zero(3, 3, r"\mathbf{0}")
+one_6 = Identity(6, r"\mathbf{1}_{6 \times 6}")
+
+# Mass
+half = number(1) / 2
+m = scalar("m", "m", "mass", MASS, constant=True)
+rho = scalar("rho", r"\rho", "mass density", MASS / LENGTH**3, constant=True)
+q_O = vector("q_O", "q_O", "mass first moment with respect to the origin", MASS * LENGTH)
+c = vector("c", "c", "position of the center of mass", LENGTH)
+r_C = vector("r", "r", "position of P from the center of mass", LENGTH)
+r_1 = vector("r_1", "r_1", "position of one element of the body from the center of mass", LENGTH)
+r_2 = vector("r_2", "r_2", "position of another element of the body from the center of mass", LENGTH)
+R_C = abbreviation("R", "R", CPM(r_C), "cross-product matrix of r")
+C = abbreviation("C", "C", CPM(c), "cross-product matrix of c")
+arc_of_element = scalar("lambda", r"\lambda", "signed distance of an element of a rod from the center of mass", LENGTH)
+x_any = vector("x", "x", "any vector")
+energy = scalar("T", "T", "kinetic energy", MOMENT)
+I_C = square("I_C", "I_C", "moment of inertia at the center of mass", MASS * LENGTH**2)
+I_A = square("I_A", "I_A", "moment of inertia with respect to A", MASS * LENGTH**2)
+
+
+def over_body(of: Node) -> Integral:
+    """The integral over the body; density and position differ from element to element."""
+    return integral(of, rho, p, r_C, arc_of_element)
+
+
+# Dynamics
+zero_6 = Zero(6, 1, r"\mathbf{0}")
+c_ref = vector("c_0", r"\mathbf{c}_0", "position of the center of mass in the reference configuration", LENGTH, constant=True)
+moment_C = vector("n_C", "n_C", "resultant moment about the center of mass", MOMENT)
+momentum = vector("m", "m", "momentum", MASS * VELOCITY)
+h_C = vector("h_C", "h_C", "angular momentum with respect to the center of mass", MOMENT * TIME)
+M = array("M", "M", "inertia dyad", matrix((I_C, O), (O, m * one)))
+M_C = array("M_C", "M_C", "inertia dyad at the center of mass", matrix((I_C, O), (O, m * one)))
+M_A = array("M_A", "M_A", "inertia dyad at A", matrix((I_C, m * C), (m * C, m * one)))
+M_inv = array("M_inv", r"\mathbf{M}^{-1}", "inverse of the inertia dyad", inverse(M))
+P_dyad = array("P", "P", "what Steiner's theorem in dyad form asks for", column(a, e) @ column(e, e).T)
+W_dyad = array("W", "W", "angular-velocity dyad", matrix((Omega, O), (O, O)))
+mu = array("mu", r"\mu", "momentum screw about the center of mass", column(h_C, momentum))

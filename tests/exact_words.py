@@ -92,7 +92,7 @@ class Words:
                 raise Broken(f"{hypothesis.text} is not satisfied")
 
     def _complete(self) -> None:
-        """Values for what the point leaves out, because the two sides do not depend on it, but a hypothesis is about it."""
+        """Give values to what the point leaves out, since the sides do not depend on it, and a hypothesis is about."""
         for hypothesis in self.problem.hypotheses:
             for vector in hypothesis.subjects if hypothesis.kind == "unit" else ():
                 if isinstance(vector, w.Symbol) and not self._known(vector):

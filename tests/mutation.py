@@ -8,7 +8,7 @@ that is said to be zero, or of what is squared, or to say that a thing is equal 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, fields
 from dataclasses import replace as with_fields
 from fractions import Fraction
@@ -32,6 +32,7 @@ from chasles.vocabulary import (
     Number,
     Power,
     Quotient,
+    Rate,
     Scale,
     Sum,
     Symbol,
@@ -80,11 +81,11 @@ def mutants_of(sentence: Claim | Theorem, form: str, refused: list[str]) -> Iter
         return
     sides = sentence.form(form)
     seen = {sides}
-    slips = _slips(sides, sides)
+    spoken = _Spoken(sides)
     for place, name in ((0, "left side"), (1, "right side")):
         if place == 0 and sentence.solves is not None:
             continue
-        for change in _mutated(sides[place], slips, refused, signed=not _is_zero(sides[1 - place])):
+        for change in spoken.mutated(sides[place], refused, signed=not _is_zero(sides[1 - place])):
             changed = (change.whole, sides[1]) if place == 0 else (sides[0], change.whole)
             if changed in seen or changed[0] == changed[1]:
                 continue
@@ -103,23 +104,23 @@ def _claim(sentence: Claim, form: str, sides: tuple[Node, Node], change: Mutated
         reading=None,
         corrected=None,
         kernel=None,
-        assuming=(*sentence.assuming, *_new_divisors(change)),
+        assuming=(*sentence.assuming, *spoken.new_divisors(change.whole)),
     )
 
 
 def _of_theorem(theorem: Theorem, refused: list[str]) -> Iterator[Mutant]:
     for number, part in enumerate(theorem.forms):
         owned = tuple(node for _, _, node in _form_nodes(part))
-        slips = _slips(owned, owned)
+        spoken = _Spoken(owned)
         seen: set[Any] = {part}
         for name, place, node in _form_nodes(part):
-            for change in _mutated(node, slips, refused, signed=_is_signed(part, name)):
+            for change in spoken.mutated(node, refused, signed=_is_signed(part, name)):
                 changed = _with_node(part, name, place, change.whole)
                 if changed in seen or (isinstance(changed, Always) and changed.left == changed.right):
                     continue
                 seen.add(changed)
                 forms = (*theorem.forms[:number], changed, *theorem.forms[number + 1 :])
-                assuming = (*theorem.assuming, *_new_divisors(change))
+                assuming = (*theorem.assuming, *spoken.new_divisors(change.whole))
                 if _written(lambda changed=changed: changed.equations(), refused) is None:
                     continue
                 statement = with_fields(theorem, forms=forms, assuming=assuming)
@@ -159,39 +160,54 @@ def _written(write: Callable[[], Any], refused: list[str]) -> Any:
         return None
 
 
-def _new_divisors(change: Mutated) -> tuple[Hypothesis, ...]:
-    """Hypotheses that what the slip made into a divisor is not zero, so that the slip itself is judged."""
-    old = {node.denominator for node in walk(change.before) if isinstance(node, Quotient)}
-    divisors = [node.denominator for node in walk(change.whole) if isinstance(node, Quotient)]
-    return tuple(nonzero(node) for node in dict.fromkeys(divisors) if node not in old and _varies(node))
+def _divisors(nodes: Iterable[Node]) -> list[Node]:
+    """What is divided by, numbers left out."""
+    found = [part.denominator for node in nodes for part in walk(node) if isinstance(part, Quotient)]
+    return [divisor for divisor in dict.fromkeys(found) if symbols_of(divisor)]
 
 
-def _varies(node: Node) -> bool:
-    return any(isinstance(part, Symbol) for part in walk(node))
+class _Spoken:
+    """What a statement speaks of, which is what may be mistaken for something else in it.
+
+    An angle is mistaken for an angle only, and what has a rate for something else that has one.
+    """
+
+    def __init__(self, sides: tuple[Node, ...]) -> None:
+        parts = [part for side in sides for part in walk(side)]
+        self.sides = sides
+        self.letters = tuple(dict.fromkeys(part for part in parts if isinstance(part, Symbol)))
+        self.angles = {symbol for part in parts if isinstance(part, Call) for symbol in symbols_of(part.argument)}
+        self.indices = tuple(dict.fromkeys(index for side in sides for index in _indices(side)))
+        self.moving = _moving(sides)
+        self.slips = (
+            _signs,
+            _left_out,
+            _transposes,
+            _order,
+            _circular,
+            _numbers,
+            lambda node: _letters(node, tuple(s for s in self.letters if (s in self.angles) == (node in self.angles))),
+            lambda node: _other_indices(node, self.indices),
+        )
+
+    def mutated(self, node: Node, refused: list[str], *, signed: bool) -> Iterator[Mutated]:
+        """The expression with one slip, at any depth; the sign of the whole is turned only if it is `signed`."""
+        if signed and not isinstance(node, Sum | Block | Inverse) and not _is_zero(node):
+            yield Mutated("sign", node, _turned(node), _turned(node))
+        for slip in self.slips:
+            for change in _everywhere(node, slip, refused):
+                if _moving((change.whole,)) <= self.moving:
+                    yield change
+
+    def new_divisors(self, changed: Node) -> tuple[Hypothesis, ...]:
+        """Hypotheses that what a slip made into a divisor is not zero, so that the slip itself is judged."""
+        old = _divisors(self.sides)
+        return tuple(nonzero(divisor) for divisor in _divisors((changed,)) if divisor not in old)
 
 
-def _slips(sides: tuple[Node, ...], spoken: tuple[Node, ...]) -> list[Slips]:
-    """The kinds of slips; letters and indices are mistaken for others of the same statement."""
-    letters = dict.fromkeys(symbol for side in sides for symbol in symbols_of(side))
-    indices = dict.fromkeys(index for side in spoken for index in _indices(side))
-    return [
-        _signs,
-        _left_out,
-        _transposes,
-        _order,
-        _circular,
-        _numbers,
-        lambda node: _letters(node, tuple(letters)),
-        lambda node: _other_indices(node, tuple(indices)),
-    ]
-
-
-def _mutated(node: Node, slips: list[Slips], refused: list[str], *, signed: bool) -> Iterator[Mutated]:
-    """The expression with one slip, at any depth; the sign of the whole is turned only if it is `signed`."""
-    if signed and not isinstance(node, Sum | Block | Inverse) and not _is_zero(node):
-        yield Mutated("sign", node, _turned(node), _turned(node))
-    for slip in slips:
-        yield from _everywhere(node, slip, refused)
+def _moving(nodes: Iterable[Node]) -> set[Symbol]:
+    """The letters whose rates occur."""
+    return {s for node in nodes for part in walk(node) if isinstance(part, Rate) for s in symbols_of(part.of)}
 
 
 def _everywhere(node: Node, slip: Slips, refused: list[str]) -> Iterator[Mutated]:

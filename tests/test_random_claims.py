@@ -18,7 +18,6 @@ from chasles.vocabulary import (
     Misfit,
     Node,
     Number,
-    Symbol,
     Zero,
     children,
     cos,
@@ -75,7 +74,6 @@ TWINS: tuple[tuple[Node, Node], ...] = (
 RATES: tuple[tuple[Node, Node], ...] = (
     (dot(rate(e), e), Number(Fraction(0)) * dot(rate(e), e)),
     (rate(Q).T @ Q, -(Q.T @ rate(Q))),
-    (CPM(vect(rate(Q) @ Q.T)), rate(Q) @ Q.T),
     (dot(rate(a), b), -dot(a, rate(b))),
     (rate(cos(phi)), -(sin(phi) * rate(phi))),
     (rate(cross(a, b)), cross(rate(a), b) + cross(a, rate(b))),
@@ -237,7 +235,3 @@ def test_the_values_would_notice_a_wrong_verdict() -> None:
     assert isinstance(decide_problem(bare), Fails)
     with pytest.raises(Broken, match="not satisfied"):
         Words(problem, {"e_1": Fraction(1), "e_2": Fraction(1), "e_3": Fraction(0)}).require()
-
-
-def test_symbols_are_what_they_seem() -> None:
-    assert all(isinstance(symbol, Symbol) for symbol in (a, b, e, u, v, w, x, y, phi, Q, M))

@@ -33,6 +33,8 @@ from chasles.vocabulary import (
     cross,
     det,
     dot,
+    in_frame,
+    integral,
     inverse,
     latex,
     matrix,
@@ -64,6 +66,7 @@ s, t, q_0 = (scalar(name, name, "") for name in ("s", "t", "q_0"))
 Q, R = square("Q", "Q", ""), square("R", "R", "")
 E = abbreviation("E", "E", CPM(e), "")
 N_tilde = array("N~", r"\tilde{\mathbf{N}}", "", uniform((3, 4)))
+rho = scalar("rho", r"\rho", "")
 one, O = Identity(3), Zero(3, 3)
 half = Number(Fraction(1, 2))
 i, j = Index("i"), Index("j")
@@ -298,6 +301,41 @@ TABLE: list[tuple[Node, str, str]] = [
     (Kronecker(i, j), r"\delta_{ij}", "delta_ij"),
     (s * Kronecker(i, j), r"s \delta_{ij}", "s delta_ij"),
     (Entry(Q, i, j, "q"), r"q_{ij}", "q_ij"),
+    # integrals over a body, components in a frame
+    (integral(rho * p, rho, p), r"\int_{\mathcal{B}} \rho \mathbf{p} \, d\mathcal{B}", "int_B(rho p)"),
+    (
+        integral(paren(p - a) * rho, rho, p),
+        r"\int_{\mathcal{B}} \left( \mathbf{p} - \mathbf{a} \right) \rho \, d\mathcal{B}",
+        "int_B((p - a) rho)",
+    ),
+    (
+        integral(rho * p, rho, p) + integral(rho * a, rho),
+        r"\int_{\mathcal{B}} \rho \mathbf{p} \, d\mathcal{B} + \int_{\mathcal{B}} \rho \mathbf{a} \, d\mathcal{B}",
+        "int_B(rho p) + int_B(rho a)",
+    ),
+    (
+        s * integral(rho * (p + a), rho, p),
+        r"s \int_{\mathcal{B}} \rho \left( \mathbf{p} + \mathbf{a} \right) \, d\mathcal{B}",
+        "s int_B(rho (p + a))",
+    ),
+    (
+        rate(integral(rho * p, rho, p)),
+        r"\frac{d}{dt} \left( \int_{\mathcal{B}} \rho \mathbf{p} \, d\mathcal{B} \right)",
+        "d/dt int_B(rho p)",
+    ),
+    (
+        integral(rho * p, rho, p).T,
+        r"\left( \int_{\mathcal{B}} \rho \mathbf{p} \, d\mathcal{B} \right)^T",
+        "int_B(rho p)^T",
+    ),
+    (in_frame(p, "F"), r"\left[ \mathbf{p} \right]_{\mathcal{F}}", "[p]_F"),
+    (
+        in_frame(Q, "M").T @ in_frame(p + a, "F"),
+        r"\left[ \mathbf{Q} \right]_{\mathcal{M}}^T \left[ \mathbf{p} + \mathbf{a} \right]_{\mathcal{F}}",
+        "[Q]_M^T [p + a]_F",
+    ),
+    (rate(in_frame(p, "F")), r"\frac{d}{dt} \left[ \mathbf{p} \right]_{\mathcal{F}}", "d/dt [p]_F"),
+    (in_frame(rate(p), "F"), r"\left[ \dot{\mathbf{p}} \right]_{\mathcal{F}}", "[p_dot]_F"),
     # constants
     (O @ e, r"\mathbf{O} \mathbf{e}", "0 e"),
     (PI * s, r"\pi s", "pi s"),

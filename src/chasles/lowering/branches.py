@@ -9,8 +9,7 @@ from chasles.lowering.refusal import LoweringError
 from chasles.lowering.rewriting import Angle
 from chasles.proof.variables import angle_multiples
 from chasles.statements import Branch, Hypothesis, Inverse
-from chasles.vocabulary import Call, Dot, Node, Norm, Scale, Symbol, Trace, column, plain, uniform
-from chasles.vocabulary.nodes import lifted
+from chasles.vocabulary import Call, Dot, Node, Norm, Scale, Symbol, Trace, column, number, plain, uniform
 
 __all__ = ["choices_of"]
 
@@ -101,10 +100,10 @@ def _confirmed(branch: Branch, hypothesis: Hypothesis) -> Comparison:
         case "nonzero", (scalar,):
             return vanishes(scalar, holds=False)
         case "positive", (scalar,):
-            return Comparison("less", lifted(0), scalar)
+            return Comparison("less", number(0), scalar)
         case "half_turn", (rotation,):
             # A rotation without an axial vector is a half-turn, of trace -1, or the identity, of trace 3.
-            return Comparison("less", Trace(rotation), lifted(0))
+            return Comparison("less", Trace(rotation), number(0))
         case _:
             raise LoweringError(
                 f"the branch '{branch.says}' assumes that {hypothesis.text}, which no comparison of numbers confirms: "

@@ -6,8 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from chasles.vocabulary import Node, Symbol
-from chasles.vocabulary.nodes import lifted
+from chasles.vocabulary import Node, Symbol, number
 
 __all__ = ["Case", "Choice", "Comparison", "largest_of", "oriented", "vanishes"]
 
@@ -45,7 +44,7 @@ class Choice:
 
 def vanishes(scalar: Node, *, holds: bool = True) -> Comparison:
     """Whether the scalar is zero, or (where that does not hold) is not."""
-    return Comparison("equal", scalar, lifted(0), holds)
+    return Comparison("equal", scalar, number(0), holds)
 
 
 def largest_of(symbols: tuple[Symbol, ...], candidates: Sequence[tuple[Node, tuple[Node, ...]]]) -> Choice:
@@ -63,8 +62,8 @@ def largest_of(symbols: tuple[Symbol, ...], candidates: Sequence[tuple[Node, tup
 def oriented(sign: Symbol, entries: Sequence[Node]) -> Choice:
     """The sign, 1 or -1, that makes the first of the entries positive that is not zero; 1 where all are zero."""
     cases = []
-    plus, minus = lifted(1), lifted(-1)
+    plus, minus = number(1), number(-1)
     for entry in entries:
-        cases.append(Case((Comparison("less", entry, lifted(0)),), (minus,)))
-        cases.append(Case((Comparison("less", lifted(0), entry),), (plus,)))
+        cases.append(Case((Comparison("less", entry, number(0)),), (minus,)))
+        cases.append(Case((Comparison("less", number(0), entry),), (plus,)))
     return Choice((sign,), (*cases, Case((), (plus,))))

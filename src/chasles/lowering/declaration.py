@@ -11,6 +11,7 @@ from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Output, Request, argument_name, composed, meaning_of
 from chasles.lowering.rewriting import Angle
 from chasles.proof.judge import Decision
+from chasles.proof.verdict import IllFormed, Undecided, Verdict
 from chasles.statements import Condition, Entry, Hypothesis, Inverse, Kernel, Statement, Theorem
 from chasles.statements.statement import bare, is_rule
 from chasles.vocabulary import Block, Group, Node, Rate, Symbol, members_of
@@ -84,10 +85,16 @@ def standing_form(sentence: Sentence, decide: Decide) -> str | None:
 
 def _no_standing(sentence: Sentence, decision: Decision) -> str:
     """Why no form of the sentence may be used, in one line."""
-    said = f"({sentence.number}) is {decision.verdict.name} as printed"
+    said = f"({sentence.number}) {_words(decision.verdict, 'as printed')}"
     if decision.correction is None:
-        return f"{said}, and no reading or correction is declared"
-    return f"{said}, and its {decision.correction.form} form is {decision.correction.verdict.name}"
+        return f"{said}; no reading or correction is declared"
+    return f"{said}; its {decision.correction.form} form {_words(decision.correction.verdict)}"
+
+
+def _words(verdict: Verdict, which: str = "") -> str:
+    said = verdict.name if verdict.name == "fails" else f"is {verdict.name}"
+    said = f"{said} {which}".rstrip()
+    return f"{said} ({verdict.reason})" if isinstance(verdict, Undecided | IllFormed) else said
 
 
 def _define(definitions: _Definitions, given: Sentence, decide: Decide) -> None:

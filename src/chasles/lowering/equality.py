@@ -9,9 +9,9 @@ from time import monotonic
 from chasles.lowering.algebra import Algebra
 from chasles.lowering.cases import Choice
 from chasles.lowering.program import Program
-from chasles.lowering.reading import Reading, Unreadable, angles_of
+from chasles.lowering.reading import Reading, Settled, Unreadable, angles_of
 from chasles.lowering.request import Request, argument_name
-from chasles.lowering.signs import Fork, Signs
+from chasles.lowering.signs import Differences, Fork, Signs
 from chasles.proof.ratios import Ratio
 from chasles.proof.unfold import UndeclaredDivisor
 from chasles.proof.variables import Untreatable
@@ -77,20 +77,21 @@ def _on_way(
             rules |= dict(zip(choice.symbols, choice.cases[place].values, strict=True))
     compared = [side for c in request.choices for case in c.cases for w in case.where for side in (w.left, w.right)]
     algebra = Algebra(request, rules, (*compared, *angles), deadline)
+    settled = Settled(program)
     waiting = [_signs(algebra, request.choices, way)]
     while waiting:
         signs = waiting.pop()
         if not signs.is_possible:
             continue
         try:
-            yield from _compared(request, Reading(program, request, algebra, signs), program, signs, valueless)
+            yield from _compared(request, Reading(program, request, signs, settled), program, signs, valueless)
         except Fork as fork:
-            waiting += signs.forked(fork.difference)
+            waiting += signs.forked(fork)
 
 
 def _signs(algebra: Algebra, choices: Sequence[Choice], way: Sequence[int]) -> Signs:
     """What the cases taken, and those passed over, say."""
-    signs = Signs(algebra)
+    signs = Signs(Differences(algebra))
     for choice, place in zip(choices, way, strict=True):
         for case in choice.cases[:place]:
             signs = signs.not_in_case(case)
@@ -102,7 +103,7 @@ def _signs(algebra: Algebra, choices: Sequence[Choice], way: Sequence[int]) -> S
 def _compared(
     request: Request, reading: Reading, program: Program, signs: Signs, valueless: Sequence[Symbol]
 ) -> Iterator[str]:
-    algebra = signs.algebra
+    algebra = signs.differences.algebra
     lost = _Lost(request, algebra, valueless)
     for output, result in zip(request.outputs, program.results, strict=True):
         columns = output.value.shape[1]

@@ -76,7 +76,7 @@ class Expansion(Products):
         """The entries of a column."""
         known = self._columns.get(node)
         if known is None:
-            known = self._columns[node] = self.tensors.scaled(*self._parts(node))
+            known = self._columns[node] = self.tensors.scaled(*self.parts(node))
         return known
 
     def matrix(self, node: Node) -> Matrix:
@@ -137,7 +137,7 @@ class Expansion(Products):
             case _:
                 raise _no_program(node)
 
-    def _parts(self, node: Node) -> tuple[int, Column]:
+    def parts(self, node: Node) -> tuple[int, Column]:
         """A column as a scalar times a column, so that factors meet before they meet the entries."""
         if node.is_scalar:
             return self.builder.one, (self.scalar(node),)
@@ -146,12 +146,12 @@ class Expansion(Products):
             return self.builder.one, tuple(row[0] for row in self.meanings.rows(node))
         match node:
             case Scale() | Negative() | Quotient() if (blocks := self._scaled_blocks(node)) is not None:
-                return self._parts(blocks)
+                return self.parts(blocks)
             case Negative(term):
-                factor, entries = self._parts(term)
+                factor, entries = self.parts(term)
                 return self.builder.negate(factor), entries
             case Scale(scalar, term):
-                factor, entries = self._parts(term)
+                factor, entries = self.parts(term)
                 return self.builder.multiply(self.scalar(scalar), factor), entries
             case Quotient(numerator, denominator):
                 return self._divided(numerator, self.scalar(denominator))
@@ -165,10 +165,11 @@ class Expansion(Products):
 
     def _divided(self, numerator: Node, divisor: int) -> tuple[int, Column]:
         """A column divided by a scalar, entry by entry: x / x is exactly one, which x (1 / x) need not be."""
-        factor, entries = self._parts(numerator)
-        if self.builder.value(factor) == 1:
-            return factor, tuple(self.builder.divide(entry, divisor) for entry in entries)
-        return self.builder.divide(factor, divisor), entries
+        factor, entries = self.parts(numerator)
+        if self.builder.value(factor) is None:
+            return self.builder.divide(factor, divisor), entries
+        scaled = self.tensors.scaled(factor, entries)
+        return self.builder.one, tuple(self.builder.divide(entry, divisor) for entry in scaled)
 
     def _column(self, node: Node) -> Column:
         match node:

@@ -32,6 +32,10 @@ class Products(ABC):
         """The entries of a column."""
 
     @abstractmethod
+    def parts(self, node: Node) -> tuple[int, Column]:
+        """A column as a scalar times a column."""
+
+    @abstractmethod
     def matrix(self, node: Node) -> Matrix:
         """A matrix of at least two rows and two columns."""
 
@@ -57,9 +61,13 @@ class Products(ABC):
         for place, factor in enumerate(factors[:-1]):
             if factor.shape[1] == 1:
                 right = [flipped(f) for f in reversed(factors[place + 1 :])]
-                dyad = Dyad(self.chained(factors[: place + 1]), self.chained(right))
-                return Matrix(shape, ((self.builder.one, dyad),))
+                (f, u), (g, v) = self._scaled_chain(factors[: place + 1]), self._scaled_chain(right)
+                return Matrix(shape, ((self.builder.multiply(f, g), Dyad(u, v)),))
         return reduce(self.tensors.product, map(self.matrix, factors))
+
+    def _scaled_chain(self, factors: list[Node]) -> tuple[int, Column]:
+        """A product that is a column as a scalar times a column: k e e^T is k times a symmetric dyad."""
+        return self.parts(factors[0]) if len(factors) == 1 else (self.builder.one, self.chained(factors))
 
     def chained(self, factors: list[Node]) -> Column:
         """A product whose last factor is a column, from the right."""

@@ -16,7 +16,7 @@ from chasles.lowering.signs import Signs
 from chasles.proof.ratios import Ratio
 from chasles.vocabulary import Call, Node, Number, Scale, Sum, Symbol
 
-__all__ = ["Reading", "Unreadable", "angles_of"]
+__all__ = ["Reading", "Settled", "Unreadable", "angles_of"]
 
 Linear = dict[Symbol, Fraction]
 
@@ -25,21 +25,37 @@ class Unreadable(ValueError):
     """A step that does what the request's expressions do not; the message says what."""
 
 
+class Settled:
+    """The steps whose values are the same however comparisons come out, and those values once they are found.
+
+    A quotient and a root are not among them: by what is zero, or of it, they are read otherwise.
+    """
+
+    def __init__(self, program: Program) -> None:
+        self.values: dict[int, Ratio | None] = {}
+        self.steps: set[int] = set()
+        for number, step in enumerate(program.steps):
+            if step.op not in (Op.SELECT, Op.DIVIDE, Op.SQUARE_ROOT) and self.steps.issuperset(step.operands):
+                self.steps.add(number)
+
+
 class Reading:
     """The values of a program's steps on one way through its cases; None is what has no value."""
 
-    def __init__(self, program: Program, request: Request, algebra: Algebra, signs: Signs) -> None:
+    def __init__(self, program: Program, request: Request, signs: Signs, settled: Settled) -> None:
         self._program = program
         self._request = request
-        self._algebra = algebra
+        self._algebra: Algebra = signs.differences.algebra
         self._signs = signs
+        self._settled = settled
         self._values: dict[int, Ratio | None] = {}
 
     def value(self, number: int) -> Ratio | None:
         """The value of a step; raises `Unreadable`, or `Fork` where a comparison is not settled."""
-        if number not in self._values:
-            self._values[number] = self._value(number)
-        return self._values[number]
+        values = self._settled.values if number in self._settled.steps else self._values
+        if number not in values:
+            values[number] = self._value(number)
+        return values[number]
 
     def _value(self, number: int) -> Ratio | None:
         step = self._program.steps[number]
@@ -76,14 +92,14 @@ class Reading:
             case Op.NEGATE:
                 return -known[0]
             case Op.DIVIDE:
-                if self._signs.of(known[1]) == (0,):
+                if self._signs.is_zero(known[1]):
                     return None
                 quotient = self._algebra.quotient(known[0], known[1])
                 if quotient is None:
                     raise Unreadable(f"step {number} divides by what can be zero where the formula has a value")
                 return quotient
             case Op.SQUARE_ROOT:
-                if self._signs.of(known[0]) == (0,):
+                if self._signs.is_zero(known[0]):
                     return self._algebra.constant(Fraction(0))
                 root = self._algebra.root(known[0])
                 if root is None:

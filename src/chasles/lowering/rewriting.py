@@ -102,6 +102,9 @@ def rate_of(node: Node) -> Node:
             return Quotient(Sum((Rate(numerator), Negative(Scale(Rate(denominator), node)))), denominator)
         case Contract(factors):
             return Sum(tuple(Contract((*factors[:k], Rate(f), *factors[k + 1 :])) for k, f in enumerate(factors)))
+        case Power(Norm(of), exponent) if exponent % 2 == 0:
+            square: Node = Dot(of, of)
+            return Rate(square if exponent == 2 else Power(square, exponent // 2))
         case Power(base, exponent) if node.is_scalar:
             below = Number(Fraction(1)) if exponent == 1 else Power(base, exponent - 1)
             return Scale(Number(Fraction(exponent)), Scale(below, Rate(base)))

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
 
 from chasles.lowering.algebra import Algebra
@@ -11,47 +11,79 @@ from chasles.lowering.cases import Case, Comparison
 from chasles.proof.ratios import Ratio
 from chasles.proof.rings import Polynomial
 
-__all__ = ["Fork", "Signs"]
+__all__ = ["Differences", "Fork", "Signs"]
 
 ALL = (-1, 0, 1)
+Literal = tuple[Ratio, tuple[int, ...]]
 
 
 class Fork(Exception):
     """A comparison comes out either way: each way is to be looked at."""
 
-    def __init__(self, difference: Ratio) -> None:
+    def __init__(self, difference: Ratio, wanted: tuple[int, ...]) -> None:
         super().__init__("a comparison that is not settled")
         self.difference = difference
+        self.wanted = wanted
+
+
+class Differences:
+    """The differences whose signs are asked for, each once, however it is written; opposite ones are one."""
+
+    def __init__(self, algebra: Algebra) -> None:
+        self.algebra = algebra
+        self.ratios: list[Ratio] = []
+        self._seen: list[tuple[Ratio, int, int]] = []
+
+    def find(self, difference: Ratio) -> tuple[int, int]:
+        """The number of a difference, and 1, or -1 if it is the opposite of that one."""
+        for known, number, turn in self._seen:
+            if known.denominator == difference.denominator and known.numerator == difference.numerator:
+                return number, turn
+        number, turn = self._match(difference)
+        self._seen.append((difference, number, turn))
+        return number, turn
+
+    def _match(self, difference: Ratio) -> tuple[int, int]:
+        for number, known in enumerate(self.ratios):
+            if self.algebra.vanishes(known - difference):
+                return number, 1
+            if self.algebra.vanishes(known + difference):
+                return number, -1
+        self.ratios.append(difference)
+        return len(self.ratios) - 1, 1
 
 
 @dataclass(frozen=True, slots=True)
 class Signs:
     """For each difference the signs that it can have; of the comparisons of a clause at least one comes out false."""
 
-    algebra: Algebra
-    known: tuple[tuple[Ratio, tuple[int, ...]], ...] = ()
-    clauses: tuple[tuple[tuple[Ratio, tuple[int, ...]], ...], ...] = ()
+    differences: Differences
+    known: Mapping[int, tuple[int, ...]] = field(default_factory=dict)
+    clauses: tuple[tuple[Literal, ...], ...] = ()
 
     @property
     def zeros(self) -> tuple[Polynomial, ...]:
         """What is known to be zero."""
-        return tuple(difference.numerator for difference, signs in self.known if signs == (0,))
+        return tuple(self.differences.ratios[k].numerator for k, signs in self.known.items() if signs == (0,))
 
     @property
     def is_possible(self) -> bool:
         """Whether every difference has a sign left, and no case that was passed over applies."""
-        return all(signs for _, signs in self.known) and all(map(self._is_open, self.clauses))
+        return all(self.known.values()) and all(map(self._is_open, self.clauses))
+
+    def is_zero(self, ratio: Ratio) -> bool:
+        """Whether a fraction is known to be zero."""
+        return ratio.is_zero or ((0,) in self.known.values() and self.of(ratio) == (0,))
 
     def of(self, difference: Ratio) -> tuple[int, ...]:
         """The signs that a difference can have."""
-        if difference.is_zero:
-            return (0,)
-        terms = self.algebra.context.field.ring.terms(difference.numerator)
-        if not any(difference.denominator) and len(terms) == 1 and not any(terms[0][0]):
-            return (1,) if terms[0][1] > 0 else (-1,)
-        found = self._find(difference)
-        signs = ALL if found is None else tuple(sorted(sign * found[1] for sign in self.known[found[0]][1]))
-        if 0 in signs and len(signs) > 1 and self.algebra.is_product_of_atoms(difference):
+        algebra = self.differences.algebra
+        value = algebra.number(difference)
+        if value is not None:
+            return ((value > 0) - (value < 0),)
+        number, turn = self.differences.find(difference)
+        signs = tuple(sorted(sign * turn for sign in self.known.get(number, ALL)))
+        if 0 in signs and len(signs) > 1 and algebra.is_product_of_atoms(difference):
             return tuple(sign for sign in signs if sign)
         return signs
 
@@ -63,26 +95,26 @@ class Signs:
             return True
         if not set(signs) & set(wanted):
             return False
-        if kind == "equal" and self._find(difference) is None and self.algebra.cannot_vanish(difference):
+        is_new = self.differences.find(difference)[0] not in self.known
+        if kind == "equal" and is_new and self.differences.algebra.cannot_vanish(difference):
             return False
-        raise Fork(difference)
+        raise Fork(difference, wanted)
 
-    def forked(self, difference: Ratio) -> Iterator[Signs]:
-        """The ways in which a difference that is not settled can come out."""
-        for sign in self.of(difference):
-            settled = self.knowing(difference, (sign,))
+    def forked(self, fork: Fork) -> Iterator[Signs]:
+        """The two ways in which a comparison that is not settled can come out."""
+        for signs in (fork.wanted, tuple(sign for sign in ALL if sign not in fork.wanted)):
+            settled = self.knowing(fork.difference, signs)
             if settled.is_possible:
                 yield settled
 
     def knowing(self, difference: Ratio, signs: tuple[int, ...]) -> Signs:
         """The same, and the difference has one of the given signs."""
         left = tuple(sign for sign in self.of(difference) if sign in signs)
-        found = self._find(difference)
-        if found is None:
-            return with_fields(self, known=(*self.known, (difference, left)))
-        place, turn = found
-        entry = self.known[place][0], tuple(sorted(sign * turn for sign in left))
-        return with_fields(self, known=(*self.known[:place], entry, *self.known[place + 1 :]))
+        if self.differences.algebra.number(difference) is not None:
+            # A comparison of two numbers that comes out the other way makes the whole way impossible.
+            return self if left else with_fields(self, known={**self.known, -1: ()})
+        number, turn = self.differences.find(difference)
+        return with_fields(self, known={**self.known, number: tuple(sorted(sign * turn for sign in left))})
 
     def in_case(self, case: Case) -> Signs:
         """The same, where the case applies."""
@@ -102,27 +134,13 @@ class Signs:
             registered = registered.knowing(difference, ALL)
         return with_fields(registered, clauses=(*self.clauses, clause))
 
-    def _literal(self, comparison: Comparison) -> tuple[Ratio, tuple[int, ...]]:
-        difference = self.algebra.entry(comparison.left) - self.algebra.entry(comparison.right)
-        return difference, _wanted(comparison.kind, holds=comparison.holds)
+    def _literal(self, comparison: Comparison) -> Literal:
+        entry = self.differences.algebra.entry
+        return entry(comparison.left) - entry(comparison.right), _wanted(comparison.kind, holds=comparison.holds)
 
-    def _is_open(self, clause: tuple[tuple[Ratio, tuple[int, ...]], ...]) -> bool:
+    def _is_open(self, clause: tuple[Literal, ...]) -> bool:
         """Whether some comparison of the clause can still come out false."""
         return any(set(self.of(difference)) - set(signs) for difference, signs in clause)
-
-    def _find(self, difference: Ratio) -> tuple[int, int] | None:
-        """Where the difference or its opposite is known, and which of the two."""
-        for same in (_is_zero, self.algebra.vanishes):
-            for place, (known, _) in enumerate(self.known):
-                if same(known - difference):
-                    return place, 1
-                if same(known + difference):
-                    return place, -1
-        return None
-
-
-def _is_zero(ratio: Ratio) -> bool:
-    return ratio.is_zero
 
 
 def _wanted(kind: str, *, holds: bool) -> tuple[int, ...]:

@@ -11,8 +11,8 @@ from math import isfinite
 from numbers import Real
 from typing import Any
 
-import mpmath  # type: ignore[import-untyped]
-from mpmath.ctx_iv import MPIntervalContext  # type: ignore[import-untyped]
+import mpmath
+from mpmath.ctx_iv import MPIntervalContext
 
 __all__ = ["ends", "exactly", "interval_context", "is_narrow", "middle", "plain_context"]
 

@@ -218,7 +218,7 @@ def _flattened(value: Any) -> Iterable[Any]:
     """The numbers in a number, in nested sequences or in an array, row by row."""
     if hasattr(value, "tolist"):
         value = value.tolist()
-    if isinstance(value, Sequence):
+    if isinstance(value, Sequence) and not isinstance(value, str):
         for part in value:
             yield from _flattened(part)
     else:

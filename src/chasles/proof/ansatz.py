@@ -38,7 +38,7 @@ from chasles.vocabulary import (
 )
 from chasles.vocabulary.nodes import measured
 
-__all__ = ["Palette", "palette_of"]
+__all__ = ["Palette", "dimension_of", "palette_of"]
 
 VECTOR = (3, 1)
 
@@ -51,21 +51,32 @@ class Palette:
     scalars: dict[Node, None] = field(default_factory=dict)
     squares: dict[Node, None] = field(default_factory=dict)
     _weights: dict[Dimension, list[Node]] = field(default_factory=dict)
+    _shaped: dict[tuple[int, int], list[tuple[Node, Dimension | None]]] = field(default_factory=dict)
+    _terms: dict[tuple[tuple[int, int], Dimension], tuple[Node, ...]] = field(default_factory=dict)
 
-    def terms(self, shape: tuple[int, int], dimension: Dimension) -> Iterator[Node]:
+    @property
+    def nodes(self) -> tuple[Node, ...]:
+        return (*self.vectors, *self.squares, *self.scalars)
+
+    def terms(self, shape: tuple[int, int], dimension: Dimension) -> tuple[Node, ...]:
         """The terms of that shape and dimension, the simpler first; some are multiples or sums of others."""
-        for tensor in self._tensors(shape):
-            own = _dimension(tensor)
-            if own is not None:
-                for weight in self._weights_of(dimension / own):
-                    yield tensor if weight == ONE else Scale(weight, tensor)
+        if (shape, dimension) not in self._terms:
+            self._terms[shape, dimension] = tuple(self._weighted(shape, dimension))
+        return self._terms[shape, dimension]
+
+    def _weighted(self, shape: tuple[int, int], dimension: Dimension) -> Iterator[Node]:
+        if shape not in self._shaped:
+            self._shaped[shape] = [(node, dimension_of(node)) for node in self._tensors(shape)]
+        for tensor, own in self._shaped[shape]:
+            for weight in [] if own is None else self._weights_of(dimension / own):
+                yield tensor if weight == ONE else Scale(weight, tensor)
 
     def _weights_of(self, dimension: Dimension) -> list[Node]:
         """Invariants of a dimension; of no dimension, the number one alone: other factors are coefficients."""
         if not self._weights:
             self._weights[NO_DIMENSION] = [ONE]
             for weight in self._invariants():
-                own = _dimension(weight)
+                own = dimension_of(weight)
                 if own is not None and own != NO_DIMENSION:
                     known = self._weights.setdefault(own, [])
                     if weight not in known:
@@ -78,7 +89,7 @@ class Palette:
         for k, one in enumerate(vectors):
             for other in vectors[k + 1 :]:
                 yield from _fitting(Dot, one, other)
-            if _dimension(one) != NO_DIMENSION:
+            if dimension_of(one) != NO_DIMENSION:
                 yield Dot(one, one)
 
     def _tensors(self, shape: tuple[int, int]) -> Iterator[Node]:
@@ -144,7 +155,7 @@ def _collect(palette: Palette, node: Node, without: frozenset[Node], *, factor: 
             return
         case Norm(of) if of.shape == VECTOR:
             palette.scalars.setdefault(Power(node, 2))
-        case Quotient(_, denominator) if _dimension(denominator) != NO_DIMENSION:
+        case Quotient(_, denominator) if dimension_of(denominator) != NO_DIMENSION:
             palette.scalars.setdefault(Quotient(ONE, denominator))
         case Sum() if factor and not any(part in without for part in walk(node)):
             _enter(palette, node)
@@ -161,11 +172,11 @@ def _enter(palette: Palette, node: Node) -> None:
             palette.vectors.setdefault(node)
         case (3, 3):
             palette.squares.setdefault(node)
-        case (1, 1) if _dimension(node) != NO_DIMENSION:
+        case (1, 1) if dimension_of(node) != NO_DIMENSION:
             palette.scalars.setdefault(node)
 
 
-def _dimension(node: Node) -> Dimension | None:
+def dimension_of(node: Node) -> Dimension | None:
     """The one dimension of all entries; None if they have several, or are all zero."""
     try:
         return measured(node).the_dimension(node)

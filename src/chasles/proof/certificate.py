@@ -11,7 +11,8 @@ from fractions import Fraction
 from math import lcm, prod
 from typing import Any
 
-from chasles.proof.recheck.reading import Reading, squeezed
+from chasles.proof.recheck.quantities import squeezed
+from chasles.proof.recheck.reading import Reading
 from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected, exponents, variable
 from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import problems_of_inverse
@@ -46,7 +47,7 @@ def check(
             _check(problem, certificate["branches"][says] if isinstance(said, Inverse) else certificate)
     except Rejected:
         raise
-    except (AttributeError, LookupError, TypeError, ValueError, ZeroDivisionError) as error:
+    except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError) as error:
         raise Rejected(f"the certificate is malformed: {type(error).__name__}: {error}") from error
 
 
@@ -62,6 +63,9 @@ def _check(problem: Problem, certificate: Mapping[str, Any]) -> None:
         occurring |= _follows(reading, variable(place) - values[place], said, f"the value of {name}")
     reading.settle(values)
     for count, goal in enumerate(problem.goals):
+        occurring = occurring.union(
+            *(x.places for side in (goal.left, goal.right) for row in reading(side) for x in row)
+        )
         for i, j, difference in reading.difference(goal.left, goal.right):
             what = f"entry {i + 1}, {j + 1} of equation {count + 1}"
             if f"{count}:{i},{j}" not in certificate["entries"]:

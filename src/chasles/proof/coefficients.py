@@ -7,12 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from dataclasses import replace as with_fields
 from fractions import Fraction
 from math import gcd, lcm
 
 from chasles.vocabulary import Contract, Group, Negative, Node, Number, Quotient, Scale, Sum, Zero
 
-__all__ = ["ONE", "Function", "Term", "added", "product", "spelled", "split"]
+__all__ = ["ONE", "Function", "Term", "added", "product", "scaled", "spelled", "split", "times"]
 
 ONE = Number(Fraction(1))
 
@@ -49,10 +50,9 @@ def split(node: Node, constant: Callable[[Node], bool]) -> Term:
             one, other = split(factor, constant), split(term, constant)
             return Term(product(one.coefficient, other.coefficient), _product(one.core, other.core))
         case Quotient(numerator, denominator):
-            above = split(numerator, constant)
-            if constant(denominator):
-                return Term(Quotient(above.coefficient, denominator), above.core)
-            return Term(above.coefficient, Quotient(above.core or ONE, denominator))
+            above, below = split(numerator, constant), split(denominator, constant)
+            coefficient = _quotient(node, above.coefficient, below.coefficient)
+            return Term(coefficient, above.core if below.core is None else _quotient(node, above.core, below.core))
         case Contract(factors):
             parts = [split(factor, constant) for factor in factors]
             if any(part.core is None for part in parts):
@@ -80,6 +80,11 @@ def _product(one: Node | None, other: Node | None) -> Node | None:
     return Scale(one, other)
 
 
+def _quotient(like: Quotient, above: Node | None, below: Node) -> Node:
+    above = ONE if above is None else above
+    return above if below == ONE else with_fields(like, numerator=above, denominator=below)
+
+
 def _negated(node: Node) -> Node:
     return node.term if isinstance(node, Negative) else Negative(node)
 
@@ -101,9 +106,40 @@ def spelled(parts: Iterable[tuple[Fraction, Function]]) -> Node | None:
     return added(pieces) if pieces else None
 
 
+def times(coefficient: Node, core: Node | None) -> Node:
+    """coefficient * core, a sign in front of it all."""
+    if isinstance(coefficient, Negative):
+        return Negative(product(coefficient.term, core))
+    return product(coefficient, core)
+
+
+def scaled(term: Node, number: Fraction) -> Node | None:
+    """A rational multiple of a term, its own number and the other made one; None for none of it."""
+    if number == 0:
+        return None
+    if number == -1:
+        return _negated(term)
+    own = split(term, lambda scalar: isinstance(scalar, Number))
+    return _times(number * _value(own.coefficient), ONE if own.core is None else own.core)
+
+
+def _value(number: Node) -> Fraction:
+    """The value of a product of numbers, as `split` leaves it."""
+    match number:
+        case Number(value):
+            return value
+        case Negative(term):
+            return -_value(term)
+        case Scale(factor, term):
+            return _value(factor) * _value(term)
+        case Quotient(numerator, denominator):
+            return _value(numerator) / _value(denominator)
+        case _:
+            raise TypeError(f"{number} is no product of numbers")
+
+
 def _times(value: Fraction, node: Node) -> Node:
-    scaled = product(Number(abs(value)), node)
-    return scaled if value > 0 else Negative(scaled)
+    return times(Number(abs(value)) if value > 0 else Negative(Number(abs(value))), node)
 
 
 def added(terms: Sequence[Node]) -> Node:

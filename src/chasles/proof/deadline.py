@@ -11,7 +11,14 @@ from contextvars import ContextVar
 from math import inf
 from time import monotonic
 
-__all__ = ["OutOfTime", "check", "remaining", "within"]
+from chasles.proof.rings import backend
+
+__all__ = ["OutOfTime", "afford", "check", "remaining", "within"]
+
+MANY = 100_000
+"""Products of terms that take no time worth a thought."""
+RATES = {"flint": 4e6, "sympy": 3e5}
+"""Products of terms that a computer of this age forms in a second, at the least."""
 
 _deadline: ContextVar[float] = ContextVar("deadline", default=inf)
 
@@ -38,4 +45,10 @@ def remaining() -> float:
 def check() -> None:
     """Raise `OutOfTime` if the deadline has passed."""
     if remaining() < 0:
+        raise OutOfTime
+
+
+def afford(products: int) -> None:
+    """Raise `OutOfTime` if so many products of terms, which nothing can interrupt, take longer than what is left."""
+    if products > MANY and products > RATES[backend()] * remaining():
         raise OutOfTime

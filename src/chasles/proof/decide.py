@@ -53,6 +53,8 @@ def decide_problem(
         with within(budget):
             return _decide(problem, own, search)
     except OutOfTime:
+        if remaining() <= 0:
+            raise
         return Undecided(f"{budget:g} seconds were not enough")
 
 

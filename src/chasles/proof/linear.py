@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from math import isqrt
 
-__all__ = ["MODULUS", "Column", "Span", "combination", "minus", "multiple", "rational"]
+__all__ = ["MODULUS", "Column", "Span", "combination", "minus", "multiple", "normalized", "plus", "rational"]
 
 MODULUS = (1 << 61) - 1
 LARGEST = 1 << 20
@@ -54,6 +54,11 @@ def minus(one: Column, other: Column) -> Column:
     return [(a - b) % MODULUS for a, b in zip(one, other, strict=True)]
 
 
+def plus(one: Column, other: Column) -> Column:
+    """The sum of two columns."""
+    return [(a + b) % MODULUS for a, b in zip(one, other, strict=True)]
+
+
 def multiple(column: Column, of: Column) -> int | None:
     """The residue k with column = k of; None if there is none, or if `of` vanishes."""
     place = next((place for place, entry in enumerate(of) if entry), None)
@@ -61,6 +66,15 @@ def multiple(column: Column, of: Column) -> int | None:
         return None
     k = column[place] * pow(of[place], -1, MODULUS) % MODULUS
     return k if all((a - k * b) % MODULUS == 0 for a, b in zip(column, of, strict=True)) else None
+
+
+def normalized(column: Column) -> tuple[int, ...]:
+    """The column divided by its first entry that is not zero: the same for all its multiples; () if it is zero."""
+    lead = next((entry for entry in column if entry), None)
+    if lead is None:
+        return ()
+    inverse = pow(lead, -1, MODULUS)
+    return tuple(entry * inverse % MODULUS for entry in column)
 
 
 def combination(columns: Sequence[Column], target: Column) -> list[Fraction] | None:

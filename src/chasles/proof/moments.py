@@ -5,13 +5,13 @@ The integral is linear, and nothing else is used of it: what is decided holds fo
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from chasles.proof.ratios import Field, Ratio
 from chasles.proof.rings import Polynomial
-from chasles.proof.variables import Factors, Untreatable, Variable, moment_name
-from chasles.vocabulary import Symbol
+from chasles.proof.variables import Factors, Untreatable, Variable, differs, moment_name
+from chasles.vocabulary import Node, Symbol
 
 __all__ = ["Moments"]
 
@@ -22,20 +22,26 @@ class Moments:
     While some may be lacking, a number stands in for each of them, so that all can be found by unfolding everything.
     """
 
-    def __init__(self, field: Field, variables: Sequence[Variable], running: frozenset[Symbol]) -> None:
+    def __init__(
+        self, field: Field, variables: Sequence[Variable], running: frozenset[Symbol], rules: Mapping[Node, Node]
+    ) -> None:
         self.lacks: dict[Factors, None] | None = {}
         self._field = field
         self._names = [variable.name for variable in variables]
         entries = [(k, v) for k, v in enumerate(variables) if v.kind == "entry" and v.symbol in running]
-        self._running = [k for k, v in sorted(entries, key=lambda entry: (entry[1].row, entry[1].name))]
+        self._running = [k for k, v in sorted(entries, key=_density_first)]
+        self._hidden = {k for k, v in enumerate(variables) if running and _hides(v, running, rules)}
         self._place = {v.factors: k for k, v in enumerate(variables) if v.kind == "moment"}
 
     def integral(self, integrand: Ratio) -> Ratio:
-        """The integral of an expression in the ring's variables."""
+        """The integral of an expression in the ring's variables; raises `Untreatable` if it is no polynomial in them."""
         ring, running = self._field.ring, set(self._running)
-        for atom, power in zip(self._field.atoms, integrand.denominator, strict=False):
-            if power and any(exponents[k] for exponents, _ in ring.terms(atom) for k in self._running):
-                raise Untreatable("what is integrated is divided by something that differs from element to element")
+        divisors = [
+            atom for atom, power in zip(self._field.atoms, integrand.denominator, strict=False) if power
+        ]
+        for polynomial, refused in [(integrand.numerator, self._hidden), *((a, self._hidden | running) for a in divisors)]:
+            if any(exponents[k] for exponents, _ in ring.terms(polynomial) for k in refused):
+                raise Untreatable("what is integrated is no polynomial in what differs from element to element")
         parts: dict[Factors, dict[tuple[int, ...], Fraction]] = {}
         for exponents, coefficient in ring.terms(integrand.numerator):
             factors = tuple((self._names[k], exponents[k]) for k in self._running if exponents[k])
@@ -63,3 +69,16 @@ class Moments:
             raise Untreatable(f"{moment_name(factors)} came up too late to be given a variable")
         self.lacks[factors] = None
         return ring.constant(Fraction(1 + len(self.lacks)))
+
+
+def _hides(variable: Variable, running: frozenset[Symbol], rules: Mapping[Node, Node]) -> bool:
+    """Whether the variable is a function, other than a polynomial, of what differs from element to element."""
+    if variable.kind == "norm" and variable.node is not None:
+        return differs(variable.node, running, rules)
+    return variable.kind in ("cos", "sin") and variable.symbol in running
+
+
+def _density_first(entry: tuple[int, Variable]) -> tuple[bool, str]:
+    _, variable = entry
+    assert variable.symbol is not None
+    return not variable.symbol.is_scalar, variable.name

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import comb
 
-from chasles.proof.deadline import check
+from chasles.proof.deadline import afford, check
 from chasles.proof.rings import Polynomial, Ring
 
 __all__ = ["Reduction", "reduce_by"]
@@ -36,6 +37,7 @@ def reduce_by(ring: Ring, polynomial: Polynomial, generators: Sequence[Polynomia
         changed = False
         for place, generator in enumerate(generators):
             check()
+            afford(_growth(ring, polynomial, generator))
             quotient, remainder = ring.divide(polynomial, generator)
             if quotient != 0:
                 cofactors[place] = cofactors[place] + quotient if place in cofactors else quotient
@@ -44,3 +46,11 @@ def reduce_by(ring: Ring, polynomial: Polynomial, generators: Sequence[Polynomia
                 if polynomial == 0:
                     break
     return Reduction({k: c for k, c in cofactors.items() if c != 0}, polynomial)
+
+
+def _growth(ring: Ring, polynomial: Polynomial, generator: Polynomial) -> int:
+    """At most so many terms arise when the generator's leading term is replaced by the others as often as it occurs."""
+    lead = ring.leading(generator)[0]
+    degrees = ring.degrees(polynomial)
+    times = min((degree // exponent for degree, exponent in zip(degrees, lead, strict=False) if exponent), default=0)
+    return len(polynomial) * comb(len(generator) + times - 2, times) if times > 1 else 0

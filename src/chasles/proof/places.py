@@ -32,22 +32,24 @@ from chasles.vocabulary import (
     rebuilt,
 )
 
-__all__ = ["Path", "Place", "everywhere", "linear_places", "put", "with_term"]
+__all__ = ["Path", "Place", "everywhere", "linear_places", "put", "separate_sums", "with_term"]
 
 Path = tuple[int, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """A part of an expression and the way to it; `term` if it is the whole, a term of a sum or a block.
+    """A part of an expression and the way to it.
 
-    `in_rate` if a rate is taken of it, so that only constant factors of it are factors of the whole; `apart` if nothing
-    but sums, blocks and common factors stand above it, so that changes in two such places add up.
+    `term` if it is the whole, a block or a term of a sum; `open` if a term can be added to it, and to nothing around it
+    with the same effect. `in_rate` if a rate is taken of it, so that only constant factors of it are factors of the
+    whole. `apart` if above it stand nothing but sums, blocks and common factors: changes in such places add up.
     """
 
     path: Path
     node: Node
     term: bool = True
+    open: bool = True
     in_rate: bool = False
     apart: bool = True
 
@@ -67,12 +69,12 @@ def linear_places(node: Node) -> Iterator[Place]:
 def _below(place: Place) -> Iterator[Place]:
     yield place
     node, parts = place.node, children(place.node)
-    term = isinstance(node, Sum | Block)
+    term, is_open = isinstance(node, Sum | Block), not isinstance(node, Sum | Negative | Group | At)
     apart = place.apart and isinstance(node, Sum | Block | Scale | Quotient | Negative | Group)
     for k in _linear(node):
         leads_down = apart and not (isinstance(node, Scale) and k == 0)
         inside = place.in_rate or isinstance(node, Rate)
-        yield from _below(Place((*place.path, k), parts[k], term, inside, leads_down))
+        yield from _below(Place((*place.path, k), parts[k], term, is_open, inside, leads_down))
 
 
 def _linear(node: Node) -> range:
@@ -85,6 +87,23 @@ def _linear(node: Node) -> range:
             return range(1)
         case _:
             return range(0)
+
+
+def separate_sums(root: Node) -> Iterator[tuple[Place, tuple[Place, ...]]]:
+    """The sums that make up the expression block by block, each with its terms; one term is a sum of itself."""
+    for place in linear_places(root):
+        if not place.apart or any(isinstance(node, Sum) for node in _above(root, place.path)):
+            continue
+        if isinstance(place.node, Sum):
+            yield place, tuple(Place((*place.path, k), term) for k, term in enumerate(place.node.terms))
+        elif not any(inner.apart and inner.path for inner in linear_places(place.node)):
+            yield place, (place,)
+
+
+def _above(root: Node, path: Path) -> Iterator[Node]:
+    for k in path:
+        yield root
+        root = children(root)[k]
 
 
 def put(root: Node, path: Path, new: Node | None) -> Node:

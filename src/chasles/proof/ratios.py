@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
+from chasles.proof.deadline import afford
 from chasles.proof.rings import Polynomial, Ring
 
 __all__ = ["Field", "Ratio"]
@@ -33,7 +34,7 @@ class Field:
         total = self.ring.constant(Fraction(1))
         for atom, exponent in zip(self.atoms, exponents, strict=False):
             for _ in range(exponent):
-                total = total * atom
+                total = _times(total, atom)
         return total
 
 
@@ -58,14 +59,15 @@ class Ratio:
         return self + (-other)
 
     def __mul__(self, other: Ratio) -> Ratio:
-        return Ratio(self.field, self.numerator * other.numerator, _product(self.denominator, other.denominator))
+        numerator = _times(self.numerator, other.numerator)
+        return Ratio(self.field, numerator, _product(self.denominator, other.denominator))
 
     def over(self, denominator: tuple[int, ...]) -> Polynomial:
         """The numerator over a denominator that this one's divides."""
         missing = tuple(
             wanted - (self.denominator[k] if k < len(self.denominator) else 0) for k, wanted in enumerate(denominator)
         )
-        return self.numerator * self.field.power_product(missing) if any(missing) else self.numerator
+        return _times(self.numerator, self.field.power_product(missing)) if any(missing) else self.numerator
 
     def divided(self, constant: Fraction, exponents: tuple[int, ...]) -> Ratio:
         """The fraction divided by a constant times a product of atoms."""
@@ -75,6 +77,11 @@ class Ratio:
     @property
     def is_zero(self) -> bool:
         return bool(self.numerator == 0)
+
+
+def _times(one: Polynomial, other: Polynomial) -> Polynomial:
+    afford(len(one) * len(other))
+    return one * other
 
 
 def _largest(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:

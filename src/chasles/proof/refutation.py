@@ -15,7 +15,7 @@ from chasles.proof.certificate import QUARTERS, Point, point_of, require, value_
 from chasles.proof.recheck.reading import Reading
 from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected
 from chasles.statements import Goal, Problem
-from chasles.vocabulary import PI
+from chasles.vocabulary import Node
 
 __all__ = ["Shown", "check_counterexample"]
 
@@ -27,6 +27,7 @@ SIMPLEST = {
     "rotation": IDENTITY,
     "orthonormal": IDENTITY,
     "half_turn": (1, 0, 0, 0, -1, 0, 0, 0, -1),
+    "definite": IDENTITY,
 }
 """Entries of the subjects of a hypothesis, where a counterexample leaves all of them out."""
 
@@ -114,11 +115,11 @@ def _angles(reading: Reading, point: Point, relevant: set[int]) -> None:
             root = _root(1 - point[known][0] ** 2) if known in point and other not in point else None
             if root is not None:
                 point[other] = root, 0
-    symbols = {reading.places.get(symbol.name): symbol for symbol in (PI, *measured)}
+    symbols = {reading.places[symbol.name]: symbol for symbol in measured}
     bare = {place: symbols[place] for place in relevant - point.keys() if place in symbols}
     for place, symbol in bare.items():
         point[place] = Fraction(1), 1
-        if len(bare) > 1 and symbol != PI:
+        if len(bare) > 1 or "pi" in reading.places:
             cosine, unit = measured[symbol]
             turn = tuple(point[k][0] for k in (cosine, cosine + 1) if k in point)
             if turn not in QUARTERS:
@@ -128,9 +129,12 @@ def _angles(reading: Reading, point: Point, relevant: set[int]) -> None:
 
 def _choose(reading: Reading, point: Point, relevant: set[int]) -> None:
     """What is left out altogether is as simple as its hypothesis, or its norm, allows."""
+    wanted: list[tuple[tuple[Node, ...], tuple[int | Fraction, ...]]]
     wanted = [(h.subjects, SIMPLEST[h.kind]) for h in reading.problem.hypotheses if h.kind in SIMPLEST]
-    norms = [(what[1], point[k][0]) for k, what in enumerate(reading.variables) if what[0] == "norm" and k in point]
-    for subjects, numbers in [*wanted, *(((of,), (size, *[0] * (of.shape[0] - 1))) for of, size in norms)]:
+    for place, (kind, *what) in enumerate(reading.variables):
+        if kind == "norm" and place in point:
+            wanted.append(((what[0],), (point[place][0], *[0] * (what[0].shape[0] - 1))))
+    for subjects, numbers in wanted:
         entries = [entry for subject in subjects for row in reading(subject) for entry in row]
         places = [place for entry in entries for place in entry.places]
         if len(places) == len(numbers) and relevant.issuperset(places) and point.keys().isdisjoint(places):

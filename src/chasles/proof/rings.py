@@ -19,7 +19,7 @@ Exponents = tuple[int, ...]
 
 
 class Ring(Protocol):
-    """A polynomial ring; its polynomials support + - * with each other and with integers."""
+    """A polynomial ring; its polynomials support + - * with each other and with integers, and len counts terms."""
 
     names: tuple[str, ...]
     generators: tuple[Polynomial, ...]
@@ -28,6 +28,7 @@ class Ring(Protocol):
     def from_terms(self, terms: dict[Exponents, Fraction]) -> Polynomial: ...
     def terms(self, polynomial: Polynomial) -> list[tuple[Exponents, Fraction]]: ...
     def leading(self, polynomial: Polynomial) -> tuple[Exponents, Fraction]: ...
+    def degrees(self, polynomial: Polynomial) -> Exponents: ...
     def divide(self, polynomial: Polynomial, divisor: Polynomial) -> tuple[Polynomial, Polynomial]: ...
     def derivative(self, polynomial: Polynomial, variable: int) -> Polynomial: ...
 
@@ -57,6 +58,9 @@ class _FlintRing:
 
     def leading(self, polynomial: Polynomial) -> tuple[Exponents, Fraction]:
         return tuple(map(int, polynomial.monomial(0))), _fraction(polynomial.coefficient(0))
+
+    def degrees(self, polynomial: Polynomial) -> Exponents:
+        return tuple(map(int, polynomial.degrees()))
 
     def divide(self, polynomial: Polynomial, divisor: Polynomial) -> tuple[Polynomial, Polynomial]:
         quotient, remainder = divmod(polynomial, divisor)
@@ -96,6 +100,9 @@ class _SympyRing:
 
     def leading(self, polynomial: Polynomial) -> tuple[Exponents, Fraction]:
         return tuple(polynomial.LM), self._fraction(polynomial.LC)
+
+    def degrees(self, polynomial: Polynomial) -> Exponents:
+        return tuple(polynomial.degrees())
 
     def divide(self, polynomial: Polynomial, divisor: Polynomial) -> tuple[Polynomial, Polynomial]:
         quotient, remainder = polynomial.div(divisor)

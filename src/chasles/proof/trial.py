@@ -11,8 +11,8 @@ from itertools import islice
 from chasles.proof.coefficients import ONE, Function, Term, split
 from chasles.proof.conditions import Solved, solve_conditions
 from chasles.proof.context import Context, build
-from chasles.proof.linear import MODULUS, Column, Span, minus, multiple
-from chasles.proof.places import Place, put, with_term
+from chasles.proof.linear import MODULUS, Column, Span, minus, multiple, normalized
+from chasles.proof.places import Path, Place, put, with_term
 from chasles.proof.residues import Sampled, generic_points
 from chasles.statements import Claim, Goal, Problem, Statement, problem_of
 from chasles.vocabulary import (
@@ -27,11 +27,13 @@ from chasles.vocabulary import (
     Sum,
     Symbol,
     children,
+    plain,
 )
 
 __all__ = ["Standing", "Trial", "changed", "on_trial"]
 
 Standing = Callable[[Statement], str]
+Direction = tuple[int, ...]
 
 POINTS = 10
 NUMBERS = 90
@@ -56,6 +58,8 @@ class Trial:
     varied: Sampled
     fixed: Sampled
     probe: Sampled = field(init=False)
+    _shares: dict[tuple[int, Path, Node | None], Column] = field(init=False, default_factory=dict)
+    _directions: dict[Node, Direction] = field(init=False, default_factory=dict)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "probe", Sampled(self.fixed.context, self.fixed.points[:PROBED]))
@@ -71,12 +75,19 @@ class Trial:
 
     def gap(self, at: Sampled) -> Column:
         """By how much the sides differ."""
-        return self.miss(at, self.left, self.right)
+        key = id(at), (), None
+        if key not in self._shares:
+            self._shares[key] = self.miss(at, self.left, self.right)
+        return self._shares[key]
 
     def share(self, at: Sampled, place: Place, term: Node | None = None) -> Column:
         """What a term in a place of the right side contributes: the one that stands there, or one added to it."""
-        more = put(self.right, place.path, with_term(place.node, term or place.node))
-        return minus(self.gap(at), self.miss(at, self.left, more))
+        term = place.node if term is None else term
+        key = id(at), place.path, term
+        if key not in self._shares:
+            more = put(self.right, place.path, with_term(place.node, term))
+            self._shares[key] = minus(self.gap(at), self.miss(at, self.left, more))
+        return self._shares[key]
 
     def holds(self, left: Node, right: Node) -> bool:
         """Whether other sides agree at all points."""
@@ -96,6 +107,12 @@ class Trial:
         values = [value[0][0] for value in at(function.node)]
         size = len(column) // len(values)
         return [entry * values[k // size] % MODULUS for k, entry in enumerate(column)]
+
+    def direction(self, node: Node) -> Direction:
+        """What the values have in common with those of all multiples, where the angles are fixed; () if it is zero."""
+        if node not in self._directions:
+            self._directions[node] = normalized(self.fixed.flat(node))
+        return self._directions[node]
 
     @cached_property
     def functions(self) -> tuple[Function, ...]:
@@ -118,11 +135,11 @@ class Trial:
 
     @cached_property
     def divisors(self) -> tuple[Node, ...]:
-        """The functions of angles that are divided by or declared not to be zero; of multiples only the first."""
+        """The functions of angles that are divided by or declared not to be zero; of multiples only the shortest."""
         declared = [node for h in self.problem.hypotheses for node in h.nonvanishing]
         printed = [node.denominator for node in _parts(self.right) if isinstance(node, Quotient)]
         kept: list[Node] = []
-        for node in filter(self._is_function, (*declared, *printed)):
+        for node in sorted(filter(self._is_function, (*printed, *declared)), key=lambda node: len(plain(node))):
             if all(multiple(self.varied.flat(node), self.varied.flat(other)) is None for other in kept):
                 kept.append(node)
         return tuple(kept)

@@ -78,7 +78,7 @@ class Unfolder:
         self.rules = rules
         self.values: dict[Symbol, Matrix] = {}
         self.norms: list[tuple[Matrix, Ratio]] = []
-        self.moments = Moments(field, variables, running)
+        self.moments = Moments(field, variables, running, rules)
         self._place = {variable.name: place for place, variable in enumerate(variables)}
         self._entry = {(v.symbol, v.order, v.row, v.column): k for k, v in enumerate(variables) if v.kind == "entry"}
         self._known: dict[Node, Matrix] = {}

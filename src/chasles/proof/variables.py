@@ -35,6 +35,7 @@ __all__ = [
     "Variable",
     "Variables",
     "angle_multiples",
+    "differs",
     "entry_name",
     "moment_name",
     "scan",
@@ -158,6 +159,7 @@ def scan(found: Variables, node: Node, order: int, rules: Mapping[Node, Node]) -
             if found.running and found.running != node.running:
                 raise Untreatable(f"{plain(node)} is not over the same quantities as another integral beside it")
             found.running, found.densities = node.running, found.densities | {node.density.name}
+            _require_running(node, rules)
             scan(found, of, order, rules)
         case _:
             for part in children(node):
@@ -174,6 +176,33 @@ def _scan_rule(found: Variables, left: Node, order: int, rules: Mapping[Node, No
     del found.sought[left]
     if before is not None:
         found.sought[left] = before
+
+
+def _require_running(node: Integral, rules: Mapping[Node, Node]) -> None:
+    """Raise `Untreatable` if a rule makes something the same for all elements that the integral is taken over."""
+    if not node.density.constant:
+        raise Untreatable(f"{plain(node.density)} is a density: declare it constant, for an element keeps its mass")
+    for symbol in node.running & rules.keys():
+        if not differs(rules[symbol], node.running, rules):
+            raise Untreatable(
+                f"{plain(node)} is over {plain(symbol)}, and what is given says that {plain(symbol)} is "
+                f"{plain(rules[symbol])}: take the integral over what differs from element to element there"
+            )
+
+
+def differs(node: Node, running: frozenset[Symbol], rules: Mapping[Node, Node]) -> bool:
+    """Whether an expression differs from element to element of a body, as the running symbols do."""
+    match node:
+        case _ if node in rules:
+            return differs(rules[node], running, rules)
+        case Symbol(stands_for=Node() as inner):
+            return differs(inner, running, rules)
+        case Symbol():
+            return node in running
+        case Integral():
+            return False
+        case _:
+            return any(differs(part, running, rules) for part in children(node))
 
 
 def _scan_divisor(found: Variables, node: Node, order: int, rules: Mapping[Node, Node]) -> None:

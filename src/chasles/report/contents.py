@@ -26,7 +26,7 @@ def contents(screen: Screen, entries: Sequence[Entry]) -> Iterator[RenderableTyp
     for section, members in groupby(entries, lambda entry: entry.section):
         if table.row_count:
             table.add_row()
-        _add(table, (Text(section.number, "bold"), Text(), Text(section.title, "bold")))
+        _add(table, (Text(f"Section {section.number}", "bold"), Text(), Text(section.title, "bold")))
         by_number: dict[str, list[Entry]] = {}
         for entry in members:
             by_number.setdefault(entry.number, []).append(entry)

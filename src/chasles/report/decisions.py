@@ -35,7 +35,7 @@ def verdict_table(screen: Screen, decided: Sequence[Decided]) -> Iterator[Render
         if entry.section != section:
             section = entry.section
             table.add_row()
-            table.add_row(Text(section.number, "bold"), "", Text(section.title, "bold"))
+            table.add_row(Text(f"Section {section.number}", "bold"), "", Text(section.title, "bold"))
         verdict = labelled(decision.verdict, screen.signs)
         table.add_row(Text(_short(entry)), verdict, Text(entry.statement.says), Text(_needs(decision)))
     yield table
@@ -60,7 +60,7 @@ def _list(screen: Screen, decided: Sequence[Decided]) -> Iterator[RenderableType
     for entry, decision in decided:
         if entry.section != section:
             section = entry.section
-            yield Text.assemble("\n", (f"{section.number} {section.title}", "bold"))
+            yield Text.assemble("\n", (f"Section {section.number} {section.title}", "bold"))
         verdict, needs = labelled(decision.verdict, screen.signs), _needs(decision)
         yield Text.assemble((_short(entry), "bold"), "  ", verdict, " " if needs else "", needs)
         yield Padding(Text(entry.statement.says), (0, 0, 0, 2))

@@ -64,6 +64,10 @@ class Minimum:
     at: Node
     squares: tuple[Node, ...]
 
+    def __post_init__(self) -> None:
+        if not self.squares:
+            raise TypeError("a minimum needs the squares that make up the excess: with none, state it with Always")
+
     def equations(self) -> tuple[tuple[str, Node, Node], ...]:
         total = _total(tuple(Dot(square, square) for square in self.squares))
         excess = ("the excess over the least value is a sum of squares", _minus(self.of, self.value), total)

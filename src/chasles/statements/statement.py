@@ -92,8 +92,17 @@ class Statement:
         return which == "printed" or {"reading": self.reading, "corrected": self.corrected}[which] is not None
 
     def at(self, values: Mapping[Node, Node]) -> Statement:
-        """The same statement said of other symbols."""
+        """The same statement said of other symbols; TypeError if it assumes or rests on anything about these."""
+        self._refuse_to_move(values)
         return with_fields(self, left=replace(self.left, values), right=replace(self.right, values), kernel=None)
+
+    def _refuse_to_move(self, values: Mapping[Node, Node]) -> None:
+        spoken_of = [node for h in self.assuming for node in h.subjects]
+        spoken_of += [node for given in self.given for node in (given.left, given.right)]
+        spoken_of += [self.reading, self.corrected] if self.fault else []  # type: ignore[list-item]
+        for node in spoken_of:
+            if not isinstance(node, Node) or replace(node, values) != node:
+                raise TypeError(f"({self.number}) cannot be said of other symbols: what it rests on speaks of the old ones")
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,6 +126,7 @@ class Condition(Statement):
     solution: Node | None = None
 
     def at(self, values: Mapping[Node, Node]) -> Condition:
+        self._refuse_to_move(values)
         moved = tuple(values.get(symbol, symbol) for symbol in self.on)
         assert all(isinstance(symbol, Symbol) for symbol in moved)
         return with_fields(

@@ -208,7 +208,7 @@ def _word(cls: type[_N]) -> type[_N]:
             object.__setattr__(self, "_hash", by_fields(self))
             return self._hash
 
-    made.__hash__ = __hash__  # type: ignore[method-assign]
+    made.__hash__ = __hash__  # type: ignore[assignment]
     return made
 
 

@@ -35,7 +35,8 @@ def rebuilt(node: Node, parts: tuple[Node, ...]) -> Node:
             taken = iter(parts)
             return Block(tuple(tuple(next(taken) for _ in row) for row in rows))
         case _:
-            changes: dict[str, Any] = dict(zip(_node_fields(type(node)), parts, strict=True))
+            names = _node_fields(type(node))  # type: ignore[arg-type]
+            changes: dict[str, Any] = dict(zip(names, parts, strict=True))
             return with_fields(node, **changes) if changes else node  # type: ignore[type-var]
 
 

@@ -20,17 +20,13 @@ Pair = tuple[Any, Any]
 
 @dataclass(slots=True)
 class Equations:
-    """Equations under one name; `derived` if they follow from others by differentiation."""
+    """Equations under one name; `sources` are what the user gave, `derived` if they follow by differentiation."""
 
     text: str
     pairs: list[Pair]
+    sources: tuple[str, ...]
     triad: Triad | None = None
-    derived: str = ""
-
-    @property
-    def source(self) -> str:
-        """What the user gave."""
-        return self.derived or self.text
+    derived: bool = False
 
 
 @dataclass(slots=True)
@@ -46,8 +42,13 @@ def collected(given: Iterable[Any], spoken_of: Sequence[Any]) -> tuple[Given, li
 
     Raises `Untreatable` for what is no equation, and for differential equations in several variables.
     """
-    found = [Equations(_text(item, place), list(sides(item, f"given[{place}]"))) for place, item in enumerate(given)]
-    result = Given([item for item in found if item.pairs])
+    result = Given()
+    for place, item in enumerate(given):
+        pairs = list(dict.fromkeys(sides(item, f"given[{place}]")))
+        if pairs:
+            text = _text(item, place)
+            taken = any(text == other.text for other in result.equations)
+            result.equations.append(Equations(f"{text} [{place}]" if taken else text, pairs, (text,)))
     expressions = _without_given_angles(result, list(spoken_of))
     _state_triads(result)
     _differentiate(result, expressions)
@@ -107,10 +108,10 @@ def _state_triads(result: Given) -> None:
     taken: dict[int, set[int]] = {}
     for triad in triads_of([item.pairs[k] for item, k in places]):
         sources = [places[source] for source in triad.sources]
-        texts = dict.fromkeys(item.text for item, _ in sources)
+        texts = dict.fromkeys(text for item, _ in sources for text in item.sources)
         for item, k in sources:
             taken.setdefault(id(item), set()).add(k)
-        result.equations.append(Equations(" and ".join(texts), triad.equations, triad))
+        result.equations.append(Equations(" and ".join(texts), triad.equations, tuple(texts), triad))
     for item in result.equations:
         gone = taken.get(id(item), set())
         item.pairs = [pair for k, pair in enumerate(item.pairs) if k not in gone]
@@ -133,7 +134,9 @@ def _differentiate(result: Given, expressions: list[Any]) -> None:
         for count in range(1, times + 1):
             pairs = [(sympy.diff(a, variable), sympy.diff(b, variable)) for a, b in pairs]
             text = f"d{count if count > 1 else ''}/d{variable} ({item.text})"
-            result.equations.append(Equations(text, [p for p in pairs if p[0] != p[1]], derived=item.text))
+            moving = [pair for pair in pairs if pair[0] != pair[1]]
+            if moving:
+                result.equations.append(Equations(text, moving, item.sources, derived=True))
 
 
 def _others(result: Given, item: Equations, function: Any) -> list[int]:

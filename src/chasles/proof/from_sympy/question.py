@@ -37,7 +37,7 @@ class Question:
     search: Search
     needs: tuple[str, ...]
     hidden: frozenset[str]
-    sources: Mapping[str, str]
+    sources: Mapping[str, tuple[str, ...]]
     reader: Reader
     roots: frozenset[str] = field(default_factory=frozenset)
 
@@ -54,10 +54,8 @@ class Question:
         """The verdict in SymPy's terms."""
         match verdict:
             case Holds() | HoldsUnder():
-                said = (self.sources.get(text, text) for text in (*self.needs, *verdict.needs))
-                needs = tuple(dict.fromkeys(text for text in said if text not in self.hidden))
-                unused = tuple(dict.fromkeys(self.sources.get(text, text) for text in verdict.unused))
-                unused = tuple(text for text in unused if text not in needs)
+                needs = tuple(text for text in self._said((*self.needs, *verdict.needs)) if text not in self.hidden)
+                unused = tuple(text for text in self._said(verdict.unused) if text not in needs)
                 certificate = {**verdict.certificate, "names": self._names()}
                 witness = self._point(verdict.witness)
                 if needs:
@@ -69,6 +67,10 @@ class Question:
                 return Undecided(reason)
             case _:
                 return verdict
+
+    def _said(self, texts: Iterable[str]) -> tuple[str, ...]:
+        """What the user said, for texts of hypotheses."""
+        return tuple(dict.fromkeys(said for text in texts for said in self.sources.get(text, (text,))))
 
     def _names(self) -> dict[str, str]:
         """What each word stands for."""
@@ -153,7 +155,7 @@ class _Asking:
             self._search(),
             (*substituted, *met, *roots.domains),
             frozenset(constant | {h.text for h in roots.hypotheses}),
-            {item.text: item.source for item in self.given.equations},
+            {item.text: item.sources for item in self.given.equations},
             self.reader,
             frozenset(h.subjects[0].name for h in roots.hypotheses) | {r.word.name for r in self.reader.roots.values()},
         )

@@ -109,8 +109,7 @@ class _Resolver:
             return Number(Fraction(0))
         sign, size, factors = _factored(context, polynomial)
         parts: list[Node] = [] if size == 1 else [self.reader.numeric_root(size)]
-        for word in self.reader.primes.values():
-            self._prime(word)
+        self._know_primes()
         left = context.field.ring.constant(Fraction(1))
         for factor, power in factors:
             parts += [self._absolute(context, (factor, None))[0]] * (power // 2)
@@ -121,16 +120,18 @@ class _Resolver:
                 parts.append(self._word(context, -factor))
             elif power % 2:
                 left = left * factor
-        if sign < 0 or left != 1:
+        if sign < 0 and left == 1:
+            return self._word(context, polynomial)
+        if left != 1:
             parts.append(self._word(context, left * context.field.ring.constant(Fraction(sign))))
         return multiplied(parts)
 
-    def _prime(self, word: Symbol) -> None:
-        number = next(p for p, known in self.reader.primes.items() if known == word)
-        hypothesis = _defining(word, Number(Fraction(number)), f"sqrt({number})")
-        self.positive.add(word.name)
-        if hypothesis not in self.hypotheses:
-            self.hypotheses.append(hypothesis)
+    def _know_primes(self) -> None:
+        """State the roots of primes that have come up since."""
+        for number, word in self.reader.primes.items():
+            if word.name not in self.positive:
+                self.positive.add(word.name)
+                self.hypotheses.append(_defining(word, Number(Fraction(number)), f"sqrt({number})"))
 
     def _absolute(self, context: Context, factor: tuple[Polynomial, Node | None]) -> tuple[Node, Node]:
         """The absolute value of a polynomial, and the polynomial, as words."""
@@ -143,7 +144,7 @@ class _Resolver:
         square = self._reduced(context, polynomial * polynomial)
         key = _key(context, square)
         if key not in self.words:
-            self._define(context, key, Power(plain, 2), f"|{_as_sympy(self.reader, context, polynomial)}|")
+            self._define(key, Power(plain, 2), sympy.Abs(_as_sympy(self.reader, context, polynomial)))
         return self.words[key], plain
 
     def _is_known(self, context: Context, polynomial: Polynomial) -> bool:
@@ -174,14 +175,14 @@ class _Resolver:
             expression = _as_sympy(self.reader, context, polynomial)
             if not self._is_nonnegative(context, polynomial):
                 self.domains.append(f"{expression} >= 0")
-            self._define(context, key, _as_node(context, polynomial), f"sqrt({expression})")
+            self._define(key, _as_node(context, polynomial), sympy.sqrt(expression))
         return self.words[key]
 
-    def _define(self, context: Context, key: Key, radicand: Node, spelled: str) -> None:
-        word = self.reader.atoms.fresh(f"w_{len(self.words) + 1}", spelled)
+    def _define(self, key: Key, radicand: Node, origin: Any) -> None:
+        word = self.reader.atoms.fresh(f"w_{len(self.words) + 1}", origin)
         self.words[key] = word
         self.positive.add(word.name)
-        self.hypotheses.append(_defining(word, radicand, spelled))
+        self.hypotheses.append(_defining(word, radicand, str(origin)))
 
 
 def _key(context: Context, polynomial: Polynomial) -> Key:
@@ -249,7 +250,6 @@ def _as_sympy(reader: Reader, context: Context, polynomial: Polynomial) -> Any:
         for variable, exponent in zip(context.variables, exponents, strict=True):
             if exponent and variable.symbol is not None:
                 origin = reader.atoms.origins[variable.symbol]
-                origin = sympy.sympify(origin) if isinstance(origin, str) else origin
                 if variable.kind != "entry":
                     origin = getattr(sympy, variable.kind)(origin * context.unfold.unit(variable.symbol))
                 term = term * origin**exponent

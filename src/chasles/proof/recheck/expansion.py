@@ -12,7 +12,7 @@ from operator import add, mul
 from chasles import vocabulary as w
 from chasles.proof.recheck.sparse import ONE, ZERO, Polynomial, Rejected, number
 
-__all__ = ["Expansion", "Matrix"]
+__all__ = ["Expansion", "Matrix", "determinant"]
 
 Matrix = list[list[Polynomial]]
 
@@ -35,6 +35,10 @@ class Expansion(ABC):
     @abstractmethod
     def norm(self, of: w.Node) -> Polynomial:
         """The norm of a column."""
+
+    @abstractmethod
+    def integral(self, node: w.Integral) -> Matrix:
+        """The integral over a body."""
 
     @abstractmethod
     def circular(self, angle: w.Node) -> tuple[Polynomial, Polynomial]:
@@ -95,12 +99,14 @@ class Expansion(ABC):
             case w.Trace(of):
                 return [[reduce(add, (row[i] for i, row in enumerate(self(of))))]]
             case w.Determinant(of):
-                return [[_determinant(self(of))]]
+                return [[determinant(self(of))]]
             case w.Cofactor(of):
                 m, pairs = self(of), ((1, 2), (2, 0), (0, 1))
                 return [[m[a][c] * m[b][d] - m[a][d] * m[b][c] for c, d in pairs] for a, b in pairs]
             case w.Norm(of):
                 return [[self.norm(of)]]
+            case w.Integral():
+                return self.integral(node)
             case w.Call("cos" | "sin" as function, argument):
                 return [[self.circular(argument)[function == "sin"]]]
             case _:
@@ -128,11 +134,11 @@ def _skew(vector: Matrix) -> Matrix:
     return [[ZERO, -z, y], [z, ZERO, -x], [-y, x, ZERO]]
 
 
-def _determinant(m: Matrix) -> Polynomial:
-    """By expansion along the first row."""
+def determinant(m: Matrix) -> Polynomial:
+    """The determinant, by expansion along the first row."""
     total = ZERO if m else ONE
     for j, entry in enumerate(m[0] if m else []):
         if entry:
-            minor = _determinant([row[:j] + row[j + 1 :] for row in m[1:]])
+            minor = determinant([row[:j] + row[j + 1 :] for row in m[1:]])
             total = total - entry * minor if j % 2 else total + entry * minor
     return total

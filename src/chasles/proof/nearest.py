@@ -1,0 +1,160 @@
+"""The equations nearest to one that fits together and fails: candidates for the prover, the fewest changes first.
+
+One change is another coefficient, a missing term or a slip of form; then comes another object that the claims about it
+allow, then several changes at once. A candidate agrees with the hypotheses at generic points; it is not proved.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from dataclasses import replace as with_fields
+
+from chasles.proof.ansatz import Palette, palette_of
+from chasles.proof.combined import combined_changes
+from chasles.proof.freedom import freedom_of, other_objects
+from chasles.proof.residues import Singular
+from chasles.proof.single import Change, added_terms, new_coefficients
+from chasles.proof.slips import in_letters, undone
+from chasles.proof.trial import Standing, Trial, on_trial
+from chasles.proof.unfold import UndeclaredDivisor
+from chasles.proof.variables import Untreatable
+from chasles.statements import Statement
+from chasles.statements.statement import bare
+from chasles.vocabulary import Misfit, Node, Rate, Symbol, plain, symbols_of
+
+__all__ = ["Nearest"]
+
+SLIP = 3
+"""The effort of undoing a slip of form."""
+REFUSED = (Misfit, TypeError, Untreatable, UndeclaredDivisor, Singular)
+"""Why an equation cannot be tried: it does not fit, cannot be posed, is not treated, or divides by zero."""
+
+
+@dataclass
+class Nearest:
+    """What can be changed in a statement: the symbols at hand are those of its sides and of what it is given."""
+
+    statement: Statement
+    standing: Standing
+    beside: tuple[Statement, ...] = ()
+    _trials: dict[tuple[Node, Node, int], tuple[Trial | None, Palette]] = field(default_factory=dict)
+
+    def changes(self, left: Node, right: Node) -> Iterator[Change]:
+        """Candidates for sides that fit; one without words if they agree as they are."""
+        strays = self._strays(left, right)
+        for stray in strays[:1]:
+            for meant, words in in_letters(right, [s for s in self.letters if s.shape == stray.shape], of=[stray]):
+                for change in self.changes(left, meant):
+                    yield with_fields(change, words=(words, *change.words))
+        if strays:
+            return
+        if self.agree(left, right):
+            yield Change(left, right, ())
+            return
+        for stage in (self.single_changes, self._other_objects, self._several_changes):
+            found = list(stage(left, right))
+            yield from found
+            if found:
+                return
+
+    def agree(self, left: Node, right: Node) -> bool:
+        """Whether two sides agree at generic points."""
+        try:
+            trial = on_trial(self.statement, left, right, self.standing)
+            return trial is not None and not any(trial.gap(trial.varied))
+        except REFUSED:
+            return False
+
+    def single_changes(self, left: Node, right: Node) -> Iterator[Change]:
+        """One change to the right side; symbols that it does not have are tried if nothing else is found."""
+        found = False
+        for turn, (trial, palette) in enumerate(self._on_trial(left, right)):
+            old = [] if turn else [*new_coefficients(trial), *self._slips(trial)]
+            for change in (*old, *added_terms(trial, palette)):
+                if self._holds(trial, change):
+                    found = True
+                    yield change
+            if found:
+                return
+
+    def _slips(self, trial: Trial) -> Iterator[Change]:
+        for right, words in (*undone(trial.right), *in_letters(trial.right, self.letters)):
+            yield Change(trial.left, right, (words,), SLIP)
+
+    def _holds(self, trial: Trial, change: Change) -> bool:
+        try:
+            return trial.holds(change.left, change.right)
+        except REFUSED:
+            return False
+        except KeyError:
+            # The change brings in a variable that has no value at the trial's points.
+            return self.agree(change.left, change.right)
+
+    def _other_objects(self, left: Node, right: Node) -> Iterator[Change]:
+        palette = palette_of([right], self.own)
+        for freedom in freedom_of(left, self.beside, self.standing):
+            yield from other_objects(self.statement, (left, right), freedom, palette, self.standing)
+
+    def _several_changes(self, left: Node, right: Node) -> Iterator[Change]:
+        for trial, palette in self._on_trial(left, right):
+            found = list(combined_changes(trial, palette))
+            yield from found
+            if found:
+                return
+
+    def _on_trial(self, left: Node, right: Node) -> Iterator[tuple[Trial, Palette]]:
+        """The equation at points, first with the symbols of its right side alone, then with all that are at hand."""
+        for turn, nodes in enumerate(([right], [right, left, *self.given_sides])):
+            key = left, right, turn
+            if key not in self._trials:
+                self._trials[key] = self._tried(left, right, palette_of(nodes, self.own))
+            trial, palette = self._trials[key]
+            if trial is not None:
+                yield trial, palette
+
+    def _tried(self, left: Node, right: Node, palette: Palette) -> tuple[Trial | None, Palette]:
+        try:
+            return on_trial(self.statement, left, right, self.standing, palette.nodes), palette
+        except REFUSED:
+            return None, palette
+
+    @property
+    def given_sides(self) -> list[Node]:
+        """Both sides of what the statement is given."""
+        return [side for given in self.statement.given for side in given.form(self.standing(given))]
+
+    @property
+    def letters(self) -> list[Symbol]:
+        """What a letter can have been meant for: the symbols at hand, but not the left side's own."""
+        left = _symbol(self.statement.left)
+        nodes = (*self.given_sides, *self.statement.printed)
+        return [symbol for symbol in _symbols(nodes) if symbol != left]
+
+    @property
+    def own(self) -> frozenset[Node]:
+        """What defines the left side and is not printed on the right: with it a repair would only repeat the definition."""
+        symbol = _symbol(self.statement.left)
+        rules = (given.form(self.standing(given)) for given in self.statement.given)
+        behind = [other for one, other in rules if bare(one) == symbol]
+        hidden = {symbol, *_symbols(behind)} - set(symbols_of(self.statement.right)) - {None}
+        return frozenset(part for s in hidden if s is not None for part in (s, Rate(s)))
+
+    def _strays(self, left: Node, right: Node) -> list[Symbol]:
+        """Letters of the right side that nothing introduces."""
+        known = _symbols((left, *self.given_sides))
+        subjects = [node for h in self.statement.assuming for node in h.subjects]
+        known += _symbols([s.stands_for for s in known if s.stands_for is not None]) + _symbols(subjects)
+        return [s for s in symbols_of(right) if s not in known and s.stands_for is None and not s.constant]
+
+
+def _symbol(left: Node) -> Symbol | None:
+    """The symbol that a left side is, or is the rate of."""
+    node = bare(left)
+    while isinstance(node, Rate):
+        node = node.of
+    return node if isinstance(node, Symbol) else None
+
+
+def _symbols(nodes: Iterable[Node]) -> list[Symbol]:
+    return list(dict.fromkeys(symbol for node in nodes for symbol in symbols_of(node)))

@@ -1,0 +1,154 @@
+"""What is right instead? For an equation that fails, the nearest true ones, each proved before it counts.
+
+Marks and factors without which a print does not fit together are restored first; what then fails is changed as little
+as possible. A definition that does not fit is what makes the claims that rest on it true.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from dataclasses import replace as with_fields
+
+from chasles.proof.ansatz import palette_of
+from chasles.proof.deadline import OutOfTime, within
+from chasles.proof.decide import decide_problem
+from chasles.proof.marks import Fitting, fitting
+from chasles.proof.nearest import Nearest
+from chasles.proof.single import Change
+from chasles.proof.trial import Standing, changed
+from chasles.proof.verdict import Holds, HoldsUnder, Verdict
+from chasles.statements import Claim, Definition, Statement, problem_of
+from chasles.statements.problem import default_form
+from chasles.vocabulary import Misfit, Node, plain
+from chasles.vocabulary.families import indices_of
+
+__all__ = ["SECONDS", "Repair", "repair"]
+
+SECONDS = 5.0
+"""What the search for a repair, its proofs included, may take."""
+MORE_EFFORT, MOST = 1, 8
+"""Repairs of the same number of changes as the best are given if they take hardly more effort; so many are tried."""
+
+
+@dataclass(frozen=True, slots=True)
+class Repair:
+    """A true equation near the printed one: its sides, what was changed in words, and the verdict on it.
+
+    `modulo` says why another object may stand on the left where the sides are right for that one; `by` names the claims
+    that hold with a definition, and show it to be the one that was meant.
+    """
+
+    left: Node
+    right: Node
+    changes: tuple[str, ...]
+    edits: int
+    verdict: Verdict
+    modulo: str | None = None
+    by: tuple[str, ...] = ()
+
+
+def repair(
+    statement: Statement,
+    standing: Standing = default_form,
+    seconds: float = SECONDS,
+    beside: Iterable[Statement] = (),
+) -> tuple[Repair, ...]:
+    """The nearest true equations, that with the fewest and simplest changes first; none if none was proved in time.
+
+    The search starts from the reading if the statement has one, else from the print. `beside` are the other statements
+    of the book: claims about a symbol say which freedom it has, claims that rest on a definition say what it is.
+    """
+    near = Nearest(statement, standing, tuple(beside))
+    found: list[Repair] = []
+    try:
+        with within(seconds):
+            found.extend(_of_definition(near) if isinstance(statement, Definition) else _of_claim(near))
+    except OutOfTime:
+        return ()
+    return tuple(found)
+
+
+def _of_claim(near: Nearest) -> Iterator[Repair]:
+    statement = near.statement
+    if not isinstance(statement, Claim) or statement.solves is not None or indices_of(statement.left):
+        return
+    if statement.fault and statement.reading is None:
+        for changes in _after_marks(near):
+            found = list(_proved(near, changes))
+            yield from found
+            if found:
+                return
+    else:
+        yield from _proved(near, near.changes(*statement.form("printed" if statement.reading is None else "reading")))
+
+
+def _after_marks(near: Nearest) -> Iterator[Iterable[Change]]:
+    """Candidates for what does not fit together, after one mark, and after two."""
+    left, right = near.statement.printed
+    palette = palette_of((*near.given_sides, left, right), near.own)
+    once, twice = fitting(left, right, near.letters, palette)
+    yield [Change(f.left, f.right, f.words) for f in once if near.agree(f.left, f.right)]
+    yield [Change(f.left, f.right, f.words) for f in twice if near.agree(f.left, f.right)]
+    yield (_further(f, change) for f in once for change in near.single_changes(f.left, f.right))
+    yield (_further(f, change) for f in (*once, *twice) for change in near.changes(f.left, f.right))
+
+
+def _further(fitting: Fitting, change: Change) -> Change:
+    return with_fields(change, words=(*fitting.words, *change.words))
+
+
+def _proved(near: Nearest, changes: Iterable[Change]) -> Iterator[Repair]:
+    """The candidates that the prover confirms: those of the least number of changes, the simplest first."""
+    ranked = sorted(changes, key=lambda c: (len(c.words), c.effort, len(plain(c.right)), plain(c.right), plain(c.left)))
+    best: Change | None = None
+    seen: set[tuple[Node, Node]] = set()
+    for change in ranked:
+        if best is not None and (len(change.words) > len(best.words) or change.effort > best.effort + MORE_EFFORT):
+            return
+        if (change.left, change.right) in seen or change.left == change.right or len(seen) == MOST:
+            continue
+        seen.add((change.left, change.right))
+        verdict = _verdict(near, changed(near.statement, change.left, change.right))
+        if verdict is not None:
+            best = best or change
+            yield Repair(change.left, change.right, change.words, len(change.words), verdict, change.modulo)
+
+
+def _verdict(near: Nearest, claim: Statement) -> Holds | HoldsUnder | None:
+    """The verdict on a claim if it is proved."""
+    try:
+        verdict = decide_problem(problem_of(claim, "printed", near.standing), claim.assuming)
+    except (Misfit, TypeError):
+        return None
+    return verdict if isinstance(verdict, Holds | HoldsUnder) else None
+
+
+def _of_definition(near: Nearest) -> Iterator[Repair]:
+    """What a definition that does not fit together was meant to be: that with which claims that rest on it hold."""
+    statement = near.statement
+    users = [user for user in near.beside if isinstance(user, Claim) and any(_same(statement, g) for g in user.given)]
+    if not statement.fault or not users:
+        return
+    left, right = statement.printed
+    found = False
+    for group in fitting(left, right, near.letters, palette_of((*near.given_sides, left, right), near.own)):
+        for each in group:
+            meant = changed(statement, each.left, each.right)
+            verdicts = {user.number: verdict for user in users if (verdict := _with_meant(near, user, meant))}
+            if verdicts:
+                found = True
+                verdict = next(iter(verdicts.values()))
+                yield Repair(each.left, each.right, each.words, len(each.words), verdict, by=tuple(verdicts))
+        if found:
+            return
+
+
+def _with_meant(near: Nearest, user: Claim, meant: Statement) -> Holds | HoldsUnder | None:
+    """The verdict on a claim that rests on the definition, if that is what is meant and it holds."""
+    given = tuple(meant if _same(meant, other) else other for other in user.given)
+    return _verdict(near, with_fields(changed(user, *user.form(default_form(user))), given=given))
+
+
+def _same(one: Statement, other: Statement) -> bool:
+    return (one.number, one.part) == (other.number, other.part)

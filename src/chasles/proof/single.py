@@ -1,0 +1,154 @@
+"""One change to the right side: another coefficient, a term left out, a term that was missing.
+
+What a change must contribute is known: the gap between the sides. So each is tried by comparing two columns of numbers,
+and a coefficient that depends on angles is found from a small linear system.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from chasles.proof.ansatz import Palette, dimension_of
+from chasles.proof.coefficients import Function, scaled, spelled, times
+from chasles.proof.linear import Column, combination, multiple, plus, rational
+from chasles.proof.places import Place, linear_places, put, with_term
+from chasles.proof.trial import Trial
+from chasles.vocabulary import Node, Sum, plain
+
+__all__ = [
+    "LEFT_OUT",
+    "Change",
+    "added_terms",
+    "distinct_terms",
+    "fitted",
+    "instead",
+    "missing",
+    "new_coefficients",
+    "new_term",
+    "other_coefficient",
+    "rescaled",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """An equation after `edits` changes, in plain words; `effort` ranks changes of the same number."""
+
+    left: Node
+    right: Node
+    words: tuple[str, ...]
+    effort: int = 0
+    modulo: str | None = None
+
+    @property
+    def edits(self) -> int:
+        return len(self.words)
+
+
+Coefficient = list[tuple[Fraction, Function]]
+"""A sum of numbers times functions."""
+LEFT_OUT = 3
+"""The effort of leaving a term out."""
+
+
+def other_coefficient(coefficient: Coefficient) -> int:
+    """The effort of changing a coefficient: it grows with the terms of the new one."""
+    return 1 + sum(1 for value, _ in coefficient if value)
+
+
+def new_term(coefficient: Coefficient) -> int:
+    """The effort of adding a term."""
+    return 1 + other_coefficient(coefficient)
+
+
+def instead(new: Node, old: Node) -> str:
+    """A change of one part for another, in words."""
+    return f"{plain(new)} instead of {plain(old)}"
+
+
+def missing(term: Node) -> str:
+    """A term that was missing, in words."""
+    return f"the term {plain(term)} is added"
+
+
+def new_coefficients(trial: Trial) -> Iterator[Change]:
+    """The right sides that are true with another coefficient of one term, of a block or of the whole."""
+    gap = trial.gap(trial.probe)
+    for place in linear_places(trial.right):
+        if not place.term:
+            continue
+        share = trial.share(trial.probe, place)
+        ratio = multiple(gap, share)
+        number = None if ratio is None else rational(ratio)
+        if number is not None:
+            new, words = rescaled(place.node, number + 1)
+            effort = LEFT_OUT if new is None else int(number != -2)
+            yield Change(trial.left, put(trial.right, place.path, new), (words,), effort)
+        elif not place.in_rate and not (place.node.is_scalar and place.path):
+            yield from _refitted(trial, place, gap, share)
+
+
+def rescaled(term: Node, number: Fraction) -> tuple[Node | None, str]:
+    """A rational multiple of a term, None for none of it, and the change in words."""
+    new = scaled(term, number)
+    if new is None:
+        return None, f"the term {plain(term)} is left out"
+    return new, f"the sign of {plain(term)} is turned" if number == -1 else instead(new, term)
+
+
+def _refitted(trial: Trial, place: Place, gap: Column, share: Column) -> Iterator[Change]:
+    """A coefficient that depends on angles: first it is seen whether any number would do where the angles are fixed."""
+    core = trial.split(place.node).core
+    if core is None or multiple(plus(gap, share), trial.share(trial.probe, place, core)) is None:
+        return
+    wanted = plus(trial.gap(trial.varied), trial.share(trial.varied, place))
+    found = fitted(trial, [trial.share(trial.varied, place, core)], wanted)
+    if found and (coefficient := spelled(found[0])) is not None:
+        new = times(coefficient, core)
+        yield Change(trial.left, put(trial.right, place.path, new), (instead(new, place.node),), other_coefficient(found[0]))
+
+
+def fitted(trial: Trial, cores: Sequence[Column], wanted: Column) -> list[Coefficient] | None:
+    """The coefficients of cores, given at the varied points, that make up what is wanted; None unless unique."""
+    for functions in (trial.functions, trial.fractions):
+        columns = [trial.times(trial.varied, function, core) for core in cores for function in functions]
+        values = combination(columns, wanted)
+        if values is not None:
+            size = len(functions)
+            return [list(zip(values[k : k + size], functions, strict=True)) for k in range(0, len(values), size)]
+    return None
+
+
+def added_terms(trial: Trial, palette: Palette) -> Iterator[Change]:
+    """The right sides that are true with one more term somewhere."""
+    gap = trial.gap(trial.probe)
+    for place in linear_places(trial.right):
+        dimension = dimension_of(place.node)
+        if not place.open or dimension is None or (place.node.is_scalar and place.path):
+            continue
+        terms = place.node.terms if isinstance(place.node, Sum) else (place.node,)
+        for term in distinct_terms(trial, palette.terms(place.node.shape, dimension), terms):
+            if multiple(gap, trial.share(trial.probe, place, term)) is not None:
+                yield from _completed(trial, place, term)
+
+
+def distinct_terms(trial: Trial, terms: Iterable[Node], known: Iterable[Node | None]) -> tuple[Node, ...]:
+    """The terms that are no multiples of each other, nor of known ones, where the angles are fixed; none is zero."""
+    seen = {trial.direction(node) for node in known if node is not None} | {()}
+    kept: list[Node] = []
+    for term in terms:
+        direction = trial.direction(term)
+        if direction not in seen:
+            seen.add(direction)
+            kept.append(term)
+    return tuple(kept)
+
+
+def _completed(trial: Trial, place: Place, term: Node) -> Iterator[Change]:
+    found = fitted(trial, [trial.share(trial.varied, place, term)], trial.gap(trial.varied))
+    if found and not place.in_rate and (coefficient := spelled(found[0])) is not None:
+        new = times(coefficient, term)
+        right = put(trial.right, place.path, with_term(place.node, new))
+        yield Change(trial.left, right, (missing(new),), new_term(found[0]) + 2 * (not place.apart))

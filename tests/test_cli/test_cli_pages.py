@@ -1,0 +1,91 @@
+"""What people read: every statement, in every width, with colour and without."""
+
+from __future__ import annotations
+
+import json
+import re
+
+import pytest
+
+KEYS = [
+    "number", "part", "name", "section", "role", "verdict", "needs", "counterexample", "corrected", "latex",
+    "certificate", "milliseconds",
+]  # fmt: skip
+ESCAPE = "\x1b["
+
+
+def test_every_statement_has_a_page(run, whole: list[dict]) -> None:
+    numbers = list(dict.fromkeys(record["number"] for record in whole))
+    done = run("show", *numbers, "--latex")
+    assert done.exit_code == 0
+    for record in whole:
+        assert record["name"] in done.stdout
+        assert record["certificate"] is None or record["certificate"] in done.stdout
+    pages = json.loads(run("show", "--json", *numbers).stdout)["statements"]
+    assert len(pages) == len(whole)
+    assert all(set(page) == {*KEYS, "says", "text", "given", "assuming", "kernel"} for page in pages)
+
+
+def test_a_page_in_full(run) -> None:
+    page = run("show", "3.16", "--latex").stdout
+    assert page.startswith("(3.16)  ✓ holds under ")
+    assert "normal_matrix_inverse, claim in 3.2.1" in page
+    assert "printed      (A^T A)^-1 = " in page
+    assert r"\left( \mathbf{A}^T \mathbf{A} \right)^{-1} = " in page
+    assert "assuming     phi != 0" in page
+    assert "kernel       normal_matrix_inverse(e, phi)" in page
+    assert re.search(r"certificate  sha256:[0-9a-f]{64}\n", page)
+    assert re.search(r"example      satisfies all that is assumed: .*e = \(", page)
+
+
+def test_list_has_a_line_for_each_number(run, whole: list[dict]) -> None:
+    lines = run("list").stdout.splitlines()
+    numbers = list(dict.fromkeys(record["number"] for record in whole))
+    for wanted in numbers:
+        assert sum(line.startswith(f"{wanted}  ") for line in lines) == 1, wanted
+    listed = json.loads(run("list", "--json").stdout)["statements"]
+    assert [(entry["number"], entry["part"]) for entry in listed] == [(r["number"], r["part"]) for r in whole]
+
+
+def test_the_page_of_decisions_names_each_statement_and_the_totals(run, whole: list[dict]) -> None:
+    page = run("decide").stdout
+    for record in whole:
+        number = record["number"] + (f"/{record['part']}" if record["part"] > 1 else "")
+        assert re.search(rf"^{re.escape(number)}  ", page, re.MULTILINE), number
+    assert f"{len(whole)} statements: " in page
+    assert re.search(r"decided in \d+.* checked again in \d+", page)
+    brief = run("decide", "--brief").stdout
+    assert len(brief) < len(page) / 2
+    assert "(3.57)" in brief
+
+
+def test_a_pipe_gets_plain_text(run) -> None:
+    for words in (["decide"], ["list"], ["show", "3.57"]):
+        page = run(*words).stdout
+        assert ESCAPE not in page
+        assert not re.search(r"[ \t]$", page, re.MULTILINE)
+
+
+@pytest.mark.parametrize("width", [30, 60, 80, 160])
+def test_pages_keep_to_the_width(run, width: int) -> None:
+    for words in (["decide", "--section", "3.4.1"], ["list"], ["show", "3.57", "Thm 3.2.2", "natural_invariants"]):
+        done = run(*words, COLUMNS=str(width))
+        assert done.exit_code == 0
+        assert max(map(len, done.stdout.splitlines())) <= width
+
+
+def test_colour_where_it_is_wanted_and_words_where_it_is_not(process) -> None:
+    words = ("decide", "--section", "3.3")
+    coloured = process(*words, FORCE_COLOR="1", TERM="xterm", COLUMNS="100").stdout
+    assert ESCAPE + "32m" in coloured
+    uncoloured = process(*words, FORCE_COLOR="1", NO_COLOR="1", TERM="xterm", COLUMNS="100").stdout
+    assert ESCAPE + "32m" not in uncoloured
+    assert "✓ holds under" in uncoloured
+
+
+def test_ascii_terminals_get_ascii_signs(process) -> None:
+    done = process("decide", "3.16", "3.57", "3.22", PYTHONIOENCODING="ascii")
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.isascii()
+    assert "+ holds under" in done.stdout
+    assert "! ill-formed" in done.stdout
