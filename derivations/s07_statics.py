@@ -320,7 +320,7 @@ power_at_another_point = Claim(
     "3.120",
     t_P.T @ w_P, t_A.T @ U.T @ V @ w_A,
     says="The power at P by twist and wrench at A.",
-    given=(twist_transfer, wrench_transfer),
+    given=(twist_transfer, wrench_transfer, twist_transfer_matrix, wrench_transfer_matrix),
 )
 
 product_of_transfers = Claim(

@@ -217,8 +217,15 @@ inertia_is_semidefinite = Theorem(
     assuming=(density_is_positive,),
 )
 
+normal_of_two_elements = Definition(
+    "text 3.8 m",
+    normal, cross(r_1, r_2),
+    says="Normal to the plane of the center of mass and two elements of the body.",
+)
+
 only_rods_have_semidefinite_inertia = Theorem(
     "text 3.8 m",
+    part=2,
     says="That square vanishes for the elements on the line through the center of mass that is parallel to x. Two "
     "elements on different lines leave no such x but zero.",
     forms=(
@@ -232,14 +239,14 @@ only_rods_have_semidefinite_inertia = Theorem(
             norm(cross(r_1, x_any)) ** 2 + norm(cross(r_2, x_any)) ** 2,
             squares=(norm(cross(r_1, x_any)) ** 2, norm(cross(r_2, x_any)) ** 2),
             over=(x_any,),
-            by=1 / norm(cross(r_1, r_2)) ** 2
-            * row(
-                CPM(cross(r_1, r_2)) @ CPM(r_2) - cross(r_1, r_2) @ r_2.T,
-                -CPM(cross(r_1, r_2)) @ CPM(r_1),
-            ),
+            by=1 / norm(normal) ** 2 * row(CPM(normal) @ CPM(r_2) - normal @ r_2.T, -CPM(normal) @ CPM(r_1)),
         ),
     ),
-    assuming=(nonzero(norm(x_any), r"\mathbf{x} \neq \mathbf{0}"), nonzero(norm(cross(r_1, r_2)))),
+    given=(normal_of_two_elements,),
+    assuming=(
+        nonzero(norm(x_any), r"\mathbf{x} \neq \mathbf{0}"),
+        nonzero(norm(normal), r"\mathbf{n} \neq \mathbf{0}"),
+    ),
 )
 
 elements_of_a_rod = Definition("text 3.8 n", r_C, arc_of_element * e, says="All elements lie on one line.", sign="=")

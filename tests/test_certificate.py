@@ -131,6 +131,7 @@ TRUE: tuple[Statement | Theorem, ...] = (
     claim("cosine alone", cos(phi) * (1 + cos(phi)), cos(phi) + cos(phi) ** 2),
     claim("sine alone", sin(phi) * (1 + sin(phi)), sin(phi) + sin(phi) ** 2),
     claim("angles", cos(phi + 2 * theta - phi / 2), cos(phi / 2) * cos(2 * theta) - sin(phi / 2) * sin(2 * theta)),
+    claim("backwards", sin(theta - phi), sin(theta) * cos(phi) - cos(theta) * sin(phi)),
     claim("bare angle", rate(phi * cos(phi)), rate(phi) * (cos(phi) - phi * sin(phi))),
     claim("angle and pi", PI * phi * cos(phi) ** 2 + PI * phi * sin(phi) ** 2, phi * PI),
     claim("bare angles", phi * cos(phi) + phi * theta * sin(theta), phi * (cos(phi) + theta * sin(theta))),
@@ -152,6 +153,7 @@ TRUE: tuple[Statement | Theorem, ...] = (
     claim("adjugate", Cofactor(M) @ M.T, det(M) * one),
     claim("blocks", det(matrix((M, e), (Zero(1, 3), m))), m * det(M)),
     claim("quotients", 1 / paren(-2 * m) + 1 / m + x / m / m, (x / m) / m + 1 / (2 * m), positive(m)),
+    claim("quotient's rate", rate(x / m), rate(x) / m - x * rate(m) / m**2, positive(m)),
     claim("moments", moment(rho * (p - b) @ (p - b).T), steiner),
     claim("moment's rate", rate(moment(rho * dot(p, p))), 2 * moment(rho * dot(p, rate(p)))),
     Theorem("least", "p is least at a.", (Minimum(dot(p - a, p - a), zero, p, a, (p - a,)),)),
@@ -301,12 +303,29 @@ def test_contradictory_hypotheses_prove_nothing() -> None:
             check(absurd, "printed", {"solved": {}, "entries": {"0:0,0": entry}, "witness": witness})
 
 
+def bare_certificate(**witness: str) -> Certificate:
+    """Of a statement with one entry, whose sides are the same polynomial."""
+    return {"solved": {}, "entries": {"0:0,0": {"denominator": {}, "cofactors": {}}}, "witness": witness}
+
+
+def test_contradictory_conditions_prove_nothing() -> None:
+    contradiction = (Condition("1", x * 1, number(1), on=(x,)), Condition("2", x * 1, number(2), on=(x,)))
+    absurd = claim("0.0", m * 1, 1 * m, given=contradiction)
+    check(claim("0.0", m * 1, 1 * m, given=contradiction[:1]), "printed", bare_certificate(m="3", x="1"))
+    for witness, reason in (({"x": "1"}, "does not satisfy 2."), ({"x": "2"}, "does not satisfy 1."), ({}, "for x")):
+        with pytest.raises(Rejected, match=reason):
+            check(absurd, "printed", bare_certificate(m="3", **witness))
+
+
+def test_a_quotient_of_what_is_not_zero_can_be_divided_by() -> None:
+    turned = claim("0.0", 1 / paren(m / x), x / m, positive(m), nonzero(x))
+    check(turned, "printed", bare_certificate(m="3", x="1"))
+    with pytest.raises(Rejected, match="which nothing declares nonzero"):
+        check(claim("0.0", 1 / paren(m / x), x / m, nonzero(x)), "printed", bare_certificate(m="3", x="1"))
+
+
 def test_a_hypothesis_nobody_cites_is_satisfied_too() -> None:
-    certificate = {
-        "solved": {},
-        "entries": {"0:0,0": {"denominator": {}, "cofactors": {}}},
-        "witness": {"e_1": "0", "e_2": "0", "e_3": "0"},
-    }
+    certificate = bare_certificate(e_1="0", e_2="0", e_3="0")
     check(claim("0.0", dot(e, e), norm(e) ** 2), "printed", certificate)
     with pytest.raises(Rejected, match=r"does not satisfy \|e\| = 1"):
         check(claim("0.0", dot(e, e), norm(e) ** 2, unit(e)), "printed", certificate)
@@ -518,6 +537,8 @@ def test_a_counterexample_satisfies_hypotheses_on_symbols_it_does_not_show() -> 
     problem = problem_of(claim("0.0", dot(e, e), number(1), orthonormal(e, f, g)))
     short = Counterexample({"e_1": Fraction(2), "e_2": Fraction(0), "e_3": Fraction(0)}, (1, 1), "4", "1")
     not_refuted(problem, short, "does not satisfy e, f, g are orthonormal")
+    absurd = problem_of(claim("0.0", dot(e, e), number(2), perpendicular(e, f), nonzero(dot(e, f))))
+    not_refuted(absurd, replace(short, right="2"), "does not satisfy 1.e.f!=0")
 
 
 def test_an_angle_in_two_measures_is_not_taken_apart() -> None:

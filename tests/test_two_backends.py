@@ -28,7 +28,7 @@ from chasles.proof.judge import Judge
 from chasles.proof.rings import backend
 from chasles.statements import Claim, Theorem, load, problem_of
 from chasles.vocabulary import Misfit
-from mutation import mutants_of
+from tests.mutation import mutants_of
 
 assert backend() == {backend!r}, backend()
 judge, said, count = Judge(), [], 0
@@ -58,7 +58,7 @@ def decided(backend: str, seed: int, *, hidden: bool = False, ground: str = "") 
     """All that is said of the chapter and of some mutants, and how long it took."""
     environment = {**os.environ, "CHASLES_POLYNOMIALS": backend, "PYTHONHASHSEED": str(seed)}
     environment |= {"SYMPY_GROUND_TYPES": ground} if ground else {}
-    script = DECIDE.format(here=str(HERE), hidden=hidden, backend=backend, every=EVERY)
+    script = DECIDE.format(here=str(HERE.parent), hidden=hidden, backend=backend, every=EVERY)
     start = time.perf_counter()
     done = subprocess.run(
         [sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=False, timeout=300

@@ -18,6 +18,7 @@ from chasles.lowering.lower import lower, program_of
 from chasles.lowering.program import Op
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Output, composed
+from chasles.lowering.rewriting import Angle
 from chasles.proof.judge import Decision
 from chasles.proof.verdict import Defined, Undecided
 from chasles.statements import Branch, Definition, Inverse, Kernel, half_turn, symmetric, unit
@@ -157,10 +158,21 @@ def test_an_angle_known_by_its_half_has_a_cosine_and_no_third(book):
     program = program_of(request)
     assert program.operations[Op.ARCTANGENT2] == program.operations[Op.COSINE] == 0
     assert differences(request, program) == ()
+    ((found,),) = run(program, [[0.6, 0.8, 0, 0, 0, 0, 0, 0, 0]])
+    assert abs(found - (math.cos(2 * math.atan2(0.8, 0.6)) + 0.96)) < 1e-15
     with pytest.raises(LoweringError, match="give the cosine and sine of that fraction instead"):
         composed("f", (Q,), (Output("y", "", cos(phi / 3)),), **known)
 
 
+def test_an_argument_that_is_an_angle_is_not_opened():
+    known = {phi: Angle(Q_11, Q_12)}
+    request = composed("f", (theta, Q), (Output("y", "", cos(theta) * cos(phi)),), rules={theta: 2 * phi}, angles=known)
+    program = program_of(request)
+    assert program.operations[Op.COSINE] == 1
+    assert differences(request, program) == ()
+
+
+theta = scalar("theta", r"\theta", "another angle")
 Q_11, Q_12 = (dot(column(1, 0, 0), Q @ unit_column) for unit_column in (column(1, 0, 0), column(0, 1, 0)))
 sizes = [scalar(f"s_{k}", "s", "") for k in range(3)]
 picked = scalar("picked", "p", "")

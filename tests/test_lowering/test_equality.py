@@ -140,6 +140,12 @@ def test_a_root_that_is_no_norm_is_not_believed():
     assert differences(request((x,), x + 0), made) == ("step 1 takes a root that is no norm of the formula",)
 
 
+def test_a_root_of_something_else_is_found():
+    steps = (Step(Op.INPUT), Step(Op.INPUT, entry=1), Step(Op.MULTIPLY, (0, 1)), Step(Op.SQUARE_ROOT, (2,)))
+    said = ("step 3 takes a root that is no norm of the formula",)
+    assert differences(request((w,), norm(w) + 0), program({"w": (3,)}, *steps)) == said
+
+
 def test_a_guard_is_seen_through():
     wanted = request((x, w), x / norm(w))
     bare = program(
@@ -181,6 +187,27 @@ def test_a_selection_is_compared_on_both_ways():
 def test_the_same_selection_by_the_opposite_comparison_is_equal():
     steps = (*SELECTED[:2], Step(Op.LESS, (1, 0)), SELECTED[3], Step(Op.SELECT, (2, 0, 3)))
     assert differences(MAGNITUDE, program({"x": ()}, *steps)) == ()
+
+
+def test_zero_is_not_less_than_zero():
+    is_negative = absolute(Case((BELOW,), (Zero(1, 1),)), Case((), (x,)))
+    steps = (
+        Step(Op.INPUT),
+        Step(Op.CONSTANT),
+        Step(Op.LESS, (0, 1)),
+        Step(Op.EQUAL, (0, 1)),
+        Step(Op.CONSTANT, value=Fraction(1)),
+        Step(Op.ADD, (0, 4)),
+        Step(Op.SELECT, (2, 1, 0)),
+    )
+    one_at_zero = (*steps, Step(Op.SELECT, (3, 5, 6)))
+    assert differences(is_negative, program({"x": ()}, *steps)) == ()
+    assert differences(is_negative, program({"x": ()}, *one_at_zero)) == (
+        "z, entry 1, 1: it is not what the formula says",
+    )
+    shifted = absolute(Case((BELOW,), (Zero(1, 1),)), Case((), (x + 1,)))
+    never_below = (*steps[:6], Step(Op.SELECT, (2, 1, 5)), Step(Op.SELECT, (3, 5, 6)))
+    assert differences(shifted, program({"x": ()}, *never_below)) == ()
 
 
 def test_what_no_case_covers_is_not_a_number():

@@ -273,7 +273,7 @@ def test_rates_are_taken_by_their_rules(book):
         square("W", "W", "", FREQUENCY),
         Rate(M),
         given=(spin, moving),
-        kernel=Kernel(of=(u, omega, x, rate(x)), name="f"),
+        kernel=asked,
     )
     program = lower(turned, book.judge.decide)
     assert program.results[0].shape == (3, 3)

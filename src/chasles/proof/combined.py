@@ -16,7 +16,17 @@ from chasles.proof.deadline import check
 from chasles.proof.linear import Column, Span, multiple, plus
 from chasles.proof.places import Place, put, separate_sums, with_term
 from chasles.proof.residues import Sampled
-from chasles.proof.single import LEFT_OUT, Change, distinct_terms, fitted, instead, missing, new_term, other_coefficient
+from chasles.proof.single import (
+    LEFT_OUT,
+    Change,
+    Coefficient,
+    distinct_terms,
+    fitted,
+    instead,
+    missing,
+    new_term,
+    other_coefficient,
+)
 from chasles.proof.trial import Trial
 from chasles.vocabulary import Node, plain
 
@@ -147,6 +157,14 @@ def _covers(gap: Column, columns: list[Column], size: int, first: int = 0) -> It
         yield from ((k, *(k + 1 + j for j in more)) for more in _covers(span.reduced(gap), rest, size - 1))
 
 
+def _kept(found: list[Coefficient], chosen: tuple[int, ...], term: int) -> Iterator[bool]:
+    """Whether a printed term stays: with everything printed left out there is nothing that was repaired."""
+    if term not in chosen:
+        yield True
+    else:
+        yield from (value != 0 for value, _ in found[chosen.index(term)])
+
+
 def _edited(trial: Trial, each: _Sum, chosen: tuple[int, ...], added: tuple[int, ...]) -> _Edits | None:
     """The sum with the coefficients that close the gap; None if these are no functions that occur."""
     at = trial.varied
@@ -158,7 +176,7 @@ def _edited(trial: Trial, each: _Sum, chosen: tuple[int, ...], added: tuple[int,
     for place in places:
         wanted = plus(wanted, trial.share(at, place))
     found = fitted(trial, columns, _within(wanted, [any(entries) for entries in zip(*columns, strict=True)]))
-    if found is None:
+    if found is None or not any(value for k in range(len(each.terms)) for value in _kept(found, chosen, k)):
         return None
     coefficients = [spelled(parts) for parts in found]
     node, words, effort = each.place.node, [], 0

@@ -13,7 +13,7 @@ from chasles.proof.ansatz import Palette, dimension_of
 from chasles.proof.coefficients import added
 from chasles.proof.places import everywhere, put
 from chasles.proof.slips import Undone, in_letters, undone
-from chasles.vocabulary import Block, Contract, Misfit, Negative, Node, Scale, Sum, Symbol, plain, printed
+from chasles.vocabulary import Block, Contract, Misfit, Negative, Node, Scale, Sum, Symbol, plain, printed, symbols_of
 from chasles.vocabulary.measure import added as common_measure
 
 __all__ = ["Fitting", "fit", "fitting"]
@@ -41,7 +41,8 @@ def fit(left: Node, right: Node) -> bool:
 
 def fitting(left: Node, right: Node, letters: Sequence[Symbol], palette: Palette) -> Iterator[list[Fitting]]:
     """The equations that fit after one change, and then those after two."""
-    lefts = list(in_letters(left, letters, any_shape=True))
+    marked = [letter for letter in letters if any(letter.name.startswith(s.name) for s in symbols_of(left))]
+    lefts = list(in_letters(left, marked, any_shape=True))
     rights = list(_restored(right, letters))
     whole = [] if right.fault else [(right, ())]
     yield _pairs([(left, ())], [*_said(rights), *_said(_factored(left, right, palette))]) + _pairs(_said(lefts), whole)

@@ -13,7 +13,8 @@ from dataclasses import replace as with_fields
 from chasles.proof.ansatz import Palette, palette_of
 from chasles.proof.combined import combined_changes
 from chasles.proof.freedom import freedom_of, other_objects
-from chasles.proof.residues import Singular
+from chasles.proof.marks import fit
+from chasles.proof.residues import Singular, Unsampled
 from chasles.proof.single import Change, added_terms, new_coefficients
 from chasles.proof.slips import in_letters, undone
 from chasles.proof.trial import Standing, Trial, on_trial
@@ -80,15 +81,15 @@ class Nearest:
 
     def _slips(self, trial: Trial) -> Iterator[Change]:
         for right, words in (*undone(trial.right), *in_letters(trial.right, self.letters)):
-            yield Change(trial.left, right, (words,), SLIP)
+            if fit(trial.left, right):
+                yield Change(trial.left, right, (words,), SLIP)
 
     def _holds(self, trial: Trial, change: Change) -> bool:
         try:
             return trial.holds(change.left, change.right)
         except REFUSED:
             return False
-        except KeyError:
-            # The change brings in a variable that has no value at the trial's points.
+        except Unsampled:
             return self.agree(change.left, change.right)
 
     def _other_objects(self, left: Node, right: Node) -> Iterator[Change]:

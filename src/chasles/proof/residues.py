@@ -28,6 +28,7 @@ from chasles.vocabulary import (
     Identity,
     Negative,
     Node,
+    Norm,
     Number,
     Power,
     Quotient,
@@ -41,7 +42,7 @@ from chasles.vocabulary import (
     Zero,
 )
 
-__all__ = ["Sampled", "Singular", "generic_points"]
+__all__ = ["Sampled", "Singular", "Unsampled", "generic_points"]
 
 Matrix = list[list[int]]
 Values = list[Matrix]
@@ -50,6 +51,10 @@ Point = Mapping[str, int]
 
 class Singular(ValueError):
     """A division by zero at a generic point: the divisor vanishes everywhere."""
+
+
+class Unsampled(LookupError):
+    """An expression with a variable that has no value at the points, because it did not occur when they were drawn."""
 
 
 class Sampled:
@@ -95,6 +100,8 @@ class Sampled:
                 return [_scaled(_inverse(d[0][0]), matrix) for d, matrix in pairs]
             case Contract(factors):
                 return [reduce(_times, matrices) for matrices in zip(*map(self, factors), strict=True)]
+            case Power(Norm(of), exponent) if exponent % 2 == 0:
+                return [reduce(_times, [_times(_flipped(m), m)] * (exponent // 2)) for m in self(of)]
             case Power(base, exponent):
                 return [reduce(_times, [matrix] * exponent) for matrix in self(base)]
             case Transpose(of):
@@ -124,7 +131,11 @@ class Sampled:
 
     def _unfolded(self, node: Node) -> Values:
         """What only the prover's own unfolding knows: free symbols, rates, norms, angles."""
-        field, found = self.context.unfold.field, self.context.unfold(node)
+        field = self.context.unfold.field
+        try:
+            found = self.context.unfold(node)
+        except (KeyError, StopIteration):
+            raise Unsampled(node) from None
         values: Values = []
         entries = [[(_coded(self.context, e.numerator), e.denominator) for e in row] for row in found]
         atoms = {d: _coded(self.context, field.power_product(d)) for row in entries for _, d in row}

@@ -20,6 +20,7 @@ from chasles.vocabulary import Node, Sum, plain
 __all__ = [
     "LEFT_OUT",
     "Change",
+    "Coefficient",
     "added_terms",
     "distinct_terms",
     "fitted",

@@ -280,7 +280,7 @@ class Unfolder:
     def _variable_rate(self, place: int) -> Ratio:
         if place not in self._rates:
             if place in self._rates_sought:
-                raise Untreatable(f"the rate of {self.variables[place].name} is said by itself: leave out one of the rules")
+                raise Untreatable(f"the rate of {self.variables[place].name} is said by itself: leave out a rule")
             self._rates_sought.add(place)
             self._rates[place] = self._find_rate(self.variables[place])
             self._rates_sought.remove(place)

@@ -201,14 +201,14 @@ def _word(cls: type[_N]) -> type[_N]:
     made = dataclass(frozen=True, slots=True)(cls)
     by_fields: Any = made.__hash__
 
-    def __hash__(self: _N) -> int:
+    def hash_once(self: _N) -> int:
         try:
             return self._hash
         except AttributeError:
             object.__setattr__(self, "_hash", by_fields(self))
             return self._hash
 
-    made.__hash__ = __hash__  # type: ignore[assignment]
+    made.__hash__ = hash_once  # type: ignore[assignment]
     return made
 
 

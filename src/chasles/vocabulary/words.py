@@ -39,8 +39,8 @@ __all__ = [
     "cross",
     "det",
     "dot",
-    "integral",
     "in_frame",
+    "integral",
     "inverse",
     "matrix",
     "norm",
@@ -97,7 +97,7 @@ def abbreviation(name: str, letter: str, stands_for: Node, meaning: str) -> Symb
 
 
 def _bold(letter: str) -> str:
-    """The letter in bold, its decorations outside: `p_0'` gives `\\mathbf{p}_0'`."""
+    """The letter in bold, its decorations outside: of p_0' only the p is made bold."""
     if letter.startswith(("\\math", "\\bold", "\\over", "\\tilde", "\\dot", "[")):
         return letter
     cut = next((i for i, mark in enumerate(letter) if mark in "_^'"), len(letter))

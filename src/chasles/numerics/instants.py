@@ -1,0 +1,269 @@
+"""What is the value at one moment of an explicit motion? Every expression with its rates, which are differences.
+
+Nothing is differentiated by a rule of calculus: a rate is the central difference of the values a little later and a
+little earlier. The step is so small, and the digits so many, that a second rate still has a hundred digits. Where only
+a rate is prescribed, the quantity is integrated from its value at the moment in question. An integral over the body is
+a sum over a few point masses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from functools import reduce
+from operator import add
+from typing import Any
+
+from chasles.numerics.enclosures import plain_context
+from chasles.numerics.linear_systems import solved
+from chasles.numerics.motions import Motion
+from chasles.numerics.small_matrices import Matrix, cofactors, determinant, flipped, plus, product
+from chasles.statements import Problem
+from chasles.vocabulary import (
+    PI,
+    At,
+    Block,
+    Call,
+    Cofactor,
+    Contract,
+    Cross,
+    Determinant,
+    Dot,
+    Group,
+    Identity,
+    Integral,
+    Inverse,
+    Negative,
+    Node,
+    Norm,
+    Number,
+    Power,
+    Quotient,
+    Rate,
+    Scale,
+    Skew,
+    Sum,
+    Symbol,
+    Trace,
+    Transpose,
+    Vect,
+    Zero,
+)
+
+__all__ = ["DIGITS", "Instant", "World"]
+
+DIGITS = 400
+STEP = 90
+"""The step of a difference is 10^-STEP."""
+ELEMENTS = 4
+"""Point masses of a body: enough for an inertia of rank three about their center of mass."""
+
+States = Mapping[Symbol, Matrix]
+
+
+class World:
+    """A motion that a problem speaks of: functions of time, and what the rules and conditions make of them."""
+
+    def __init__(self, problem: Problem, seed: int) -> None:
+        self.problem = problem
+        self.rules: dict[Node, Node] = {left: right for left, right in problem.rules}
+        self.context = plain_context(DIGITS)
+        self.step = self.context.mpf(10) ** -STEP
+        self.motion = Motion(problem.hypotheses, self.context, seed)
+        rated = [left.of for left in self.rules if isinstance(left, Rate)]
+        self.integrated = tuple(s for s in rated if isinstance(s, Symbol) and s not in self.rules)
+        self._instants: dict[tuple[Fraction, int | None, frozenset[Symbol]], Instant] = {}
+
+    def instant(
+        self, steps: Fraction = Fraction(0), element: int | None = None, running: frozenset[Symbol] = frozenset()
+    ) -> Instant:
+        """The moment so many steps after the beginning, in one element of the body."""
+        key = steps, element, running
+        if key not in self._instants:
+            self._instants[key] = Instant(self, steps, element, running)
+        return self._instants[key]
+
+
+class Instant:
+    """One moment, in the whole body or in one of its elements; each expression is evaluated once."""
+
+    def __init__(
+        self,
+        world: World,
+        steps: Fraction,
+        element: int | None = None,
+        running: frozenset[Symbol] = frozenset(),
+        states: States | None = None,
+    ) -> None:
+        self.world, self.steps, self.element, self.running = world, steps, element, running
+        self.context = world.context
+        self.moment = world.step * steps.numerator / steps.denominator
+        self._states = states
+        self._found: dict[Symbol, Matrix] | None = None
+        self._known: dict[Node, Matrix] = {}
+
+    def __call__(self, node: Node) -> Matrix:
+        """The expression's entries, row by row."""
+        known = self._known.get(node)
+        if known is None:
+            known = self._known[node] = self._evaluate(node)
+        return known
+
+    def _evaluate(self, node: Node) -> Matrix:
+        if node in self.world.rules:
+            return self(self.world.rules[node])
+        match node:
+            case Symbol(stands_for=Node() as meaning):
+                return self(meaning)
+            case Symbol() if node == PI:
+                return [[+self.context.pi]]
+            case Symbol():
+                return self._symbol(node)
+            case Rate(At(of) | Group(of)):
+                return self(Rate(of))
+            case Rate(of):
+                later, earlier = self._shifted(1)(of), self._shifted(-1)(of)
+                return _scaled(plus(later, _scaled(earlier, -1)), 1 / (2 * self.world.step))
+            case Integral(of):
+                parts = (self._in_element(k, node.running)(of) for k in range(ELEMENTS))
+                return reduce(plus, parts)
+            case At(of) | Group(of):
+                return self(of)
+            case _:
+                return self._algebra(node)
+
+    def _symbol(self, symbol: Symbol) -> Matrix:
+        if symbol in self.world.problem.unknowns:
+            return self._determined()[symbol]
+        if self._states is not None and symbol in self._states:
+            return self._states[symbol]
+        if symbol in self.world.integrated and self.steps:
+            return self._flow()[symbol]
+        element = self.element if symbol in self.running else None
+        if symbol in self.world.integrated:
+            return self.world.motion.at(symbol, self.context.mpf(0), element)
+        value = self.world.motion.at(symbol, self.moment, element)
+        is_density = element is not None and symbol.is_scalar and symbol.constant
+        return [[1 + value[0][0] ** 2]] if is_density else value
+
+    def _shifted(self, steps: int) -> Instant:
+        return self.world.instant(self.steps + steps, self.element, self.running)
+
+    def _in_element(self, element: int, running: frozenset[Symbol]) -> Instant:
+        return self.world.instant(self.steps, element, running)
+
+    def _flow(self) -> dict[Symbol, Matrix]:
+        """What is integrated, from the beginning to this moment, in one step of the classical Runge-Kutta method."""
+        if self._found is None:
+            symbols = self.world.integrated
+            start = self.world.instant(Fraction(0), self.element, self.running)
+            begin = {symbol: start(symbol) for symbol in symbols}
+            half, whole = self.steps / 2, self.steps
+            first = self._slopes(Fraction(0), begin)
+            second = self._slopes(half, self._advanced(begin, [(half, first)]))
+            third = self._slopes(half, self._advanced(begin, [(half, second)]))
+            fourth = self._slopes(whole, self._advanced(begin, [(whole, third)]))
+            sixth = whole / 6
+            self._found = self._advanced(
+                begin, [(sixth, first), (2 * sixth, second), (2 * sixth, third), (sixth, fourth)]
+            )
+        return self._found
+
+    def _slopes(self, steps: Fraction, states: States) -> dict[Symbol, Matrix]:
+        there = Instant(self.world, steps, self.element, self.running, states)
+        return {symbol: there(self.world.rules[Rate(symbol)]) for symbol in states}
+
+    def _advanced(self, begin: States, moves: list[tuple[Fraction, States]]) -> dict[Symbol, Matrix]:
+        advanced = dict(begin)
+        for steps, slopes in moves:
+            by = self.world.step * steps.numerator / steps.denominator
+            advanced = {s: plus(value, _scaled(slopes[s], by)) for s, value in advanced.items()}
+        return advanced
+
+    def _determined(self) -> dict[Symbol, Matrix]:
+        """The unknowns that satisfy the conditions, which are linear in them."""
+        if self._found is None:
+            problem = self.world.problem
+            places = [(s, i, j) for s in problem.unknowns for i in range(s.shape[0]) for j in range(s.shape[1])]
+            nothing = self._residuals({})
+            columns = [[a - b for a, b in zip(self._residuals({place: 1}), nothing, strict=True)] for place in places]
+            solution = solved(flipped(columns), [-entry for entry in nothing], self.context)
+            values = dict(zip(places, solution, strict=True))
+            self._found = {
+                s: [[values[s, i, j] for j in range(s.shape[1])] for i in range(s.shape[0])] for s in problem.unknowns
+            }
+        return self._found
+
+    def _residuals(self, ones: Mapping[tuple[Symbol, int, int], int]) -> list[Any]:
+        """By how much the conditions are violated where the unknowns are zero, but for a few entries."""
+        trial = Instant(self.world, self.steps, self.element, self.running, self._states)
+        zero = self.context.mpf(0)
+        trial._found = {
+            s: [[zero + ones.get((s, i, j), 0) for j in range(s.shape[1])] for i in range(s.shape[0])]
+            for s in self.world.problem.unknowns
+        }
+        return [
+            a - b
+            for goal in self.world.problem.conditions
+            for one, other in zip(trial(goal.left), trial(goal.right), strict=True)
+            for a, b in zip(one, other, strict=True)
+        ]
+
+    def _algebra(self, node: Node) -> Matrix:
+        match node:
+            case Number(value):
+                return [[self.context.mpf(value.numerator) / value.denominator]]
+            case Identity(size):
+                return [[self.context.mpf(int(i == j)) for j in range(size)] for i in range(size)]
+            case Zero(rows, columns):
+                return [[self.context.mpf(0)] * columns for _ in range(rows)]
+            case Block(rows):
+                lines = [zip(*map(self, row), strict=True) for row in rows]
+                return [[entry for part in parts for entry in part] for line in lines for parts in line]
+            case Sum(terms):
+                return reduce(plus, map(self, terms))
+            case Negative(term):
+                return _scaled(self(term), -1)
+            case Scale(factor, term):
+                return _scaled(self(term), self(factor)[0][0])
+            case Quotient(numerator, denominator):
+                return _scaled(self(numerator), 1 / self(denominator)[0][0])
+            case Contract(factors):
+                return reduce(product, map(self, factors))
+            case Power(base, exponent):
+                return reduce(product, [self(base)] * exponent)
+            case Transpose(of):
+                return flipped(self(of))
+            case Dot(left, right):
+                return product(flipped(self(left)), self(right))
+            case Inverse(of):
+                return _scaled(flipped(cofactors(self(of))), 1 / determinant(self(of)))
+            case _:
+                return self._geometry(node)
+
+    def _geometry(self, node: Node) -> Matrix:
+        match node:
+            case Norm(of):
+                return [[self.context.sqrt(reduce(add, (row[0] ** 2 for row in self(of))))]]
+            case Call("sin" | "cos" as function, argument):
+                return [[getattr(self.context, function)(self(argument)[0][0])]]
+            case Skew(of):
+                (x,), (y,), (z,) = self(of)
+                return [[x * 0, -z, y], [z, x * 0, -x], [-y, x, x * 0]]
+            case Cross(left, right):
+                return product(self(Skew(left)), self(right))
+            case Vect(of):
+                m = self(of)
+                return [[(m[k][j] - m[j][k]) / 2] for j, k in ((1, 2), (2, 0), (0, 1))]
+            case Trace(of):
+                return [[reduce(add, (row[i] for i, row in enumerate(self(of))))]]
+            case Determinant(of):
+                return [[determinant(self(of))]]
+            case Cofactor(of):
+                return cofactors(self(of))
+            case _:
+                raise TypeError(f"{node} ({type(node).__name__}) has no value at a moment")
+
+
+def _scaled(matrix: Matrix, factor: Any) -> Matrix:
+    return [[factor * entry for entry in row] for row in matrix]
