@@ -233,7 +233,7 @@ def over_body(of: Node) -> Integral:
 
 # Dynamics
 zero_6 = Zero(6, 1, r"\mathbf{0}")
-c_ref = vector("c_0", r"\mathbf{c}_0", "position of the center of mass in the reference configuration", LENGTH, constant=True)
+c_ref = vector("c_0", r"\mathbf{c}_0", "reference position of the center of mass", LENGTH, constant=True)
 moment_C = vector("n_C", "n_C", "resultant moment about the center of mass", MOMENT)
 momentum = vector("m", "m", "momentum", MASS * VELOCITY)
 h_C = vector("h_C", "h_C", "angular momentum with respect to the center of mass", MOMENT * TIME)

@@ -6,6 +6,7 @@ from chasles.derivations.s03_fixed_point import (
     angular_velocity_matrix,
     angular_velocity_matrix_of_vector,
 )
+
 from chasles.statements import Claim, Definition, Kernel, Section
 from chasles.vocabulary import in_frame, rate
 
@@ -23,7 +24,6 @@ components_turned = Definition(
     in_frame(rho_F, "F"), in_frame(Q, "F") @ in_frame(rho_M, "M"),
     says="The components in the fixed frame from those in the moving frame.",
     sign="=",
-    assuming=(Q_is_a_rotation,),
 )
 
 position_from_moving_frame = Claim(

@@ -7,6 +7,7 @@ from chasles.derivations.s04_twist import (
     twist_transfer,
     twist_transfer_matrix,
 )
+
 from chasles.statements import (
     Always,
     Claim,

@@ -13,6 +13,7 @@ from chasles.derivations.s04_twist import (
     velocity_of_A,
     velocity_of_point,
 )
+
 from chasles.statements import (
     Always,
     Claim,
@@ -231,21 +232,21 @@ only_rods_have_semidefinite_inertia = Theorem(
     forms=(
         Iff(
             one=cross(r_C, x_any),
-            other=r_C - dot(r_C, x_any) / norm(x_any) ** 2 * x_any,
-            forth=1 / norm(x_any) ** 2 * CPM(x_any),
+            other=r_C - dot(r_C, x_any) / dot(x_any, x_any) * x_any,
+            forth=1 / dot(x_any, x_any) * CPM(x_any),
             back=-CPM(x_any),
         ),
         Definite(
             norm(cross(r_1, x_any)) ** 2 + norm(cross(r_2, x_any)) ** 2,
             squares=(norm(cross(r_1, x_any)) ** 2, norm(cross(r_2, x_any)) ** 2),
             over=(x_any,),
-            by=1 / norm(normal) ** 2 * row(CPM(normal) @ CPM(r_2) - normal @ r_2.T, -CPM(normal) @ CPM(r_1)),
+            by=1 / dot(normal, normal) * row(CPM(normal) @ CPM(r_2) - normal @ r_2.T, -CPM(normal) @ CPM(r_1)),
         ),
     ),
     given=(normal_of_two_elements,),
     assuming=(
-        nonzero(norm(x_any), r"\mathbf{x} \neq \mathbf{0}"),
-        nonzero(norm(normal), r"\mathbf{n} \neq \mathbf{0}"),
+        nonzero(dot(x_any, x_any), r"\mathbf{x} \neq \mathbf{0}"),
+        nonzero(dot(normal, normal), r"\mathbf{n} \neq \mathbf{0}"),
     ),
 )
 
@@ -604,7 +605,7 @@ twist_at_center_of_mass_from_A = Claim(
 inertia_dyad_moved = Definition(
     "text 3.8 x",
     M_A, U.T @ M @ U,
-    says="The inertia dyad at A: a congruence turns the one dyad into the other. This is Steiner's theorem in dyad form.",
+    says="The inertia dyad at A, congruent to that at the center of mass: Steiner's theorem in dyad form.",
     given=(twist_transfer_matrix.at({p: c}),),
 )
 
@@ -613,7 +614,13 @@ energy_by_twist_at_A = Claim(
     energy, half * t_A.T @ M_A @ t_A,
     part=2,
     says="With it, the kinetic energy is the same quadratic form of the twist at A.",
-    given=(kinetic_energy, twist_at_center_of_mass_from_A, inertia_dyad_moved),
+    given=(
+        kinetic_energy,
+        twist_at_center_of_mass_from_A,
+        inertia_dyad_moved,
+        twist_transfer_matrix.at({p: c}),
+        inertia_dyad_at_center_of_mass,
+    ),
 )
 
 inertia_dyad = Claim(
@@ -691,5 +698,6 @@ steiner_by_dyads = Claim(
         inertia_dyad_at_center_of_mass,
         matrix_suggested_by_steiner,
     ),
+    assuming=(inertia_is_definite,),
     corrected=matrix((I_C, O), (O, O)) + m * column(C - A, one) @ column(C - A, one).T,
 )

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from fractions import Fraction
 from itertools import islice
 
 from chasles.proof import points
@@ -16,13 +15,11 @@ from chasles.proof.context import build
 from chasles.proof.decide import decide_problem
 from chasles.proof.verdict import Holds, HoldsUnder
 from chasles.statements import Goal, Problem
-from chasles.vocabulary import Negative, Node, Number, Scale, Sum
+from chasles.vocabulary import Negative, Node, Sum
 
 from .exact_words import Broken, Words
 
 __all__ = ["evaluations", "explanation"]
-
-MULTIPLES = tuple(map(Fraction, (-1, 2, "1/2", 3, "1/3", "2/3", "3/2")))
 
 
 def explanation(original: Problem, mutant: Problem) -> str:
@@ -34,9 +31,6 @@ def explanation(original: Problem, mutant: Problem) -> str:
         return "says the same: each side is the old one, whatever the symbols are"
     if _holds_for_all(mutant, [(_difference(one), _difference(other)) for one, other in pairs]):
         return "says the same: left less right is the old left less right, whatever the symbols are"
-    for factor in MULTIPLES:
-        if _holds_for_all(mutant, [(_difference(o), Scale(Number(factor), _difference(m))) for o, m in pairs]):
-            return f"says the same: left less right is 1/({factor}) of the old, whatever the symbols are"
     return f"is true as well: it needs {_resting_on(mutant) or 'nothing at all'}"
 
 

@@ -155,6 +155,9 @@ TRUE: tuple[Statement | Theorem, ...] = (
     claim("quotients", 1 / paren(-2 * m) + 1 / m + x / m / m, (x / m) / m + 1 / (2 * m), positive(m)),
     claim("quotient's rate", rate(x / m), rate(x) / m - x * rate(m) / m**2, positive(m)),
     claim("moments", moment(rho * (p - b) @ (p - b).T), steiner),
+    claim("moments by a rule", integral(rho * d_A @ d_A.T, rho, d_A, a_),
+          integral(rho * a_ @ a_.T, rho, d_A, a_) - integral(rho * a_, rho, d_A, a_) @ a.T
+          - a @ integral(rho * a_, rho, d_A, a_).T + integral(rho, rho, d_A, a_) * a @ a.T, given=(displacement,)),
     claim("moment's rate", rate(moment(rho * dot(p, p))), 2 * moment(rho * dot(p, rate(p)))),
     Theorem("least", "p is least at a.", (Minimum(dot(p - a, p - a), zero, p, a, (p - a,)),)),
 )  # fmt: skip
@@ -422,8 +425,11 @@ def test_what_differs_from_element_to_element_is_not_taken_out_of_an_integral() 
     ):
         with pytest.raises(Rejected, match=reason):
             Reading(problem_of(claim("0.0", left, right, nonzero(dot(p, p)))), ())
-    with pytest.raises(Rejected, match="over something that a rule defines"):
-        Reading(problem_of(claim("0.0", moment(p), moment(p), given=(Definition("", p, a + b),))), ())
+    first = vector("first", "f", "a first moment", LENGTH**4)
+    for of, rule in ((p, a + b), (first, integral(a_, rho, a_))):
+        whole = integral(of, rho, of, a_)
+        with pytest.raises(Rejected, match="the same for all elements"):
+            Reading(Problem((Goal("", whole, whole),), rules=((of, rule),)), ())
 
 
 @dataclass(frozen=True)

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass, replace
 from typing import Any
 
+from chasles.proof.certificate import check
+from chasles.proof.context import build
 from chasles.proof.deadline import OutOfTime, remaining, within
 from chasles.proof.decide import decide_problem
 from chasles.proof.from_sympy import Question, ask
-from chasles.proof.verdict import IllFormed, Undecided, Verdict
+from chasles.proof.variables import Untreatable
+from chasles.proof.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
+from chasles.statements import Goal
 
-__all__ = ["prove"]
+__all__ = ["Untreatable", "prove", "recheck"]
 
 BUDGET = 10.0
 """Seconds."""
@@ -21,6 +26,8 @@ def prove(
 ) -> Verdict:
     """The verdict on `lhs == rhs`, for all real values of the symbols that satisfy the side conditions.
 
+    Square roots are the nonnegative ones and are meant where they are real, fractions where no divisor vanishes.
+
     Args:
         lhs: a SymPy scalar or matrix.
         rhs: one of the same shape.
@@ -30,29 +37,70 @@ def prove(
         budget: seconds after which the verdict is `Undecided`.
 
     Returns:
-        `Holds` or `HoldsUnder`, with a certificate; `Fails`, with an exact counterexample; `IllFormed`, if the shapes
-        differ; or `Undecided`.
+        `Holds` or `HoldsUnder(needs)`, with a certificate that `recheck` checks; `Fails`, with an exact counterexample;
+        `IllFormed`, if the shapes differ; or `Undecided`.
 
     Raises:
-        ValueError: for what is not treated, naming it.
+        Untreatable: a ValueError that names what is not treated.
     """
     try:
         with within(budget):
             question = ask(lhs, rhs, given, nonzero)
-            return question if isinstance(question, IllFormed) else _decided(question)
+            return question if isinstance(question, IllFormed) else question.answered(_decided(question))
     except OutOfTime:
         return Undecided(f"{budget:g} seconds were not enough")
 
 
+def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Iterable[Any] = (), nonzero: Iterable[Any] = ()) -> None:
+    """The certificate of a verdict of `prove` proves what was asked; nothing of the search is used.
+
+    Raises `chasles.proof.certificate.Rejected` with the reason if it does not.
+    """
+    if not isinstance(verdict, Holds | HoldsUnder):
+        raise TypeError(f"the verdict is {verdict.name}: only what holds has a certificate")
+    question = ask(lhs, rhs, given, nonzero)
+    assert isinstance(question, Question)
+    problems = [question.problem, *question.variants()]
+    check(problems[verdict.certificate["variant"]], "", verdict.certificate)
+
+
+@dataclass(frozen=True, slots=True)
+class _Entry:
+    """One entry of a goal."""
+
+    goal: Goal
+    place: tuple[int, int]
+
+
 def _decided(question: Question) -> Verdict:
-    """The verdict; where it is open, another try with the sides multiplied by what does not vanish."""
-    verdict = decide_problem(question.problem, question.own, remaining(), question.search)
-    divisors = [node for h in question.problem.hypotheses for node in h.nonvanishing]
-    attempts = [*([node] for node in divisors), divisors][: len(divisors) if len(divisors) < 2 else None]
-    for factors in attempts if isinstance(verdict, Undecided) else ():
-        multiple = question.multiplied_by(factors)
-        again = decide_problem(multiple.problem, question.own, remaining(), multiple.search)
-        if again.true:
-            verdict = again
-            break
-    return question.answered(verdict)
+    """The verdict; where it is open, a variant of the question may do."""
+    try:
+        verdict = decide_problem(question.problem, question.own, search=question.search)
+    except OutOfTime:
+        if remaining() <= 0:
+            raise
+        return _refuted(question)
+    found: tuple[int, Verdict] = 0, verdict
+    if isinstance(verdict, Undecided):
+        blind = replace(question.search, blind=True)
+        for number, problem in enumerate(question.variants(), 1):
+            again = decide_problem(problem, question.own, search=blind)
+            if again.true:
+                found = number, again
+                break
+    return _numbered(*found)
+
+
+def _numbered(variant: int, verdict: Verdict) -> Verdict:
+    if isinstance(verdict, Holds | HoldsUnder):
+        return replace(verdict, certificate={**verdict.certificate, "variant": variant})
+    return verdict
+
+
+def _refuted(question: Question) -> Verdict:
+    """What is too large to be expanded may still fail at a point."""
+    context = build(question.problem)
+    goals = question.problem.goals
+    places = [(g, (i + 1, j + 1)) for g in goals for i in range(g.left.shape[0]) for j in range(g.left.shape[1])]
+    found = question.search.refute(context, [_Entry(goal, place) for goal, place in places])
+    return Fails(found) if found else Undecided("it is too large for the time that was allowed")

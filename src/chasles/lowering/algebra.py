@@ -57,6 +57,10 @@ class Algebra:
         terms = self.context.field.ring.terms(ratio.numerator)
         return terms[0][1] if len(terms) == 1 and not any(terms[0][0]) and not any(ratio.denominator) else None
 
+    def reduced(self, ratio: Ratio) -> Ratio:
+        """The fraction with its numerator in normal form."""
+        return Ratio(ratio.field, self.context.basis.reduce(ratio.numerator)[1], ratio.denominator)
+
     def vanishes(self, ratio: Ratio, zeros: tuple[Polynomial, ...] = ()) -> bool:
         """Whether the fraction is zero wherever the hypotheses hold and the further polynomials are zero."""
         numerator = ratio.numerator

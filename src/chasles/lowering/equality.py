@@ -11,7 +11,7 @@ from chasles.lowering.cases import Choice
 from chasles.lowering.program import Program
 from chasles.lowering.reading import Reading, Settled, Unreadable, angles_of
 from chasles.lowering.request import Request, argument_name
-from chasles.lowering.signs import Differences, Fork, Signs
+from chasles.lowering.signs import Differences, Fork, Impossible, Signs
 from chasles.proof.ratios import Ratio
 from chasles.proof.unfold import UndeclaredDivisor
 from chasles.proof.variables import Untreatable
@@ -87,6 +87,8 @@ def _on_way(
             yield from _compared(request, Reading(program, request, signs, settled), program, signs, valueless)
         except Fork as fork:
             waiting += signs.forked(fork)
+        except Impossible:
+            continue
 
 
 def _signs(algebra: Algebra, choices: Sequence[Choice], way: Sequence[int]) -> Signs:
@@ -97,6 +99,7 @@ def _signs(algebra: Algebra, choices: Sequence[Choice], way: Sequence[int]) -> S
             signs = signs.not_in_case(case)
         if place < len(choice.cases):
             signs = signs.in_case(choice.cases[place])
+    signs.differences.is_thorough = True
     return signs
 
 

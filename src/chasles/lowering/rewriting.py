@@ -110,6 +110,16 @@ def rate_of(node: Node) -> Node:
             return Scale(Number(Fraction(exponent)), Scale(below, Rate(base)))
         case Power(base, exponent):
             return rate_of(Contract((base,) * exponent))
+        case Transpose() | Skew() | Vect() | Trace() | Block():
+            return rebuilt(node, tuple(map(Rate, children(node))))
+        case At(of) | Group(of):
+            return Rate(of)
+        case _:
+            return _rate_of_scalar_or_vector(node)
+
+
+def _rate_of_scalar_or_vector(node: Node) -> Node:
+    match node:
         case Dot(left, right):
             return Sum((Dot(Rate(left), right), Dot(left, Rate(right))))
         case Cross(left, right):
@@ -120,10 +130,6 @@ def rate_of(node: Node) -> Node:
             return Scale(Call("cos", argument), Rate(argument))
         case Call("cos", argument):
             return Negative(Scale(Call("sin", argument), Rate(argument)))
-        case Transpose() | Skew() | Vect() | Trace() | Block():
-            return rebuilt(node, tuple(map(Rate, children(node))))
-        case At(of) | Group(of):
-            return Rate(of)
         case _:
             raise LoweringError(f"the rate of {plain(node)} has no program: state it in the rates of symbols")
 

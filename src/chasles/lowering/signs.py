@@ -11,7 +11,7 @@ from chasles.lowering.cases import Case, Comparison
 from chasles.proof.ratios import Ratio
 from chasles.proof.rings import Polynomial
 
-__all__ = ["Differences", "Fork", "Signs"]
+__all__ = ["Differences", "Fork", "Impossible", "Signs"]
 
 ALL = (-1, 0, 1)
 Literal = tuple[Ratio, tuple[int, ...]]
@@ -26,12 +26,18 @@ class Fork(Exception):
         self.wanted = wanted
 
 
+class Impossible(Exception):
+    """What the comparisons say contradicts what is known."""
+
+
 class Differences:
     """The differences whose signs are asked for, each once, however it is written; opposite ones are one."""
 
     def __init__(self, algebra: Algebra) -> None:
         self.algebra = algebra
         self.ratios: list[Ratio] = []
+        # What the cases compare is taken as it is written; only what a program compares is looked for among it.
+        self.is_thorough = False
         self._seen: list[tuple[Ratio, int, int]] = []
 
     def find(self, difference: Ratio) -> tuple[int, int]:
@@ -39,16 +45,23 @@ class Differences:
         for known, number, turn in self._seen:
             if known.denominator == difference.denominator and known.numerator == difference.numerator:
                 return number, turn
-        number, turn = self._match(difference)
+        number, turn = self._match(self.algebra.reduced(difference))
         self._seen.append((difference, number, turn))
         return number, turn
 
     def _match(self, difference: Ratio) -> tuple[int, int]:
+        """The same for a difference in normal form; those over the same denominators are looked at first."""
+        alike = [k for k, known in enumerate(self.ratios) if known.denominator == difference.denominator]
+        for number in alike:
+            for turned, turn in ((difference, 1), (-difference, -1)):
+                if self.ratios[number].numerator == turned.numerator:
+                    return number, turn
         for number, known in enumerate(self.ratios):
-            if self.algebra.vanishes(known - difference):
-                return number, 1
-            if self.algebra.vanishes(known + difference):
-                return number, -1
+            if number in alike or not self.is_thorough:
+                continue
+            for turned, turn in ((difference, 1), (-difference, -1)):
+                if self.algebra.vanishes(known - turned):
+                    return number, turn
         self.ratios.append(difference)
         return len(self.ratios) - 1, 1
 
@@ -72,20 +85,19 @@ class Signs:
         return all(self.known.values()) and all(map(self._is_open, self.clauses))
 
     def is_zero(self, ratio: Ratio) -> bool:
-        """Whether a fraction is known to be zero."""
-        return ratio.is_zero or ((0,) in self.known.values() and self.of(ratio) == (0,))
+        """Whether a fraction is known to be zero; raises `Impossible` where it is one that is not."""
+        is_zero = ratio.is_zero or ((0,) in self.known.values() and self.of(ratio) == (0,))
+        if is_zero and self.differences.algebra.is_product_of_atoms(ratio):
+            raise Impossible
+        return is_zero
 
     def of(self, difference: Ratio) -> tuple[int, ...]:
         """The signs that a difference can have."""
-        algebra = self.differences.algebra
-        value = algebra.number(difference)
+        value = self.differences.algebra.number(difference)
         if value is not None:
             return ((value > 0) - (value < 0),)
         number, turn = self.differences.find(difference)
-        signs = tuple(sorted(sign * turn for sign in self.known.get(number, ALL)))
-        if 0 in signs and len(signs) > 1 and algebra.is_product_of_atoms(difference):
-            return tuple(sign for sign in signs if sign)
-        return signs
+        return tuple(sorted(sign * turn for sign in self.known.get(number, ALL)))
 
     def truth(self, kind: str, difference: Ratio) -> bool:
         """Whether a difference is negative ("less") or zero ("equal"); raises `Fork` where that is not settled."""
@@ -95,9 +107,11 @@ class Signs:
             return True
         if not set(signs) & set(wanted):
             return False
-        is_new = self.differences.find(difference)[0] not in self.known
-        if kind == "equal" and is_new and self.differences.algebra.cannot_vanish(difference):
-            return False
+        if kind == "equal":
+            is_new = self.differences.find(difference)[0] not in self.known
+            algebra = self.differences.algebra
+            if algebra.is_product_of_atoms(difference) or (is_new and algebra.cannot_vanish(difference)):
+                return False
         raise Fork(difference, wanted)
 
     def forked(self, fork: Fork) -> Iterator[Signs]:
@@ -111,8 +125,8 @@ class Signs:
         """The same, and the difference has one of the given signs."""
         left = tuple(sign for sign in self.of(difference) if sign in signs)
         if self.differences.algebra.number(difference) is not None:
-            # A comparison of two numbers that comes out the other way makes the whole way impossible.
-            return self if left else with_fields(self, known={**self.known, -1: ()})
+            # Two numbers that compare the other way make the whole way impossible: nothing is left for an empty clause.
+            return self if left else with_fields(self, clauses=(*self.clauses, ()))
         number, turn = self.differences.find(difference)
         return with_fields(self, known={**self.known, number: tuple(sorted(sign * turn for sign in left))})
 

@@ -39,9 +39,9 @@ class Motion:
         if "orthonormal" in kinds:
             triad = flipped(self._turning("triad", when))
             return [[entry] for entry in triad[kinds["orthonormal"].subjects.index(symbol)]]
-        if "rotation" in kinds:
+        if "rotation" in kinds and "symmetric" not in kinds:
             return self._turning(symbol.name, when)
-        if "half_turn" in kinds:
+        if "half_turn" in kinds or "rotation" in kinds:
             axis = self._normalised(self._polynomials(symbol.name, when, 3, 1, element))
             return _less_identity(_doubled(product(axis, flipped(axis))))
         drawn = self._polynomials(symbol.name, when, rows, columns, element)
@@ -61,7 +61,9 @@ class Motion:
         number = self._context.mpf
         return [
             [
-                sum((number(draw.randint(-34, 34)) / 17 * moment**k for k in range(1, DEGREE + 1)), _start(draw, number))
+                sum(
+                    (number(draw.randint(-34, 34)) / 17 * moment**k for k in range(1, DEGREE + 1)), _start(draw, number)
+                )
                 for _ in range(columns)
             ]
             for _ in range(rows)

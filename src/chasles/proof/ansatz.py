@@ -9,11 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
-from itertools import product
+from itertools import combinations, combinations_with_replacement, product
 
 from chasles.proof.coefficients import ONE
 from chasles.vocabulary import (
     NO_DIMENSION,
+    At,
     Block,
     Contract,
     Cross,
@@ -36,63 +37,90 @@ from chasles.vocabulary import (
     children,
     walk,
 )
+from chasles.vocabulary.measure import Measure, added
 from chasles.vocabulary.nodes import measured
 
-__all__ = ["Palette", "dimension_of", "palette_of"]
+__all__ = ["Palette", "dimension_of", "fit", "palette_of"]
 
-VECTOR = (3, 1)
+VECTOR, SQUARE, SCALAR = (3, 1), (3, 3), (1, 1)
+Shape = tuple[int, int]
+
+
+def fit(one: Node, other: Node) -> bool:
+    """Whether two expressions can be set equal, or added: one shape, one dimension in each entry."""
+    if one.measure is None or other.measure is None:
+        return False
+    try:
+        added(one.measure, other.measure, ("", ""))
+    except Misfit:
+        return False
+    return True
+
+
+def dimension_of(node: Node) -> Dimension | None:
+    """The one dimension of all entries; None if they have several, or are all zero."""
+    try:
+        return measured(node).the_dimension(node)
+    except Misfit:
+        return None
 
 
 @dataclass(slots=True)
 class Palette:
-    """The vectors, scalars and 3 x 3 matrices that terms are made of, those that occur first among the first."""
+    """What terms are made of: vectors, scalars, 3 x 3 matrices and other arrays, those that occur first among the first."""
 
     vectors: dict[Node, None] = field(default_factory=dict)
     scalars: dict[Node, None] = field(default_factory=dict)
     squares: dict[Node, None] = field(default_factory=dict)
+    arrays: dict[Node, None] = field(default_factory=dict)
     _weights: dict[Dimension, list[Node]] = field(default_factory=dict)
-    _shaped: dict[tuple[int, int], list[tuple[Node, Dimension | None]]] = field(default_factory=dict)
-    _terms: dict[tuple[tuple[int, int], Dimension], tuple[Node, ...]] = field(default_factory=dict)
+    _shaped: dict[Shape, list[tuple[Node, Dimension | None]]] = field(default_factory=dict)
+    _terms: dict[Measure | None, tuple[Node, ...]] = field(default_factory=dict)
 
     @property
     def nodes(self) -> tuple[Node, ...]:
-        return (*self.vectors, *self.squares, *self.scalars)
+        return (*self.vectors, *self.squares, *self.scalars, *self.arrays)
 
-    def terms(self, shape: tuple[int, int], dimension: Dimension) -> tuple[Node, ...]:
-        """The terms of that shape and dimension, the simpler first; some are multiples or sums of others."""
-        if (shape, dimension) not in self._terms:
-            self._terms[shape, dimension] = tuple(self._weighted(shape, dimension))
-        return self._terms[shape, dimension]
+    def terms(self, like: Node) -> tuple[Node, ...]:
+        """The terms that can be added to an expression, the simpler first; some are multiples or sums of others."""
+        if like.measure not in self._terms:
+            dimension = dimension_of(like)
+            if dimension is None or like.shape[0] not in (1, 3) or like.shape[1] not in (1, 3):
+                found = tuple(node for node in self._products(like.shape) if fit(node, like))
+            else:
+                found = tuple(self.of_dimension(like.shape, dimension))
+            self._terms[like.measure] = found
+        return self._terms[like.measure]
 
-    def _weighted(self, shape: tuple[int, int], dimension: Dimension) -> Iterator[Node]:
+    def of_dimension(self, shape: Shape, dimension: Dimension) -> Iterator[Node]:
+        """The terms of a shape, a dimension common to all their entries."""
         if shape not in self._shaped:
             self._shaped[shape] = [(node, dimension_of(node)) for node in self._tensors(shape)]
         for tensor, own in self._shaped[shape]:
             for weight in [] if own is None else self._weights_of(dimension / own):
-                yield tensor if weight == ONE else Scale(weight, tensor)
+                if tensor == ONE or weight == ONE:
+                    yield weight if tensor == ONE else tensor
+                else:
+                    yield Scale(weight, tensor)
 
     def _weights_of(self, dimension: Dimension) -> list[Node]:
         """Invariants of a dimension; of no dimension, the number one alone: other factors are coefficients."""
         if not self._weights:
-            self._weights[NO_DIMENSION] = [ONE]
             for weight in self._invariants():
-                own = dimension_of(weight)
-                if own is not None and own != NO_DIMENSION:
-                    known = self._weights.setdefault(own, [])
-                    if weight not in known:
-                        known.append(weight)
+                self._weights.setdefault(measured(weight).grid[0][0] or NO_DIMENSION, []).append(weight)
+            self._weights[NO_DIMENSION] = [ONE]
         return self._weights.get(dimension, [])
 
     def _invariants(self) -> Iterator[Node]:
-        yield from self.scalars
-        vectors = list(self.vectors)
-        for k, one in enumerate(vectors):
-            for other in vectors[k + 1 :]:
+        scalars = [node for node in self.scalars if dimension_of(node) != NO_DIMENSION]
+        yield from scalars
+        for one, other in combinations_with_replacement(self.vectors, 2):
+            if one != other or dimension_of(one) != NO_DIMENSION:
                 yield from _fitting(Dot, one, other)
-            if dimension_of(one) != NO_DIMENSION:
-                yield Dot(one, one)
+        for one, other in combinations_with_replacement(scalars, 2):
+            yield Power(one, 2) if one == other else Scale(one, other)
 
-    def _tensors(self, shape: tuple[int, int]) -> Iterator[Node]:
+    def _tensors(self, shape: Shape) -> Iterator[Node]:
         match shape:
             case (3, 1):
                 yield from self._columns()
@@ -112,10 +140,8 @@ class Palette:
             yield from _fitting(Cross, one, cross)
 
     def _crosses(self) -> Iterator[Node]:
-        vectors = list(self.vectors)
-        for k, one in enumerate(vectors):
-            for other in vectors[k + 1 :]:
-                yield from _fitting(Cross, one, other)
+        for one, other in combinations(self.vectors, 2):
+            yield from _fitting(Cross, one, other)
 
     def _matrices(self) -> Iterator[Node]:
         yield Identity(3)
@@ -124,17 +150,33 @@ class Palette:
         yield from (Skew(vector) for vector in vectors)
         for one, other in (*product(vectors, vectors), *product(crosses, vectors), *product(vectors, crosses)):
             yield from _fitting(_contracted, one, Transpose(other))
-        for square in self.squares:
-            yield Transpose(square)
-        for one, other in product(self.squares, self.squares):
+        flipped = [Transpose(square) for square in self.squares]
+        yield from flipped
+        for one, other in (*product(self.squares, self.squares), *product(flipped, self.squares)):
             yield from _fitting(_contracted, one, other)
 
+    def _products(self, shape: Shape) -> Iterator[Node]:
+        """Arrays of a shape, and products of two."""
+        everything = [*self.arrays, *self.squares, *self.vectors]
+        yield from (node for node in everything if node.shape == shape)
+        for one, other in product(everything, everything):
+            if (one.shape[0], other.shape[1]) == shape:
+                yield from _fitting(_contracted, one, other)
 
-def palette_of(nodes: Iterable[Node], without: frozenset[Node] = frozenset()) -> Palette:
-    """What the expressions are written with: their symbols, the rates and sums that occur as factors; not `without`."""
+
+def palette_of(nodes: Iterable[Node], without: frozenset[Node] = frozenset(), order: int = 0) -> Palette:
+    """What the expressions are written with: their symbols, the rates and sums that occur as factors; not `without`.
+
+    With an `order`, the rates of all symbols up to that one too.
+    """
     palette = Palette()
     for node in nodes:
         _collect(palette, node, without, factor=False)
+    for node in palette.nodes:
+        for _ in range(order if isinstance(node, Symbol | Rate) and not getattr(node, "constant", False) else 0):
+            node = Rate(node)
+            if node not in without:
+                _enter(palette, node)
     for square in list(palette.squares):
         if isinstance(square, Symbol) and isinstance(square.stands_for, Skew):
             vector = square.stands_for.of
@@ -146,8 +188,15 @@ def palette_of(nodes: Iterable[Node], without: frozenset[Node] = frozenset()) ->
 
 def _collect(palette: Palette, node: Node, without: frozenset[Node], *, factor: bool) -> None:
     match node:
-        case _ if node in without or node.measure is None:
-            return
+        case Rate(At(of)):
+            node = Rate(of)
+        case At(of):
+            node = of
+        case _:
+            pass
+    if node in without or node.measure is None:
+        return
+    match node:
         case Symbol() | Rate(Symbol()) | Rate(Rate(Symbol())):
             _enter(palette, node)
             if isinstance(node, Rate):
@@ -157,7 +206,7 @@ def _collect(palette: Palette, node: Node, without: frozenset[Node], *, factor: 
             palette.scalars.setdefault(Power(node, 2))
         case Quotient(_, denominator) if dimension_of(denominator) != NO_DIMENSION:
             palette.scalars.setdefault(Quotient(ONE, denominator))
-        case Sum() if factor and not any(part in without for part in walk(node)):
+        case Sum() if factor and not node.is_scalar and not any(part in without for part in walk(node)):
             _enter(palette, node)
         case _:
             pass
@@ -167,21 +216,8 @@ def _collect(palette: Palette, node: Node, without: frozenset[Node], *, factor: 
 
 
 def _enter(palette: Palette, node: Node) -> None:
-    match node.shape:
-        case (3, 1):
-            palette.vectors.setdefault(node)
-        case (3, 3):
-            palette.squares.setdefault(node)
-        case (1, 1) if dimension_of(node) != NO_DIMENSION:
-            palette.scalars.setdefault(node)
-
-
-def dimension_of(node: Node) -> Dimension | None:
-    """The one dimension of all entries; None if they have several, or are all zero."""
-    try:
-        return measured(node).the_dimension(node)
-    except Misfit:
-        return None
+    kinds = {VECTOR: palette.vectors, SQUARE: palette.squares, SCALAR: palette.scalars}
+    kinds.get(node.shape, palette.arrays).setdefault(node)
 
 
 def _contracted(left: Node, right: Node) -> Node:

@@ -101,7 +101,9 @@ def spelled(parts: Iterable[tuple[Fraction, Function]]) -> Node | None:
         size = size if group[0][0] > 0 else -size
         inner = added([_times(value / size, node) for value, node in group])
         piece = product(Number(abs(size)), inner)
-        piece = piece if denominator is None else Quotient(piece, denominator)
+        if denominator is not None:
+            above, below = Number(Fraction(abs(size.numerator))), Number(Fraction(size.denominator))
+            piece = Quotient(product(above, inner), product(below, denominator))
         pieces.append(piece if size > 0 else Negative(piece))
     return added(pieces) if pieces else None
 
@@ -120,7 +122,13 @@ def scaled(term: Node, number: Fraction) -> Node | None:
     if number == -1:
         return _negated(term)
     own = split(term, lambda scalar: isinstance(scalar, Number))
-    return _times(number * _value(own.coefficient), ONE if own.core is None else own.core)
+    value = number * _value(own.coefficient)
+    if isinstance(own.core, Quotient) and own.core.numerator.is_scalar:
+        above, below = Number(Fraction(abs(value.numerator))), Number(Fraction(value.denominator))
+        core = own.core
+        fraction = _quotient(core, product(above, core.numerator), product(below, core.denominator))
+        return fraction if value > 0 else Negative(fraction)
+    return _times(value, ONE if own.core is None else own.core)
 
 
 def _value(number: Node) -> Fraction:

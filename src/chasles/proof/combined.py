@@ -10,7 +10,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, product
 
-from chasles.proof.ansatz import Palette, dimension_of
+from chasles.proof.ansatz import Palette
+from chasles.proof.coefficients import added as added_up
 from chasles.proof.coefficients import spelled, times
 from chasles.proof.deadline import check
 from chasles.proof.linear import Column, Span, multiple, plus
@@ -33,8 +34,8 @@ from chasles.vocabulary import Node, plain
 __all__ = ["combined_changes"]
 
 MOST_CHANGES = 6
-MOST_SETS = 20000
-"""Sets of new terms that are looked at for one number of changes."""
+MOST_SETS, MOST_IN_ALL = 3000, 60000
+"""So many sets of new terms are looked at for one choice of terms to change, and so many in all."""
 
 
 @dataclass(slots=True)
@@ -83,9 +84,7 @@ class _Edits:
 
 def _sum(trial: Trial, place: Place, terms: tuple[Place, ...], palette: Palette) -> _Sum:
     cores = tuple(trial.split(term.node).core for term in terms)
-    dimension = dimension_of(place.node)
-    new = () if dimension is None else distinct_terms(trial, palette.terms(place.node.shape, dimension), cores)
-    return _Sum(place, terms, cores, new)
+    return _Sum(place, terms, cores, distinct_terms(trial, palette.terms(place.node), cores))
 
 
 def _fewest(trial: Trial, each: _Sum) -> list[_Edits] | None:
@@ -119,12 +118,16 @@ _Set = tuple[tuple[int, ...], tuple[int, ...]]
 
 def _sets(gap: Column, shares: list[Column], cores: list[Column], new: list[Column]) -> Iterator[list[_Set]]:
     """For each number of changes in turn: which terms to change and which to add so that the gap can be closed."""
+    looked_at = 0
     for total in range(1, MOST_CHANGES + 1):
         sets: list[_Set] = []
         for size in range(min(total, len(cores)), -1, -1):
-            if len(new) ** max(total - size - 1, 0) > MOST_SETS:
+            if len(new) ** (total - size) > MOST_SETS:
                 break
             for chosen in combinations(range(len(cores)), size):
+                looked_at += len(new) ** (total - size)
+                if looked_at > MOST_IN_ALL:
+                    return
                 span = Span(cores[k] for k in chosen)
                 if not span.independent:
                     continue
@@ -178,19 +181,28 @@ def _edited(trial: Trial, each: _Sum, chosen: tuple[int, ...], added: tuple[int,
     found = fitted(trial, columns, _within(wanted, [any(entries) for entries in zip(*columns, strict=True)]))
     if found is None or not any(value for k in range(len(each.terms)) for value in _kept(found, chosen, k)):
         return None
-    coefficients = [spelled(parts) for parts in found]
-    node, words, effort = each.place.node, [], 0
-    start = len(each.place.path)
-    for k, place, coefficient, parts in reversed(list(zip(chosen, places, coefficients, found, strict=False))):
-        changed = None if coefficient is None else times(coefficient, each.cores[k])
-        words.insert(0, f"the term {plain(place.node)} is left out" if changed is None else instead(changed, place.node))
-        node = put(node, place.path[start:], changed)
-        effort += LEFT_OUT if changed is None else other_coefficient(parts)
-    for k, coefficient, parts in zip(added, coefficients[len(chosen) :], found[len(chosen) :], strict=True):
+    return _written(each, dict(zip(chosen, found, strict=False)), dict(zip(added, found[len(chosen) :], strict=True)))
+
+
+def _written(each: _Sum, changed: dict[int, Coefficient], new: dict[int, Coefficient]) -> _Edits | None:
+    """The sum with other coefficients of some terms and with new terms; None if one of these turns out to be zero."""
+    nodes: list[Node] = []
+    words: list[str] = []
+    for k, place in enumerate(each.terms):
+        coefficient = spelled(changed[k]) if k in changed else None
+        if coefficient is not None:
+            nodes.append(times(coefficient, each.cores[k]))
+            words.append(instead(nodes[-1], place.node))
+        elif k in changed:
+            words.append(f"the term {plain(place.node)} is left out")
+        else:
+            nodes.append(place.node)
+    for k, parts in new.items():
+        coefficient = spelled(parts)
         if coefficient is None:
             return None
-        term = times(coefficient, each.new[k])
-        node = with_term(node, term)
-        words.append(missing(term))
-        effort += new_term(parts)
-    return _Edits(node, tuple(words), effort)
+        nodes.append(times(coefficient, each.new[k]))
+        words.append(missing(nodes[-1]))
+    left_out = sum(LEFT_OUT for parts in changed.values() if not any(value for value, _ in parts))
+    effort = sum(map(other_coefficient, changed.values())) + sum(map(new_term, new.values())) + left_out
+    return _Edits(added_up(nodes), tuple(words), effort)

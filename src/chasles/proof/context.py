@@ -56,12 +56,12 @@ def build(problem: Problem) -> Context:
     """The context of a problem; raises `Untreatable` for what the procedure does not treat."""
     rules = dict(problem.rules)
     found = Variables()
-    for goal in (*problem.goals, *problem.conditions):
-        scan(found, goal.left, 0, rules)
-        scan(found, goal.right, 0, rules)
     for hypothesis in problem.hypotheses:
         for node in hypothesis.subjects if hypothesis.free else ():
             scan(found, node, 0, rules)
+    for goal in (*problem.goals, *problem.conditions):
+        scan(found, goal.left, 0, rules)
+        scan(found, goal.right, 0, rules)
     active = tuple(_active(problem, found))
     for hypothesis in active:
         for node in (*hypothesis.subjects, *hypothesis.nonvanishing):

@@ -15,7 +15,7 @@ from chasles.proof.rings import backend
 
 __all__ = ["OutOfTime", "afford", "check", "remaining", "within"]
 
-MANY = 100_000
+MANY = 1_000
 """Products of terms that take no time worth a thought."""
 RATES = {"flint": 4e6, "sympy": 3e5}
 """Products of terms that a computer of this age forms in a second, at the least."""
@@ -50,5 +50,5 @@ def check() -> None:
 
 def afford(products: int) -> None:
     """Raise `OutOfTime` if so many products of terms, which nothing can interrupt, take longer than what is left."""
-    if products > MANY and products > RATES[backend()] * remaining():
+    if products > MANY and products > max(RATES[backend()] * remaining(), 0):
         raise OutOfTime

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import islice
+from math import inf
 from typing import Any
 
 from chasles.proof import points
@@ -53,7 +54,7 @@ def decide_problem(
         with within(budget):
             return _decide(problem, own, search)
     except OutOfTime:
-        if remaining() <= 0:
+        if remaining() < inf:
             raise
         return Undecided(f"{budget:g} seconds were not enough")
 

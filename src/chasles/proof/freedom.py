@@ -12,11 +12,10 @@ from dataclasses import replace as with_fields
 from fractions import Fraction
 from itertools import combinations
 
-from chasles.proof.ansatz import Palette
+from chasles.proof.ansatz import Palette, fit
 from chasles.proof.coefficients import Function, added, spelled, times
 from chasles.proof.decide import BUDGET, decide_problem
 from chasles.proof.linear import MODULUS, combination
-from chasles.proof.marks import fit
 from chasles.proof.places import Place, put, separate_sums
 from chasles.proof.single import Change, distinct_terms, instead, rescaled
 from chasles.proof.trial import Standing, Trial, changed, on_trial

@@ -9,14 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from chasles.proof.ansatz import Palette, dimension_of
+from chasles.proof.ansatz import Palette, dimension_of, fit
 from chasles.proof.coefficients import added
 from chasles.proof.places import everywhere, put
 from chasles.proof.slips import Undone, in_letters, undone
 from chasles.vocabulary import Block, Contract, Misfit, Negative, Node, Scale, Sum, Symbol, plain, printed, symbols_of
-from chasles.vocabulary.measure import added as common_measure
 
-__all__ = ["Fitting", "fit", "fitting"]
+__all__ = ["Fitting", "fitting"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,17 +25,6 @@ class Fitting:
     left: Node
     right: Node
     words: tuple[str, ...]
-
-
-def fit(left: Node, right: Node) -> bool:
-    """Whether the sides can be set equal: one shape, one dimension in each entry."""
-    if left.measure is None or right.measure is None:
-        return False
-    try:
-        common_measure(left.measure, right.measure, ("", ""))
-    except Misfit:
-        return False
-    return True
 
 
 def fitting(left: Node, right: Node, letters: Sequence[Symbol], palette: Palette) -> Iterator[list[Fitting]]:
@@ -109,8 +97,8 @@ def _factored(left: Node, right: Node, palette: Palette) -> Iterator[Undone]:
     if one is None or other is None or fit(left, right):
         return
     if right.is_scalar and left.shape == (3, 1):
-        for vector in palette.terms((3, 1), one / other):
+        for vector in palette.of_dimension((3, 1), one / other):
             yield Scale(right, vector), f"the vector factor {plain(vector)} is added"
     elif left.shape == right.shape:
-        for weight in palette.terms((1, 1), one / other):
+        for weight in palette.of_dimension((1, 1), one / other):
             yield Scale(weight, right), f"the factor {plain(weight)} is added"

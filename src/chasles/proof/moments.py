@@ -34,14 +34,12 @@ class Moments:
         self._place = {v.factors: k for k, v in enumerate(variables) if v.kind == "moment"}
 
     def integral(self, integrand: Ratio) -> Ratio:
-        """The integral of an expression in the ring's variables; raises `Untreatable` if it is no polynomial in them."""
+        """The integral of an expression; raises `Untreatable` if it is no polynomial in the running variables."""
         ring, running = self._field.ring, set(self._running)
-        divisors = [
-            atom for atom, power in zip(self._field.atoms, integrand.denominator, strict=False) if power
-        ]
-        for polynomial, refused in [(integrand.numerator, self._hidden), *((a, self._hidden | running) for a in divisors)]:
-            if any(exponents[k] for exponents, _ in ring.terms(polynomial) for k in refused):
-                raise Untreatable("what is integrated is no polynomial in what differs from element to element")
+        atoms = [atom for atom, power in zip(self._field.atoms, integrand.denominator, strict=False) if power]
+        looked_at = [(integrand.numerator, self._hidden), *((atom, self._hidden | running) for atom in atoms)]
+        if any(exponents[k] for p, refused in looked_at for exponents, _ in ring.terms(p) for k in refused):
+            raise Untreatable("what is integrated is no polynomial in what differs from element to element")
         parts: dict[Factors, dict[tuple[int, ...], Fraction]] = {}
         for exponents, coefficient in ring.terms(integrand.numerator):
             factors = tuple((self._names[k], exponents[k]) for k in self._running if exponents[k])

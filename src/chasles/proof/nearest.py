@@ -10,19 +10,18 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
 
-from chasles.proof.ansatz import Palette, palette_of
+from chasles.proof.ansatz import Palette, fit, palette_of
 from chasles.proof.combined import combined_changes
 from chasles.proof.freedom import freedom_of, other_objects
-from chasles.proof.marks import fit
 from chasles.proof.residues import Singular, Unsampled
 from chasles.proof.single import Change, added_terms, new_coefficients
-from chasles.proof.slips import in_letters, undone
+from chasles.proof.slips import Undone, in_letters, undone
 from chasles.proof.trial import Standing, Trial, on_trial
 from chasles.proof.unfold import UndeclaredDivisor
 from chasles.proof.variables import Untreatable
-from chasles.statements import Statement
+from chasles.statements import Claim, Statement
 from chasles.statements.statement import bare
-from chasles.vocabulary import Misfit, Node, Rate, Symbol, plain, symbols_of
+from chasles.vocabulary import Misfit, Node, Rate, Symbol, children, symbols_of
 
 __all__ = ["Nearest"]
 
@@ -44,11 +43,13 @@ class Nearest:
     def changes(self, left: Node, right: Node) -> Iterator[Change]:
         """Candidates for sides that fit; one without words if they agree as they are."""
         strays = self._strays(left, right)
-        for stray in strays[:1]:
-            for meant, words in in_letters(right, [s for s in self.letters if s.shape == stray.shape], of=[stray]):
-                for change in self.changes(left, meant):
-                    yield with_fields(change, words=(words, *change.words))
-        if strays:
+        found = False
+        for meant, words in self._introduced(right, strays[0]) if len(strays) == 1 else ():
+            true = [Change(left, meant, ())] if self.agree(left, meant) else self.single_changes(left, meant)
+            for change in true:
+                found = True
+                yield with_fields(change, words=(words, *change.words))
+        if found:
             return
         if self.agree(left, right):
             yield Change(left, right, ())
@@ -85,6 +86,8 @@ class Nearest:
                 yield Change(trial.left, right, (words,), SLIP)
 
     def _holds(self, trial: Trial, change: Change) -> bool:
+        if bare(change.left) == bare(change.right):
+            return False
         try:
             return trial.holds(change.left, change.right)
         except REFUSED:
@@ -109,21 +112,26 @@ class Nearest:
         for turn, nodes in enumerate(([right], [right, left, *self.given_sides])):
             key = left, right, turn
             if key not in self._trials:
-                self._trials[key] = self._tried(left, right, palette_of(nodes, self.own))
+                orders = 0 if turn == 0 else _order(left)
+                self._trials[key] = self._tried(left, right, palette_of(nodes, self.own, orders))
             trial, palette = self._trials[key]
             if trial is not None:
                 yield trial, palette
 
     def _tried(self, left: Node, right: Node, palette: Palette) -> tuple[Trial | None, Palette]:
         try:
-            return on_trial(self.statement, left, right, self.standing, palette.nodes), palette
+            trial = on_trial(self.statement, left, right, self.standing, palette.nodes)
+            failing = trial is not None and any(trial.gap(trial.probe)) and any(trial.gap(trial.varied))
         except REFUSED:
             return None, palette
+        return trial if failing else None, palette
 
     @property
     def given_sides(self) -> list[Node]:
-        """Both sides of what the statement is given."""
-        return [side for given in self.statement.given for side in given.form(self.standing(given))]
+        """Both sides of what the statement is given, or restates."""
+        restated = self.statement.restates if isinstance(self.statement, Claim) else None
+        others = restated if isinstance(restated, tuple) else () if restated is None else (restated,)
+        return [side for each in (*self.statement.given, *others) for side in each.form(self.standing(each))]
 
     @property
     def letters(self) -> list[Symbol]:
@@ -134,12 +142,14 @@ class Nearest:
 
     @property
     def own(self) -> frozenset[Node]:
-        """What defines the left side and is not printed on the right: with it a repair would only repeat the definition."""
-        symbol = _symbol(self.statement.left)
-        rules = (given.form(self.standing(given)) for given in self.statement.given)
-        behind = [other for one, other in rules if bare(one) == symbol]
-        hidden = {symbol, *_symbols(behind)} - set(symbols_of(self.statement.right)) - {None}
-        return frozenset(part for s in hidden if s is not None for part in (s, Rate(s)))
+        """The left side and its rate: with these, nothing is repaired."""
+        left = bare(self.statement.left)
+        return frozenset((left, Rate(left)))
+
+    def _introduced(self, right: Node, stray: Symbol) -> Iterator[Undone]:
+        """The right side with a letter that something introduces for one that nothing does."""
+        known = [s for s in _symbols(self.given_sides) if s in self.letters and s.shape == stray.shape]
+        return in_letters(right, known, of=[stray])
 
     def _strays(self, left: Node, right: Node) -> list[Symbol]:
         """Letters of the right side that nothing introduces."""
@@ -155,6 +165,13 @@ def _symbol(left: Node) -> Symbol | None:
     while isinstance(node, Rate):
         node = node.of
     return node if isinstance(node, Symbol) else None
+
+
+def _order(left: Node) -> int:
+    """How many times a rate is taken on a left side."""
+    if isinstance(left, Rate):
+        return 1 + _order(left.of)
+    return max((_order(part) for part in children(left)), default=0)
 
 
 def _symbols(nodes: Iterable[Node]) -> list[Symbol]:

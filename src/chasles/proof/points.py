@@ -130,12 +130,13 @@ def _moments(context: Context, point: Point, draw: Random, rich: bool) -> None:
     names = dict.fromkeys(name for variable in moments for name, _ in variable.factors)
     reach = 4 if rich else 1
     elements = [
-        {name: Fraction(draw.randint(1, 3) if name in context.densities else draw.randint(-reach, reach)) for name in names}
+        {name: Fraction(draw.randint(*((1, 3) if name in context.densities else (-reach, reach)))) for name in names}
         for _ in range(8 if rich else draw.randint(1, 4))
     ]
     for variable in moments:
-        terms = (prod(element[name] ** exponent for name, exponent in variable.factors) for element in elements)
-        point[variable.name] = sum(terms, Fraction(0))
+        for element in elements:
+            powers = (element[name] ** exponent for name, exponent in variable.factors)
+            point[variable.name] = point.get(variable.name, Fraction(0)) + prod(powers, start=Fraction(1))
 
 
 def _angles(context: Context, point: Point, draw: Random, rich: bool) -> None:
@@ -232,7 +233,7 @@ def _bind(
         case "definite":
             (matrix,) = subjects
             for k in range(orders.get(matrix, 0) + 1):
-                values[matrix, k] = _definite(len(_free(matrix.shape, draw, rich)), draw, rich)
+                values[matrix, k] = _definite(matrix.shape[0], draw, rich)
         case "symmetric":
             (matrix,) = subjects
             if (matrix, 0) in values:
@@ -249,7 +250,9 @@ def _bind(
 
 
 def _definite(size: int, draw: Random, rich: bool) -> Numbers:
-    """1 + G^T G, which is symmetric and positive-definite."""
+    """A symmetric, positive-definite matrix: a diagonal one, or 1 + G^T G."""
+    if not rich:
+        return [[Fraction(draw.randint(1, 3) if i == j else 0) for j in range(size)] for i in range(size)]
     g = _free((size, size), draw, rich)
     return [[sum((row[i] * row[j] for row in g), Fraction(int(i == j))) for j in range(size)] for i in range(size)]
 

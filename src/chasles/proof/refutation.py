@@ -6,7 +6,7 @@ choice, the simplest is made; no other value is looked for.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from math import isqrt
 from typing import Protocol
@@ -52,16 +52,23 @@ def check_counterexample(problem: Problem, shown: Shown) -> None:
 
     Raises `Rejected` with the reason if not.
     """
+    try:
+        reasons = list(_objections(problem, shown))
+    except (ArithmeticError, LookupError, RecursionError, TypeError) as error:
+        raise Rejected(f"the counterexample is malformed: {type(error).__name__}: {error}") from error
+    if all(reasons):
+        raise Rejected(reasons[0] if reasons else f"no equation of the statement is called {shown.goal!r}")
+
+
+def _objections(problem: Problem, shown: Shown) -> Iterator[str]:
+    """Why the counterexample does not refute each of the equations with that label."""
     reading = Reading(problem, shown.at)
     units = [(what[1], what[2]) for what in reading.variables if what[0] == "cos"]
     if len({symbol for symbol, _ in units}) < len(units):
         raise Rejected("the point does not say by which fraction of an angle its cosine and sine are measured")
-    goals = [goal for goal in problem.goals if goal.label == shown.goal]
-    if not goals:
-        raise Rejected(f"no equation of the statement is called {shown.goal!r}")
-    reasons = [_objection(reading, goal, shown) for goal in goals]
-    if all(reasons):
-        raise Rejected(str(reasons[0]))
+    for goal in problem.goals:
+        if goal.label == shown.goal:
+            yield _objection(reading, goal, shown)
 
 
 def _objection(reading: Reading, goal: Goal, shown: Shown) -> str:

@@ -25,8 +25,8 @@ from chasles.vocabulary.families import indices_of
 
 __all__ = ["SECONDS", "Repair", "repair"]
 
-SECONDS = 5.0
-"""What the search for a repair, its proofs included, may take."""
+SECONDS = 20.0
+"""What the search for a repair, its proofs included, may take; it is limited by what it tries, not by this."""
 MORE_EFFORT, MOST = 1, 8
 """Repairs of the same number of changes as the best are given if they take hardly more effort; so many are tried."""
 
@@ -65,13 +65,13 @@ def repair(
         with within(seconds):
             found.extend(_of_definition(near) if isinstance(statement, Definition) else _of_claim(near))
     except OutOfTime:
-        return ()
+        pass
     return tuple(found)
 
 
 def _of_claim(near: Nearest) -> Iterator[Repair]:
     statement = near.statement
-    if not isinstance(statement, Claim) or statement.solves is not None or indices_of(statement.left):
+    if not isinstance(statement, Claim) or statement.solves is not None or any(map(indices_of, statement.printed)):
         return
     if statement.fault and statement.reading is None:
         for changes in _after_marks(near):

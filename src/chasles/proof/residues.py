@@ -145,26 +145,27 @@ class Sampled:
         return values
 
 
-def generic_points(context: Context, solved: tuple[Solved, ...], count: int, *, one_angle: bool) -> list[Point]:
-    """Points of a context, in residues; with `one_angle`, the angles are the same at all of them.
+def generic_points(context: Context, solved: tuple[Solved, ...], count: int) -> tuple[list[Point], list[Point]]:
+    """Points of a context, in residues, with other angles at each; and the same with one angle at all of them.
 
     There are fewer where they are hard to find.
     """
     field, draw = context.field, Random(0)
     ratios = {s.variable: (s.value.numerator, field.power_product(s.value.denominator)) for s in solved}
-    tangent = draw.randrange(MODULUS)
-    found: list[Point] = []
     generators = [_coded(context, g.polynomial) for g in context.generators]
     atoms = [_coded(context, atom) for _, atom in context.atoms]
-    for point in islice(points.sample(context, ratios, simple=False), 4 * count):
-        if not one_angle:
-            tangent = draw.randrange(MODULUS)
-        values = {name: residue(value) for name, value in point.items()} | dict(_turned(context, tangent))
-        if not any(_value(g, values) for g in generators) and all(_value(atom, values) for atom in atoms):
-            found.append(values)
-        if len(found) == count:
+    same = draw.randrange(MODULUS)
+    varied: list[Point] = []
+    fixed: list[Point] = []
+    for point in islice(points.sample(context, ratios, simple=False), 2 * count):
+        bare = {name: residue(value) for name, value in point.items()}
+        pair = [bare | dict(_turned(context, tangent)) for tangent in (draw.randrange(MODULUS), same)]
+        if all(not any(_value(g, p) for g in generators) and all(_value(a, p) for a in atoms) for p in pair):
+            varied.append(pair[0])
+            fixed.append(pair[1])
+        if len(varied) == count:
             break
-    return found
+    return varied, fixed
 
 
 def _turned(context: Context, tangent: int) -> Iterator[tuple[str, int]]:

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from chasles.proof.ansatz import Palette, dimension_of
+from chasles.proof.ansatz import Palette
 from chasles.proof.coefficients import Function, scaled, spelled, times
 from chasles.proof.linear import Column, combination, multiple, plus, rational
 from chasles.proof.places import Place, linear_places, put, with_term
@@ -50,8 +50,8 @@ class Change:
 
 Coefficient = list[tuple[Fraction, Function]]
 """A sum of numbers times functions."""
-LEFT_OUT = 3
-"""The effort of leaving a term out."""
+LEFT_OUT = 2
+"""The effort of leaving a term out, besides that of changing it."""
 
 
 def other_coefficient(coefficient: Coefficient) -> int:
@@ -85,7 +85,7 @@ def new_coefficients(trial: Trial) -> Iterator[Change]:
         number = None if ratio is None else rational(ratio)
         if number is not None:
             new, words = rescaled(place.node, number + 1)
-            effort = LEFT_OUT if new is None else int(number != -2)
+            effort = 1 + LEFT_OUT if new is None else int(number != -2)
             yield Change(trial.left, put(trial.right, place.path, new), (words,), effort)
         elif not place.in_rate and not (place.node.is_scalar and place.path):
             yield from _refitted(trial, place, gap, share)
@@ -113,7 +113,7 @@ def _refitted(trial: Trial, place: Place, gap: Column, share: Column) -> Iterato
 
 def fitted(trial: Trial, cores: Sequence[Column], wanted: Column) -> list[Coefficient] | None:
     """The coefficients of cores, given at the varied points, that make up what is wanted; None unless unique."""
-    for functions in (trial.functions, trial.fractions):
+    for functions in (trial.functions, trial.fractions, trial.squares):
         columns = [trial.times(trial.varied, function, core) for core in cores for function in functions]
         values = combination(columns, wanted)
         if values is not None:
@@ -126,11 +126,10 @@ def added_terms(trial: Trial, palette: Palette) -> Iterator[Change]:
     """The right sides that are true with one more term somewhere."""
     gap = trial.gap(trial.probe)
     for place in linear_places(trial.right):
-        dimension = dimension_of(place.node)
-        if not place.open or dimension is None or (place.node.is_scalar and place.path):
+        if not place.open or place.in_rate or (place.node.is_scalar and place.path):
             continue
         terms = place.node.terms if isinstance(place.node, Sum) else (place.node,)
-        for term in distinct_terms(trial, palette.terms(place.node.shape, dimension), terms):
+        for term in distinct_terms(trial, palette.terms(place.node), terms):
             if multiple(gap, trial.share(trial.probe, place, term)) is not None:
                 yield from _completed(trial, place, term)
 
@@ -149,7 +148,7 @@ def distinct_terms(trial: Trial, terms: Iterable[Node], known: Iterable[Node | N
 
 def _completed(trial: Trial, place: Place, term: Node) -> Iterator[Change]:
     found = fitted(trial, [trial.share(trial.varied, place, term)], trial.gap(trial.varied))
-    if found and not place.in_rate and (coefficient := spelled(found[0])) is not None:
+    if found and (coefficient := spelled(found[0])) is not None:
         new = times(coefficient, term)
         right = put(trial.right, place.path, with_term(place.node, new))
         yield Change(trial.left, right, (missing(new),), new_term(found[0]) + 2 * (not place.apart))

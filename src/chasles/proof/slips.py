@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace as with_fields
 from itertools import combinations
 
-from chasles.proof.places import everywhere, put
+from chasles.proof.places import everywhere, linear_places, put
 from chasles.proof.single import instead
 from chasles.vocabulary import (
     Block,
@@ -41,10 +41,11 @@ Make = Callable[[], Node]
 
 def undone(node: Node) -> Iterator[Undone]:
     """The expression with one slip of form undone, in every place where what comes out fits together."""
-    parts = dict(everywhere(node))
+    parts, linear = dict(everywhere(node)), {place.path for place in linear_places(node)}
     for path, part in parts.items():
         inside = isinstance(parts.get(path[:-1]) if path else None, Rate | Transpose)
-        for make, words in _of_form(part, inside):
+        signs = _signs(part) if isinstance(part, Sum) and path not in linear else ()
+        for make, words in (*_of_form(part, inside), *signs):
             new = _made(make)
             whole = _made(lambda path=path, new=new: put(node, path, new))  # type: ignore[misc]
             if whole.fault is None:
@@ -100,6 +101,14 @@ def _of_form(node: Node, inside: bool) -> Iterator[tuple[Make, str]]:
             pass
     if isinstance(node, Symbol | Rate | Contract) and node.measure is not None and max(node.shape) > 1 and not inside:
         yield lambda: Transpose(node), ""
+
+
+def _signs(whole: Sum) -> Iterator[tuple[Make, str]]:
+    """A wrong sign where the whole does not depend on it linearly."""
+    for k, term in enumerate(whole.terms):
+        turned = term.term if isinstance(term, Negative) else Negative(term)
+        terms = (*whole.terms[:k], turned, *whole.terms[k + 1 :])
+        yield (lambda terms=terms: Sum(terms)), ""  # type: ignore[misc]
 
 
 def scaled_by(factor: Node, part: Node) -> Node:

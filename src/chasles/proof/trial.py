@@ -6,11 +6,11 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
 from functools import cached_property
-from itertools import islice
+from itertools import combinations_with_replacement
 
 from chasles.proof.coefficients import ONE, Function, Term, split
-from chasles.proof.conditions import Solved, solve_conditions
-from chasles.proof.context import Context, build
+from chasles.proof.conditions import solve_conditions
+from chasles.proof.context import build
 from chasles.proof.linear import MODULUS, Column, Span, minus, multiple, normalized
 from chasles.proof.places import Path, Place, put, with_term
 from chasles.proof.residues import Sampled, generic_points
@@ -20,6 +20,7 @@ from chasles.vocabulary import (
     Contract,
     Identity,
     Inverse,
+    Misfit,
     Negative,
     Node,
     Quotient,
@@ -35,9 +36,8 @@ __all__ = ["Standing", "Trial", "changed", "on_trial"]
 Standing = Callable[[Statement], str]
 Direction = tuple[int, ...]
 
-POINTS = 10
-NUMBERS = 90
-"""So many numbers, or a few more, are compared: more than any system has unknowns."""
+POINTS, NUMBERS = 8, 30
+"""So many points are drawn at least, and so many that at least so many numbers are compared."""
 PROBED = 2
 """Points at which a change is tried first."""
 
@@ -81,12 +81,18 @@ class Trial:
         return self._shares[key]
 
     def share(self, at: Sampled, place: Place, term: Node | None = None) -> Column:
-        """What a term in a place of the right side contributes: the one that stands there, or one added to it."""
+        """What a term in a place of the right side contributes: the one that stands there, or one added to it.
+
+        Nothing if it does not fit there.
+        """
         term = place.node if term is None else term
         key = id(at), place.path, term
         if key not in self._shares:
-            more = put(self.right, place.path, with_term(place.node, term))
-            self._shares[key] = minus(self.gap(at), self.miss(at, self.left, more))
+            try:
+                more = put(self.right, place.path, with_term(place.node, term))
+                self._shares[key] = minus(self.gap(at), self.miss(at, self.left, more))
+            except Misfit:
+                self._shares[key] = [0] * len(self.gap(at))
         return self._shares[key]
 
     def holds(self, left: Node, right: Node) -> bool:
@@ -117,7 +123,7 @@ class Trial:
     @cached_property
     def functions(self) -> tuple[Function, ...]:
         """What coefficients are made of: one and the functions of angles that occur, none a combination of others."""
-        occurring = [*_scalars(self.right), *_scalars(self.left)]
+        occurring = [*_scalars(self.right), *(node for node in _scalars(self.left) if isinstance(node, Call))]
         known = [node for _, side in self.problem.rules for node in _scalars(side) if isinstance(node, Call)]
         found = [n for n in occurring if self._is_function(n)] or [n for n in known if self._is_function(n)]
         return tuple(self._independent(map(Function, (ONE, *found))))
@@ -132,6 +138,12 @@ class Trial:
             for function in self.functions
         ]
         return tuple(self._independent((*self.functions, *more)))
+
+    @cached_property
+    def squares(self) -> tuple[Function, ...]:
+        """The functions and their products."""
+        pairs = combinations_with_replacement(self.functions[1:], 2)
+        return tuple(self._independent((*self.functions, *(Function(_times(one, other)) for one, other in pairs))))
 
     @cached_property
     def divisors(self) -> tuple[Node, ...]:
@@ -153,6 +165,10 @@ class Trial:
         for function in functions:
             if span.add(self.varied.flat(function.node)):
                 yield function
+
+
+def _times(one: Function, other: Function) -> Node:
+    return one.numerator**2 if one == other else one.numerator * other.numerator
 
 
 def _parts(node: Node) -> Iterator[Node]:
@@ -180,13 +196,7 @@ def on_trial(
     if context.pi_measures:
         return None
     rows, columns = left.shape
-    count = max(POINTS, NUMBERS // (rows * columns))
-    varied = _sampled(context, solved, count, one_angle=False)
-    has_angles = any(variable.kind == "cos" for variable in context.variables)
-    fixed = _sampled(context, solved, count, one_angle=True) if has_angles else varied
-    return Trial(statement, left, right, problem, varied, fixed) if varied and fixed else None
-
-
-def _sampled(context: Context, solved: tuple[Solved, ...], count: int, *, one_angle: bool) -> Sampled | None:
-    points = list(islice(generic_points(context, solved, count, one_angle=one_angle), count))
-    return Sampled(context, points) if len(points) == count else None
+    varied, fixed = generic_points(context, solved, max(POINTS, NUMBERS // (left.shape[0] * left.shape[1])))
+    if len(varied) < POINTS:
+        return None
+    return Trial(statement, left, right, problem, Sampled(context, varied), Sampled(context, fixed))

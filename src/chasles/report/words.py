@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from rich.text import Text
 
-from chasles.proof.verdict import Point, Verdict
+from chasles.proof.verdict import Verdict
 
 __all__ = ["VERDICTS", "counted", "labelled", "point_in_words", "reason", "said", "seconds"]
 
@@ -48,7 +48,7 @@ def counted(verdicts: Iterable[Verdict]) -> str:
     return ", ".join(f"{count} {word}" for count, word in found if count)
 
 
-def point_in_words(point: Point) -> str:
+def point_in_words(point: Mapping[str, object]) -> str:
     """The point as one line: "e = (1, 0, 0), cos(phi) = 0"; the entries of a vector or a matrix are put together."""
     parts = []
     rest = dict(sorted(point.items()))

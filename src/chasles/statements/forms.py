@@ -11,7 +11,20 @@ from dataclasses import replace as with_fields
 from typing import Protocol
 
 from chasles.statements.squares import squared
-from chasles.vocabulary import Contract, Dot, Negative, Node, Scale, Sum, Symbol, Trace, Transpose, Zero, column, replace
+from chasles.vocabulary import (
+    Contract,
+    Dot,
+    Negative,
+    Node,
+    Scale,
+    Sum,
+    Symbol,
+    Trace,
+    Transpose,
+    Zero,
+    column,
+    replace,
+)
 
 __all__ = ["Always", "Definite", "Exists", "Form", "Iff", "Minimum", "OnlyWhere", "Unique"]
 

@@ -15,6 +15,8 @@ from chasles.vocabulary import Node, Number, Scale, Sum, Symbol
 
 __all__ = ["Angles"]
 
+LARGEST_MULTIPLE = 10_000
+
 
 class Angles:
     """Takes the arguments of sines and cosines apart; products of atoms become words of their own."""
@@ -34,7 +36,7 @@ class Angles:
         turn = sympy.S.Zero
         for term in sympy.Add.make_args(sympy.expand(argument)):
             multiple, rest = term.as_coeff_Mul()
-            if not multiple.is_Rational or rest == 1:
+            if not multiple.is_Rational or rest == 1 or max(abs(multiple.p), multiple.q) > LARGEST_MULTIPLE:
                 raise _no_angle(argument)
             if rest is sympy.pi:
                 turn += term
@@ -59,12 +61,11 @@ class Angles:
             factors = {self.atoms.word(base): int(power) for base, power in powers.items()}
             self._words[rest] = word = self.atoms.fresh(str(rest), rest)
             self.products[word] = factors
-            self.met |= set(factors)
         return self._words[rest]
 
 
 def _no_angle(argument: Any) -> Untreatable:
     return Untreatable(
         f"{excerpt(argument)} is no angle: an angle is a sum of rational multiples of real symbols, "
-        "of products of them, and of pi"
+        f"of products of them, and of pi, none above {LARGEST_MULTIPLE}"
     )

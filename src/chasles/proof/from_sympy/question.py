@@ -13,13 +13,13 @@ from chasles.proof.from_sympy.atoms import ASSUMPTIONS
 from chasles.proof.from_sympy.given import Equations, Given, collected
 from chasles.proof.from_sympy.opening import Entries, opened, sides
 from chasles.proof.from_sympy.reader import Reader, multiplied
-from chasles.proof.from_sympy.roots import resolve
-from chasles.proof.search import Frame, Motion, Search
+from chasles.proof.from_sympy.roots import resolve, words_of
+from chasles.proof.search import Frame, Motion, Search, entry_of
 from chasles.proof.surds import Exact
 from chasles.proof.variables import Untreatable
 from chasles.proof.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
 from chasles.statements import Goal, Hypothesis, Problem
-from chasles.vocabulary import Block, Node, Number, Quotient, Scale
+from chasles.vocabulary import PI, Block, Negative, Node, Power, Quotient, Scale, Sum, Zero
 
 __all__ = ["Question", "ask"]
 
@@ -41,14 +41,26 @@ class Question:
     reader: Reader
     roots: frozenset[str] = field(default_factory=frozenset)
 
-    def multiplied_by(self, divisors: Iterable[Node]) -> Question:
-        """The same question with its left side multiplied and divided by what does not vanish."""
-        factor = multiplied(list(divisors))
-        goals = tuple(
-            Goal(goal.label, Quotient(Scale(factor, goal.left), factor), goal.right) for goal in self.problem.goals
-        )
-        search = replace(self.search, blind=True)
-        return replace(self, problem=replace(self.problem, goals=goals), search=search)
+    def variants(self) -> Iterator[Problem]:
+        """Problems that say the same, and may be easier to prove.
+
+        The left side is multiplied and divided by what does not vanish; or the square of the difference is zero.
+        """
+        divisors = [node for h in self.problem.hypotheses for node in h.nonvanishing]
+        for factors in [*([node] for node in divisors), divisors] if len(divisors) > 1 else [divisors] * len(divisors):
+            factor = multiplied(factors)
+            goals = [Goal(g.label, Quotient(Scale(factor, g.left), factor), g.right) for g in self.problem.goals]
+            yield replace(self.problem, goals=tuple(goals))
+        for goal in self.problem.goals if self.conditions else ():
+            rows, columns = goal.left.shape
+            pairs = [[(entry_of(s, (i + 1, j + 1)) for s in (goal.left, goal.right)) for j in range(columns)] for i in range(rows)]
+            squares = [Power(Sum((one, Negative(other))), 2) for row in pairs for one, other in row]
+            yield replace(self.problem, goals=(Goal("", _matrix(list(squares), goal.left.shape), Zero(rows, columns)),))
+
+    @property
+    def conditions(self) -> bool:
+        """Whether equations are given."""
+        return any(h.kind != "root" and h.equations for h in self.problem.hypotheses)
 
     def answered(self, verdict: Verdict) -> Verdict:
         """The verdict in SymPy's terms."""
@@ -56,7 +68,11 @@ class Question:
             case Holds() | HoldsUnder():
                 needs = tuple(text for text in self._said((*self.needs, *verdict.needs)) if text not in self.hidden)
                 unused = tuple(text for text in self._said(verdict.unused) if text not in needs)
-                certificate = {**verdict.certificate, "names": self._names()}
+                certificate = {
+                    **verdict.certificate,
+                    "names": self._names(),
+                    "witness": {name: _written(value) for name, value in sorted(verdict.witness.items())},
+                }
                 witness = self._point(verdict.witness)
                 if needs:
                     return HoldsUnder(needs, certificate, witness, unused)
@@ -79,11 +95,25 @@ class Question:
     def _point(self, point: Mapping[str, Any]) -> dict[str, Any]:
         """A point by SymPy's names, irrational coordinates as SymPy numbers; roots follow from the others."""
         origins = {word.name: origin for word, origin in self.reader.atoms.origins.items()}
-        return {
-            _spelled(name, origins): sympy.sympify(value.text("pi")) if isinstance(value, Exact) else value
-            for name, value in sorted(point.items())
-            if name not in self.roots and name != "pi"
-        }
+        turning = [name for name, value in point.items() if isinstance(value, Exact) and not value.is_algebraic]
+        found: dict[str, Any] = {}
+        for name, value in sorted(point.items()):
+            # A single angle that stands beside its rational cosine and sine has no other name.
+            if name in self.roots or name == PI.name or (turning == [name]):
+                continue
+            spelled = _spelled(name, origins)
+            # A symbol may be called as a cosine is written.
+            spelled = spelled if spelled not in found else sympy.srepr(origins.get(name, spelled))
+            found[spelled] = sympy.sympify(value.text("pi")) if isinstance(value, Exact) else value
+        return found
+
+
+def _written(value: Fraction | Exact) -> str:
+    """A coordinate for the checker: an angle that stands beside its cosine and sine is a multiple of one number."""
+    if isinstance(value, Exact) and not value.is_algebraic and len(value.terms) == 1:
+        ((_, factor),) = value.terms.items()
+        return str(factor)
+    return str(value)
 
 
 def _spelled(name: str, origins: Mapping[str, Any]) -> str:
@@ -142,9 +172,10 @@ class _Asking:
         divisors = {node: self._divisor(node) for node in self.reader.divisors}
         roots = resolve(self.reader, tuple(divisors.values()))
         divisors = {node: self._divisor(node) for node in self.reader.divisors}
-        hypotheses = (*self.equations, *divisors.values(), *roots.hypotheses)
-        unknowns = tuple(h.subjects[0] for h in roots.hypotheses)
-        problem = Problem((self.goal,), roots.rules, (), unknowns, tuple(dict.fromkeys(hypotheses)))
+        # Variables rank as they are met: a root above what is under it, so that its square is what leads.
+        hypotheses = (*reversed(roots.hypotheses), *self.equations, *divisors.values())
+        words = words_of(roots.hypotheses)
+        problem = Problem((self.goal,), roots.rules, (), words, tuple(dict.fromkeys(hypotheses)))
         texts = {node: divisor.text for node, divisor in self.reader.divisors.items()}
         constant = {divisor.text for divisor in self.reader.divisors.values() if divisor.constant}
         substituted = [text for text, _, _ in self.given.substitutions]
@@ -157,7 +188,7 @@ class _Asking:
             frozenset(constant | {h.text for h in roots.hypotheses}),
             {item.text: item.sources for item in self.given.equations},
             self.reader,
-            frozenset(h.subjects[0].name for h in roots.hypotheses) | {r.word.name for r in self.reader.roots.values()},
+            frozenset({word.name for word in words} | {root.word.name for root in self.reader.roots.values()}),
         )
 
     def _divisor(self, node: Node) -> Hypothesis:
@@ -187,6 +218,7 @@ class _Asking:
         return Search(
             allowed,
             reader.angles.products,
+            frozenset(word for atom, word in reader.atoms.words.items() if atom.is_algebraic or atom.is_zero),
             frames,
             self._motion(),
             lambda symbol: str(reader.atoms.origins[symbol]),

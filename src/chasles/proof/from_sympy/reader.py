@@ -25,9 +25,10 @@ CIRCULAR = {
     sympy.sin: ("sin", ""), sympy.cos: ("cos", ""), sympy.tan: ("sin", "cos"), sympy.cot: ("cos", "sin"),
     sympy.sec: ("", "cos"), sympy.csc: ("", "sin"),
 }  # fmt: skip
+LARGEST_EXPONENT = 10_000
 TREATED = (
-    "rational functions of real symbols, of sin, cos, tan, cot, sec and csc of angles, of square roots and absolute "
-    "values, functions such as f(t) with their derivatives, and pi are"
+    "Treated are rational functions of real symbols, of sin, cos, tan, cot, sec and csc of angles, of square roots and "
+    "absolute values, of functions such as f(t) and their derivatives, and of pi"
 )
 
 
@@ -86,6 +87,8 @@ class Reader:
             return self._circular(e)
         if isinstance(e, sympy.Abs):
             return self.root(Power(self(e.args[0]), 2), e.args[0] ** 2)
+        if isinstance(e, sympy.sign):
+            return self(e.args[0] * sympy.Abs(e.args[0], evaluate=False) / e.args[0] ** 2)
         raise _untreatable(e)
 
     def declare(self, node: Node, text: str, constant: bool = False) -> None:
@@ -131,7 +134,7 @@ class Reader:
                 whole = sympy.ceiling(exponent)
                 above.append(self._power(base, whole - exponent, factor))
                 exponent = whole
-        node, power = self(base), int(exponent)
+        node, power = self(base), _limited(int(exponent), factor)
         if _divides(base):
             numerator, denominator = sympy.fraction(sympy.together(_in_sines(base)))
             if _divides(numerator) or _divides(denominator):
@@ -149,7 +152,7 @@ class Reader:
         """A power with the exponent p, p/2, p/4, ... as an integral power of nested square roots."""
         if not exponent.is_Rational or exponent.q & (exponent.q - 1):
             raise _untreatable(whole)
-        power, below = int(exponent.p), int(exponent.q)
+        power, below = _limited(int(exponent.p), whole), int(exponent.q)
         while below > 1:
             node, base, below = self.root(node, base), sympy.sqrt(base), below // 2
         return _raised(node, power)
@@ -214,7 +217,7 @@ def _divides(e: Any) -> bool:
         return any(map(_divides, e.args))
     if isinstance(e, sympy.Pow):
         return _is_reciprocal(e) or _divides(e.base)
-    return bool(CIRCULAR.get(e.func, ("", ""))[1])
+    return isinstance(e, sympy.sign) or bool(CIRCULAR.get(e.func, ("", ""))[1])
 
 
 def _in_sines(e: Any) -> Any:
@@ -232,6 +235,12 @@ def multiplied(factors: list[Node]) -> Node:
     return reduce(lambda total, factor: Scale(total, factor), factors) if factors else Number(Fraction(1))
 
 
+def _limited(exponent: int, whole: Any) -> int:
+    if exponent > LARGEST_EXPONENT:
+        raise Untreatable(f"{excerpt(whole)} is not treated: its exponent is larger than {LARGEST_EXPONENT}")
+    return exponent
+
+
 def _raised(node: Node, power: int) -> Node:
     return node if power == 1 else Power(node, power)
 
@@ -244,4 +253,4 @@ def _primes(number: int) -> list[int]:
 
 
 def _untreatable(e: Any) -> Untreatable:
-    return Untreatable(f"{excerpt(e)} is not treated: {TREATED}")
+    return Untreatable(f"{excerpt(e)} is not treated. {TREATED}")

@@ -7,6 +7,7 @@ known, so that its square is all that a proof needs; where it is not, a true sta
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -14,17 +15,16 @@ from typing import Any
 import sympy
 
 from chasles.proof.context import Context, build
+from chasles.proof.from_sympy.polynomials import Key, as_node, as_sympy, factored, key_of
 from chasles.proof.from_sympy.reader import Reader, multiplied
 from chasles.proof.rings import Polynomial
-from chasles.proof.variables import Variable
+from chasles.proof.surds import Exact, root_of
 from chasles.statements import Goal, Hypothesis, Problem
-from chasles.vocabulary import Call, Node, Number, Power, Quotient, Scale, Sum, Symbol
+from chasles.vocabulary import Node, Number, Power, Quotient, Sum, Symbol
 
-__all__ = ["Roots", "resolve"]
+__all__ = ["Roots", "resolve", "words_of"]
 
-MOST_TERMS = 80
-Key = frozenset[tuple[tuple[tuple[str, int], ...], Fraction]]
-Factors = list[tuple[Polynomial, int]]
+Size = tuple[Key, Node, Any]
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,10 +38,7 @@ class Roots:
 
 def resolve(reader: Reader, divisors: tuple[Hypothesis, ...]) -> Roots:
     """The roots that a reader has met, in terms of independent ones."""
-    hypotheses = tuple(_defining(word, Number(Fraction(p)), f"sqrt({p})") for p, word in reader.primes.items())
-    if not reader.roots:
-        return Roots((), hypotheses, ())
-    return _Resolver(reader, divisors, list(hypotheses)).resolved()
+    return _Resolver(reader, divisors).resolved()
 
 
 def _defining(word: Symbol, radicand: Node, spelled: str) -> Hypothesis:
@@ -50,22 +47,30 @@ def _defining(word: Symbol, radicand: Node, spelled: str) -> Hypothesis:
     return Hypothesis("root", subjects, ((Power(word, 2), radicand),), (), "", f"{word.name} = {spelled}", free=True)
 
 
+def words_of(hypotheses: Iterable[Hypothesis]) -> tuple[Symbol, ...]:
+    """The words for independent roots."""
+    return tuple(h.subjects[0] for h in hypotheses if h.kind == "root" and isinstance(h.subjects[0], Symbol))
+
+
 class _Resolver:
-    def __init__(self, reader: Reader, divisors: tuple[Hypothesis, ...], hypotheses: list[Hypothesis]) -> None:
+    def __init__(self, reader: Reader, divisors: tuple[Hypothesis, ...]) -> None:
         self.reader = reader
         self.divisors = divisors
-        self.hypotheses = hypotheses
+        self.hypotheses: list[Hypothesis] = []
         self.rules: list[tuple[Node, Node]] = []
         self.domains: list[str] = []
         self.words: dict[Key, Symbol] = {}
+        self.nested: dict[Exact, Symbol] = {}
+        self.composite: list[tuple[Node, list[Size]]] = []
         self.known: set[Key] = set()
-        self.positive = {word.name for word in reader.primes.values()}
-        self.positive |= {word.name for atom, word in reader.atoms.words.items() if atom.is_nonnegative}
+        self.positive = {word.name for atom, word in reader.atoms.words.items() if atom.is_nonnegative}
 
     def resolved(self) -> Roots:
         """One root after the other: those inside a radicand come before it."""
-        context = self._context()
+        self._know_primes()
+        context = self._context() if self.reader.roots else None
         for root in self.reader.roots.values():
+            assert context is not None
             self._note(context, self._radicand(context, root.radicand)[0])
         for root in self.reader.roots.values():
             context = self._context()
@@ -76,11 +81,14 @@ class _Resolver:
             squares: list[Node] = [Power(node, 2) for _, node in below]
             total = Quotient(multiplied(above), multiplied(squares)) if squares else multiplied(above)
             self.rules.append((root.word, total))
+        self._compare()
         return Roots(tuple(self.rules), tuple(self.hypotheses), tuple(dict.fromkeys(self.domains)))
 
     def _context(self) -> Context:
-        goals = tuple(Goal("", root.radicand, Number(Fraction(0))) for root in self.reader.roots.values())
-        return build(Problem(goals, tuple(self.rules), hypotheses=(*self.hypotheses, *self.divisors)))
+        nothing = Number(Fraction(0))
+        goals = tuple(Goal("", root.radicand, nothing) for root in self.reader.roots.values())
+        hypotheses = (*reversed(self.hypotheses), *self.divisors)
+        return build(Problem(goals, tuple(self.rules), (), words_of(self.hypotheses), hypotheses))
 
     def _radicand(self, context: Context, node: Node) -> tuple[Polynomial, list[tuple[Polynomial, Node]]]:
         """N d for a radicand N / d, and the factors of d, by whose absolute values the root is to be divided."""
@@ -99,18 +107,19 @@ class _Resolver:
 
     def _note(self, context: Context, polynomial: Polynomial) -> None:
         """A root of a single factor says that this factor is not negative."""
-        sign, _, factors = _factored(context, polynomial)
+        sign, _, factors = factored(context, polynomial)
         odd = [factor for factor, power in factors if power % 2]
         if len(odd) == 1:
-            self.known.add(_key(context, odd[0] if sign > 0 else -odd[0]))
+            self.known.add(key_of(context, odd[0] if sign > 0 else -odd[0]))
 
     def _root(self, context: Context, polynomial: Polynomial) -> Node:
         if polynomial == 0:
             return Number(Fraction(0))
-        sign, size, factors = _factored(context, polynomial)
+        sign, size, factors = factored(context, polynomial)
         parts: list[Node] = [] if size == 1 else [self.reader.numeric_root(size)]
         self._know_primes()
         left = context.field.ring.constant(Fraction(1))
+        unknown: list[Polynomial] = []
         for factor, power in factors:
             parts += [self._absolute(context, (factor, None))[0]] * (power // 2)
             if power % 2 and self._is_known(context, factor):
@@ -120,10 +129,14 @@ class _Resolver:
                 parts.append(self._word(context, -factor))
             elif power % 2:
                 left = left * factor
+                unknown.append(factor)
         if sign < 0 and left == 1:
             return self._word(context, polynomial)
         if left != 1:
-            parts.append(self._word(context, left * context.field.ring.constant(Fraction(sign))))
+            left = left * context.field.ring.constant(Fraction(sign))
+            parts.append(self._word(context, left))
+            sizes = [self._size(context, factor) for factor in unknown]
+            self.composite.append((as_node(context, left), sizes if len(sizes) > 1 else []))
         return multiplied(parts)
 
     def _know_primes(self) -> None:
@@ -136,19 +149,35 @@ class _Resolver:
     def _absolute(self, context: Context, factor: tuple[Polynomial, Node | None]) -> tuple[Node, Node]:
         """The absolute value of a polynomial, and the polynomial, as words."""
         polynomial = factor[0]
-        plain = factor[1] if factor[1] is not None else _as_node(context, polynomial)
+        plain = factor[1] if factor[1] is not None else as_node(context, polynomial)
         if self._is_known(context, polynomial):
             return plain, plain
         if self._is_known(context, -polynomial):
-            return _as_node(context, -polynomial), plain
-        square = self._reduced(context, polynomial * polynomial)
-        key = _key(context, square)
-        if key not in self.words:
-            self._define(key, Power(plain, 2), sympy.Abs(_as_sympy(self.reader, context, polynomial)))
+            return as_node(context, -polynomial), plain
+        key, _, origin = self._size(context, polynomial)
+        self._define(key, Power(plain, 2), origin)
         return self.words[key], plain
 
+    def _size(self, context: Context, polynomial: Polynomial) -> Size:
+        """How an absolute value is known: by its square; with the polynomial and its absolute value to be written."""
+        square = self._reduced(context, polynomial * polynomial)
+        origin = sympy.Abs(as_sympy(self.reader.atoms.origins, context, polynomial))
+        return key_of(context, square), as_node(context, polynomial), origin
+
+    def _compare(self) -> None:
+        """Where a product is not negative, it is the product of the absolute values of its factors."""
+        for product, sizes in self.composite:
+            if any(key in self.words for key, _, _ in sizes):
+                for key, plain, origin in sizes:
+                    self._define(key, Power(plain, 2), origin)
+                absolute = multiplied([self.words[key] for key, _, _ in sizes])
+                text = f"{absolute} = {product}"
+                self.hypotheses.append(
+                    Hypothesis("consequence", (absolute, product), ((absolute, product),), (), "", text, free=True)
+                )
+
     def _is_known(self, context: Context, polynomial: Polynomial) -> bool:
-        return self._is_nonnegative(context, polynomial) or _key(context, polynomial) in self.known
+        return self._is_nonnegative(context, polynomial) or key_of(context, polynomial) in self.known
 
     def _is_nonnegative(self, context: Context, polynomial: Polynomial) -> bool:
         """Whether every term is visibly not negative, a cosine or sine being at least -1."""
@@ -167,91 +196,52 @@ class _Resolver:
 
     def _word(self, context: Context, polynomial: Polynomial) -> Node:
         """The root of a polynomial as an independent one."""
-        terms = context.field.ring.terms(polynomial)
-        if not any(any(exponents) for exponents, _ in terms) and terms[0][1] > 0:
-            return self.reader.numeric_root(terms[0][1])
-        key = _key(context, polynomial)
-        if key not in self.words:
-            expression = _as_sympy(self.reader, context, polynomial)
-            if not self._is_nonnegative(context, polynomial):
-                self.domains.append(f"{expression} >= 0")
-            self._define(key, _as_node(context, polynomial), sympy.sqrt(expression))
+        constant = self._constant(context, polynomial)
+        root = None if constant is None else root_of(constant, self.nested)
+        if root is not None:
+            return self._exact(root)
+        key = key_of(context, polynomial)
+        expression = as_sympy(self.reader.atoms.origins, context, polynomial)
+        if not self._is_nonnegative(context, polynomial):
+            self.domains.append(f"{expression} >= 0")
+        self._define(key, as_node(context, polynomial), sympy.sqrt(expression))
         return self.words[key]
 
+    def _constant(self, context: Context, polynomial: Polynomial) -> Exact | None:
+        """The value of a polynomial in nothing but roots of numbers."""
+        numbers = {word.name: root_of(Exact.rational(p)) for p, word in self.reader.primes.items()}
+        numbers |= {word.name: Exact({(0, 1, frozenset({inside})): Fraction(1)}) for inside, word in self.nested.items()}
+        total = Exact({})
+        for exponents, coefficient in context.field.ring.terms(polynomial):
+            term = Exact.rational(coefficient)
+            for variable, exponent in zip(context.variables, exponents, strict=True):
+                value = numbers.get(variable.name) if exponent else Exact.rational(1)
+                if value is None:
+                    return None
+                term = term * value**exponent
+            total = total + term
+        return total
+
+    def _exact(self, value: Exact) -> Node:
+        """A number in words; the root of a sum of roots gets one of its own."""
+        terms: list[Node] = []
+        for (_, radicand, nested), coefficient in value.terms.items():
+            factors = [self.reader.numeric_root(Fraction(radicand))] if radicand != 1 else []
+            self._know_primes()
+            for inside in sorted(nested, key=str):
+                if inside not in self.nested:
+                    self.nested[inside] = self.reader.atoms.fresh(f"u_{len(self.nested) + 1}", sympy.sqrt(sympy.sympify(inside.text())))
+                    word, radicand_node = self.nested[inside], self._exact(inside)
+                    self.positive.add(word.name)
+                    self.hypotheses.append(_defining(word, radicand_node, f"sqrt({inside})"))
+                factors.append(self.nested[inside])
+            terms.append(multiplied([Number(coefficient), *factors]))
+        return terms[0] if len(terms) == 1 else Sum(tuple(terms)) if terms else Number(Fraction(0))
+
     def _define(self, key: Key, radicand: Node, origin: Any) -> None:
+        if key in self.words:
+            return
         word = self.reader.atoms.fresh(f"w_{len(self.words) + 1}", origin)
         self.words[key] = word
         self.positive.add(word.name)
         self.hypotheses.append(_defining(word, radicand, str(origin)))
-
-
-def _key(context: Context, polynomial: Polynomial) -> Key:
-    """The polynomial in the names of its variables, the same in every ring."""
-    names = context.field.ring.names
-    return frozenset(
-        (tuple(sorted((names[k], e) for k, e in enumerate(exponents) if e)), coefficient)
-        for exponents, coefficient in context.field.ring.terms(polynomial)
-    )
-
-
-def _factored(context: Context, polynomial: Polynomial) -> tuple[int, Fraction, Factors]:
-    """Sign, size and irreducible factors with their powers; a long polynomial counts as irreducible."""
-    ring = context.field.ring
-    terms = ring.terms(polynomial)
-    places = [k for k in range(len(ring.names)) if any(exponents[k] for exponents, _ in terms)]
-    if not places or len(terms) > MOST_TERMS:
-        constant = terms[0][1] if not places else Fraction(1)
-        return (1 if constant > 0 else -1), abs(constant), [] if not places else [(polynomial, 1)]
-    gens = sympy.symbols(f"x:{len(places)}")
-    packed = {tuple(e[k] for k in places): sympy.Rational(c.numerator, c.denominator) for e, c in terms}
-    content, factors = sympy.Poly.from_dict(packed, *gens).factor_list()
-    size = Fraction(int(content.p), int(content.q))
-    sign = 1 if size > 0 else -1
-    found: Factors = []
-    for factor, power in factors:
-        unpacked = {}
-        for exponents, coefficient in factor.terms():
-            spread = [0] * len(ring.names)
-            for place, exponent in zip(places, exponents, strict=True):
-                spread[place] = int(exponent)
-            unpacked[tuple(spread)] = Fraction(int(coefficient.p), int(coefficient.q))
-        first = min(unpacked, key=lambda e: sorted((ring.names[k], x) for k, x in enumerate(e) if x))
-        flip = -1 if unpacked[first] < 0 else 1
-        sign *= flip if power % 2 else 1
-        found.append((ring.from_terms({e: flip * c for e, c in unpacked.items()}), int(power)))
-    return sign, abs(size), found
-
-
-def _as_node(context: Context, polynomial: Polynomial) -> Node:
-    terms = []
-    for exponents, coefficient in sorted(context.field.ring.terms(polynomial), reverse=True):
-        factors: list[Node] = [] if coefficient == 1 and any(exponents) else [Number(coefficient)]
-        for variable, exponent in zip(context.variables, exponents, strict=True):
-            if exponent:
-                base = _variable_node(context, variable)
-                factors.append(base if exponent == 1 else Power(base, exponent))
-        terms.append(multiplied(factors))
-    return terms[0] if len(terms) == 1 else Sum(tuple(terms))
-
-
-def _variable_node(context: Context, variable: Variable) -> Node:
-    assert variable.symbol is not None
-    if variable.kind == "entry":
-        return variable.symbol
-    unit = context.unfold.unit(variable.symbol)
-    return Call(variable.kind, variable.symbol if unit == 1 else Scale(Number(unit), variable.symbol))
-
-
-def _as_sympy(reader: Reader, context: Context, polynomial: Polynomial) -> Any:
-    """The polynomial in SymPy's spelling."""
-    total = sympy.S.Zero
-    for exponents, coefficient in context.field.ring.terms(polynomial):
-        term = sympy.Rational(coefficient.numerator, coefficient.denominator)
-        for variable, exponent in zip(context.variables, exponents, strict=True):
-            if exponent and variable.symbol is not None:
-                origin = reader.atoms.origins[variable.symbol]
-                if variable.kind != "entry":
-                    origin = getattr(sympy, variable.kind)(origin * context.unfold.unit(variable.symbol))
-                term = term * origin**exponent
-        total = total + term
-    return total

@@ -118,9 +118,24 @@ class Quantities(Expansion):
 
     def integral(self, node: w.Integral) -> Matrix:
         """The integral, which is linear: a moment of the body for each product of what differs between elements."""
-        if any(symbol in self.rules for symbol in node.running):
-            raise Rejected(f"{node} is over something that a rule defines")
+        for symbol in node.running & self.rules.keys():
+            if not self._is_running(symbol, node.running):
+                raise Rejected(f"{node} is over something that a rule defines, the same for all elements: {symbol}")
         return [[self._integrated(entry, node.running, node.body) for entry in row] for row in self(node.of)]
+
+    def _is_running(self, node: w.Node, running: frozenset[w.Symbol]) -> bool:
+        """Whether an expression differs from element to element."""
+        while node in self.rules:
+            node = self.rules[node]
+        match node:
+            case w.Integral():
+                return False
+            case w.Symbol(stands_for=None):
+                return node in running
+            case w.Symbol(stands_for=w.Node() as of):
+                return self._is_running(of, running)
+            case _:
+                return any(self._is_running(part, running) for part in w.children(node))
 
     def _integrated(self, polynomial: Polynomial, running: frozenset[w.Symbol], body: str) -> Polynomial:
         total = ZERO

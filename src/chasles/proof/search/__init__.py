@@ -13,41 +13,46 @@ from chasles.proof.deadline import check, remaining
 from chasles.proof.ratios import Ratio
 from chasles.proof.search.angles import Turning
 from chasles.proof.search.drawing import Drawing, Frame
+from chasles.proof.search.evaluation import Evaluation, entry_of
 from chasles.proof.search.motion import Motion
 from chasles.proof.search.stage import Stage, staged
 from chasles.proof.search.values import Values, sparse
 from chasles.proof.surds import Exact
 from chasles.proof.verdict import Counterexample
 from chasles.statements import Goal
-from chasles.vocabulary import Symbol
+from chasles.vocabulary import Node, Symbol
 
-__all__ = ["Frame", "Motion", "Search"]
+__all__ = ["Frame", "Motion", "Search", "entry_of"]
 
 ATTEMPTS = (150, 600)
 ENOUGH = 10
 VANISHING = 12
+REPEATED = 25
 SHARE = 0.3
 
 
 class Suspect(Protocol):
     """An entry of a goal that did not reduce to zero."""
 
-    goal: Goal
-    place: tuple[int, int]
-    ratio: Ratio
+    @property
+    def goal(self) -> Goal: ...
+    @property
+    def place(self) -> tuple[int, int]: ...
 
 
 @dataclass(slots=True)
 class Search:
     """Finds points; what a context does not tell is said here.
 
-    `allowed` says whether a variable may have a value, `products` which angles are products of which factors, `frames`
-    which variables are the entries of orthonormal columns; `spelled` is how an angle is written. If `blind`, there
-    are conditions that no point here is checked for, and nothing is refuted.
+    `allowed` says whether a variable may have a value, `products` which angles are products of which factors, `rigid`
+    which of these are no arbitrary real numbers, `frames` which variables are the entries of orthonormal columns;
+    `spelled` is how an angle is written. If `blind`, there are conditions that no point here is checked for, and
+    nothing is refuted.
     """
 
-    allowed: Callable[[str, Exact], bool] = lambda _, __: True
+    allowed: Callable[[str, Exact], bool]
     products: Mapping[Symbol, Mapping[Symbol, int]] = field(default_factory=dict)
+    rigid: frozenset[Symbol] = frozenset()
     frames: Sequence[Frame] = ()
     motion: Motion | None = None
     spelled: Callable[[Symbol], str] = str
@@ -63,13 +68,13 @@ class Search:
         best: tuple[int, Counterexample] | None = None
         found = vanishing = 0
         stage = staged(context)
-        numerators = [sparse(context.field.ring, s.ratio.numerator) for s in suspects]
         for values in self._points(context, stage, attempts, keep_some_time=True):
-            suspect = next((s for s, n in zip(suspects, numerators, strict=True) if not values.of(n).is_zero), None)
+            evaluate = Evaluation(context, stage, values)
+            suspect = next((s for s in suspects if self._differs(context, evaluate, s)), None)
             vanishing += suspect is None
             if suspect is not None and (self.motion is None or self.motion.exists(context, stage, values)):
-                candidate = self._candidate(context, stage, suspect, values)
-                best = candidate if best is None or candidate[0] < best[0] else best
+                candidate = self._candidate(context, evaluate, suspect)
+                best = candidate if candidate and (best is None or candidate[0] < best[0]) else best
                 found += 1
             if found == ENOUGH or (vanishing == VANISHING and best is None):
                 break
@@ -81,18 +86,19 @@ class Search:
         fallback: Values | None = None
         for count, values in enumerate(self._points(context, stage, ATTEMPTS[-1], keep_some_time=False)):
             if not values.irrational:
-                return dict(self._shown(stage, values))
+                return _coordinates(stage, values)
             fallback = fallback or values
             if count > ENOUGH:
                 break
-        return dict(self._shown(stage, fallback)) if fallback else None
+        return _coordinates(stage, fallback) if fallback else None
 
     def _points(self, context: Context, stage: Stage, attempts: int, keep_some_time: bool) -> Iterator[Values]:
         """Different points that satisfy everything, simple ones first."""
-        turning = Turning(stage, self.products)
+        turning = Turning(stage, self.products, self.rigid)
         drawing = Drawing(stage, turning, self.frames, self.allowed)
         least = remaining() * (1 - SHARE) if keep_some_time else 0.0
-        seen: set[tuple[Fraction | None, ...]] = set()
+        seen: set[tuple[str, ...]] = set()
+        again = 0
         for attempt in range(attempts):
             check()
             if remaining() < least:
@@ -100,39 +106,59 @@ class Search:
             values = drawing.attempt(Random(attempt), attempt)
             if values is None:
                 continue
-            key = tuple(values.rational.get(k) for k in range(len(stage.names)))
-            if key not in seen or values.irrational:
+            key = tuple(str(values[k]) for k in range(len(stage.names)))
+            again = again + 1 if key in seen else 0
+            if again == REPEATED:
+                return
+            if not again:
                 seen.add(key)
                 yield values
 
+    def _differs(self, context: Context, evaluate: Evaluation, suspect: Suspect) -> bool:
+        """Whether the two sides have different values; where a division is not exact, by their difference."""
+        left, right = (evaluate(entry_of(s, suspect.place)) for s in _sides(suspect))
+        if left is None or right is None:
+            one, other = (_ratio(context, side, suspect.place) for side in _sides(suspect))
+            return not evaluate.values.of(sparse(context.field.ring, (one - other).numerator)).is_zero
+        return not (left - right).is_zero
+
     def _candidate(
-        self, context: Context, stage: Stage, suspect: Suspect, values: Values
-    ) -> tuple[int, Counterexample]:
-        row, column = suspect.place
-        theta = Turning(stage, self.products).theta
+        self, context: Context, evaluate: Evaluation, suspect: Suspect
+    ) -> tuple[int, Counterexample] | None:
+        """The counterexample and how much work it is; None if its numbers are too long to be written."""
+        theta = Turning(evaluate.stage, self.products, self.rigid).theta
         name = "pi" if theta is None else self.spelled(theta)
-        sides = [context.unfold(side)[row - 1][column - 1] for side in (suspect.goal.left, suspect.goal.right)]
-        texts = [self._text(context, values, side, name) for side in sides]
-        at = dict(self._shown(stage, values))
+        try:
+            texts = [self._text(context, evaluate, side, suspect.place, name) for side in _sides(suspect)]
+        except ValueError:
+            return None
+        at = _coordinates(evaluate.stage, evaluate.values)
         cost = sum(map(_height, at.values())) + sum(map(len, texts))
         return cost, Counterexample(at, suspect.place, texts[0], texts[1], suspect.goal.label)
 
-    def _text(self, context: Context, values: Values, side: Ratio, theta: str) -> str:
+    def _text(self, context: Context, evaluate: Evaluation, side: Node, place: tuple[int, int], theta: str) -> str:
+        value = evaluate(entry_of(side, place))
+        if value is not None:
+            return value.text(theta)
         ring = context.field.ring
-        above = values.of(sparse(ring, side.numerator))
-        below = values.of(sparse(ring, context.field.power_product(side.denominator)))
-        inverse = below.inverse()
-        return f"({above.text(theta)})/({below.text(theta)})" if inverse is None else (above * inverse).text(theta)
+        ratio = _ratio(context, side, place)
+        above = evaluate.values.of(sparse(ring, ratio.numerator))
+        below = evaluate.values.of(sparse(ring, context.field.power_product(ratio.denominator)))
+        return f"({above.text(theta)})/({below.text(theta)})"
 
-    def _shown(self, stage: Stage, values: Values) -> Iterator[tuple[str, Any]]:
-        """The coordinates, rational ones as fractions; the angle that is the transcendental number is left out."""
-        theta = Turning(stage, self.products).theta
-        for place, name in enumerate(stage.names):
-            value = values[place].as_rational
-            if value is not None:
-                yield name, value
-            elif theta is None or not any(power for power, _ in values[place].terms):
-                yield name, values[place]
+
+def _coordinates(stage: Stage, values: Values) -> dict[str, Any]:
+    """The coordinates by name, rational ones as fractions."""
+    exact = {name: values[place] for place, name in enumerate(stage.names)}
+    return {name: value if value.as_rational is None else value.as_rational for name, value in exact.items()}
+
+
+def _sides(suspect: Suspect) -> tuple[Node, Node]:
+    return suspect.goal.left, suspect.goal.right
+
+
+def _ratio(context: Context, side: Node, place: tuple[int, int]) -> Ratio:
+    return context.unfold(side)[place[0] - 1][place[1] - 1]
 
 
 def _height(value: Fraction | Exact) -> int:
@@ -142,4 +168,4 @@ def _height(value: Fraction | Exact) -> int:
     if value == 0:
         return 0
     below = 3 * len(str(value.denominator)) if value.denominator != 1 else 0
-    return 1 + 2 * (abs(value) != 1) + len(str(abs(value.numerator))) + below
+    return 1 + 2 * (abs(value) != 1) + len(str(value.numerator)) + below

@@ -17,6 +17,8 @@ from chasles.vocabulary import Symbol
 
 __all__ = ["Turning", "turning"]
 
+NO_TURN = 0.2
+"""How often the angle is zero, the only one that is rational together with its cosine and sine."""
 QUARTERS = ((1, 0), (0, 1), (-1, 0), (0, -1))
 Products = Mapping[Symbol, Mapping[Symbol, int]]
 
@@ -24,8 +26,9 @@ Products = Mapping[Symbol, Mapping[Symbol, int]]
 class Turning:
     """Which angles are fixed by something that stands alone, and what the transcendental number is."""
 
-    def __init__(self, stage: Stage, products: Products) -> None:
+    def __init__(self, stage: Stage, products: Products, rigid: frozenset[Symbol]) -> None:
         self.stage = stage
+        self.rigid = rigid
         self.products = {a.symbol: products[a.symbol] for a in stage.angles if a.symbol in products}
         self.fixed = [a for a in stage.angles if a.bare is not None]
         self.fixed += [a for a in stage.angles if a.symbol in self.products and self._private(a.symbol) is None]
@@ -37,14 +40,12 @@ class Turning:
         return self.fixed[0].symbol if self.fixed and not self.by_quarters else None
 
     def _private(self, product: Symbol) -> Symbol | None:
-        """A factor that occurs nowhere else: it can make the product any angle."""
-        elsewhere = {a.symbol for a in self.stage.angles}
+        """A factor that occurs nowhere else: it can make the product any angle, give or take whole turns."""
+        elsewhere = {a.symbol for a in self.stage.angles} | self.rigid
         for other, factors in self.products.items():
             elsewhere |= set(factors) if other != product else set()
-        for factor, power in self.products[product].items():
-            if abs(power) == 1 and factor not in elsewhere and factor.name not in self.stage.place:
-                return factor
-        return None
+        free = (f for f in self.products[product] if f not in elsewhere and f.name not in self.stage.place)
+        return next(free, None)
 
     def nonzero(self) -> list[int]:
         """The places of factors that must not vanish for their product to be any angle."""
@@ -63,9 +64,11 @@ class Turning:
 
     def _draw(self, angle: Angle, values: Values, number: Callable[[int], Fraction], random: Random) -> bool:
         if self.by_quarters:
-            quarters = random.choice((1, 2, -1, 3, -2, 5))
+            quarters = random.choice((1, 2, -1, 0, 3, -2, 4, 6, 5, -4, 8))
             cosine, sine = (Fraction(x) for x in QUARTERS[quarters % 4])
             size = Exact.theta() * Exact.rational(Fraction(quarters, 2) / angle.unit)
+        elif random.random() < NO_TURN:
+            cosine, sine, size = Fraction(1), Fraction(0), Exact({})
         else:
             t = random.choice((Fraction(1), Fraction(1, 2), Fraction(2), Fraction(1, 3), Fraction(-1, 2)))
             cosine, sine = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)

@@ -12,7 +12,7 @@ from chasles.proof.search.angles import Turning
 from chasles.proof.search.solving import solve_one, solve_together, unknowns
 from chasles.proof.search.stage import Stage
 from chasles.proof.search.values import Partial, Values, degree
-from chasles.proof.surds import Exact, square_root
+from chasles.proof.surds import Exact, root_of
 
 __all__ = ["Drawing", "Frame"]
 
@@ -96,18 +96,20 @@ class Drawing:
         roots = dict(self.stage.roots)
         while True:
             check()
+            before = len(roots)
             for place, radicand in list(roots.items()):
                 inside = self.values.into(radicand)
                 if place in self.values:
                     equations.append([*radicand, (((place, 2),), Fraction(-1))])
                     del roots[place]
                 elif not unknowns([inside]):
-                    value = inside.get((), Exact({})).as_rational
-                    root = None if value is None else square_root(value)
+                    root = self._root_of(inside)
                     if root is None:
                         return False
                     self.values[place] = root
                     del roots[place]
+            if len(roots) < before:
+                continue
             partials = [self.values.into(terms) for terms in equations]
             if any(partial and not unknowns([partial]) for partial in partials):
                 return False
@@ -156,8 +158,10 @@ class Drawing:
         return good is not None
 
     def _root_of(self, inside: Partial) -> Exact | None:
-        value = None if unknowns([inside]) else inside.get((), Exact({})).as_rational
-        return None if value is None else square_root(value)
+        if unknowns([inside]):
+            return None
+        beside = {one for value in self.values.irrational.values() for _, _, nested in value.terms for one in nested}
+        return root_of(inside.get((), Exact({})), sorted(beside, key=str))
 
     def _draw_rest(self) -> bool:
         for place in range(len(self.stage.names)):
@@ -169,9 +173,10 @@ class Drawing:
         """Whether everything holds: the last word, whatever led here."""
         values = self.values
         squares = ((place, values[place] * values[place] - values.of(inside)) for place, inside in self.stage.roots.items())
+        vanishing = (*self.stage.equations, *self.stage.consequences, *self.stage.circles.values())
         return (
-            all(values.of(terms).is_zero for terms in (*self.stage.equations, *self.stage.circles.values()))
-            and all(rest.is_zero and _is_nonnegative(values[place]) for place, rest in squares)
+            all(values.of(terms).is_zero for terms in vanishing)
+            and all(rest.is_zero and _is_root(values[place]) for place, rest in squares)
             and not any(values.of(atom).is_zero for atom in self.stage.atoms)
             and not any(values[place].is_zero for place in self.turning.nonzero())
             and all(
@@ -182,8 +187,6 @@ class Drawing:
         )
 
 
-def _is_nonnegative(value: Exact) -> bool:
-    """Whether a number is visibly not negative: a single multiple of a square root."""
-    return value.is_zero or (
-        len(value.terms) == 1 and all(c > 0 and power == 0 for (power, _), c in value.terms.items())
-    )
+def _is_root(value: Exact) -> bool:
+    """Whether a number is not negative."""
+    return value.is_algebraic and not value.is_negative

@@ -25,11 +25,15 @@ class Angle:
 
 @dataclass(frozen=True, slots=True)
 class Stage:
-    """Equations by the places of their variables; `roots` are squares of variables that are not negative."""
+    """Equations by the places of their variables; `roots` are squares of variables that are not negative.
+
+    `consequences` hold wherever the rest does.
+    """
 
     names: tuple[str, ...]
     place: dict[str, int]
     equations: list[Sparse]
+    consequences: list[Sparse]
     roots: dict[int, Sparse]
     angles: tuple[Angle, ...]
     circles: dict[int, Sparse]
@@ -42,6 +46,7 @@ def staged(context: Context) -> Stage:
     ring = context.field.ring
     place = {name: k for k, name in enumerate(ring.names)}
     equations: list[Sparse] = []
+    consequences: list[Sparse] = []
     roots: dict[int, Sparse] = {}
     circles: list[Sparse] = []
     for generator in context.generators:
@@ -49,6 +54,8 @@ def staged(context: Context) -> Stage:
         hypothesis = generator.hypothesis
         if hypothesis is None:
             circles.append(terms)
+        elif hypothesis.kind == "consequence":
+            consequences.append(terms)
         elif hypothesis.kind == "root":
             root = place[str(hypothesis.subjects[0])]
             scale = next(c for monomial, c in terms if monomial == ((root, 2),))
@@ -63,4 +70,4 @@ def staged(context: Context) -> Stage:
             angles.append(Angle(variable.symbol, k, sine, unit, place.get(variable.symbol.name)))
     by_sine = {a.sine: next(c for c in circles if any(m == ((a.sine, 2),) for m, _ in c)) for a in angles}
     atoms = [sparse(ring, atom) for _, atom in context.atoms]
-    return Stage(ring.names, place, equations, roots, tuple(angles), by_sine, atoms, place.get(PI.name))
+    return Stage(ring.names, place, equations, consequences, roots, tuple(angles), by_sine, atoms, place.get(PI.name))

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
+from chasles.proof.deadline import check
 from chasles.proof.rings import Polynomial, Ring
 from chasles.proof.surds import Exact
 
 __all__ = ["Monomial", "Partial", "Sparse", "Values", "degree", "sparse"]
 
+BATCH = 1000
 Monomial = tuple[tuple[int, int], ...]
 Sparse = Sequence[tuple[Monomial, Fraction]]
 Partial = dict[Monomial, Exact]
@@ -48,7 +50,9 @@ class Values:
     def into(self, terms: Sparse) -> Partial:
         """The polynomial with these values put in."""
         gathered: dict[Monomial, dict[Monomial, Fraction]] = {}
-        for monomial, coefficient in terms:
+        for count, (monomial, coefficient) in enumerate(terms):
+            if count % BATCH == 0:
+                check()
             free: list[tuple[int, int]] = []
             awkward: list[tuple[int, int]] = []
             for place, exponent in monomial:

@@ -1,0 +1,126 @@
+"""The errata: each print that does not stand, why not, and what is right, as a Markdown page for the book's author."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from chasles.proof.judge import Decision
+from chasles.proof.verdict import Counterexample, Fails, IllFormed
+from chasles.report.by_hand import worked_out
+from chasles.report.details import number_in_words
+from chasles.report.equations import in_latex, in_words
+from chasles.report.findings import Decisions, Repairs, Standing, likely_slip, ordered, stands_in
+from chasles.report.markdown import code, displayed, escaped
+from chasles.report.words import point_in_words, said
+from chasles.statements import Chapter, Entry, Statement
+from chasles.vocabulary import latex, plain
+
+__all__ = ["errata_page"]
+
+ABOUT = """\
+# Errata
+
+Each equation of the chapter that does not stand as it is printed: the print, why it does not stand, and what does. A
+counterexample is exact and can be evaluated by hand: every symbol that is not named in it may have any value that
+satisfies the hypotheses. What stands instead is proved.
+
+`chasles emit` writes this page; [VERDICTS.md](VERDICTS.md) has all the other equations."""
+
+
+def errata_page(book: Chapter, decisions: Decisions, repairs: Repairs) -> str:
+    """The page on all prints that do not stand; the same decisions and repairs give the same text."""
+    decided = ordered(book, decisions)
+    wrong = [(entry, decision) for entry, decision in decided if not decision.verdict.true]
+    lines = [ABOUT, "", f"{len(wrong)} of {len(decided)} statements." if wrong else "There are none."]
+    for entry, decision in wrong:
+        lines += ["", *_slip(entry, decision, repairs)]
+    return "\n".join(lines) + "\n"
+
+
+def _slip(entry: Entry, decision: Decision, repairs: Repairs) -> Iterator[str]:
+    number = number_in_words(entry.number, entry.statement.part)
+    yield f"## {escaped(number)}"
+    yield ""
+    yield f"Section {entry.section.number}. {escaped(entry.statement.says)}"
+    yield ""
+    yield "Printed:"
+    yield ""
+    for formula, words in zip(in_latex(entry.statement), in_words(entry.statement), strict=True):
+        yield from _equation(formula, words)
+    yield from _why(entry, decision)
+    found = stands_in(entry, decision, repairs)
+    if not found:
+        yield from ("Nothing that stands instead has been found.", "")
+    for place, standing in enumerate(found):
+        yield from _instead(standing, first=place == 0)
+    yield f"More likely a slip {likely_slip(entry, decision)}."
+
+
+def _why(entry: Entry, decision: Decision) -> Iterator[str]:
+    match decision.verdict:
+        case IllFormed(reason):
+            yield f"It does not fit together: {escaped(reason)}."
+        case Fails(counterexample):
+            yield "It fails:"
+            yield ""
+            yield from _by_hand(entry, "printed", decision, counterexample)
+        case other:
+            yield f"It is {escaped(said(other))}: {escaped(str(getattr(other, 'reason', '')))}."
+    yield ""
+    correction = decision.correction
+    if correction is not None and isinstance(entry.statement, Statement) and isinstance(correction.verdict, Fails):
+        yield "With the marks that the scan may have lost, it reads" if correction.form == "reading" else "Corrected:"
+        yield ""
+        left, right = entry.statement.form(correction.form)
+        yield from _equation(f"{latex(left)} {entry.statement.sign} {latex(right)}", f"{plain(left)} = {plain(right)}")
+        yield "and fails:"
+        yield ""
+        yield from _by_hand(entry, correction.form, decision, correction.verdict.counterexample)
+        yield ""
+
+
+def _by_hand(entry: Entry, form: str, decision: Decision, found: Counterexample) -> Iterator[str]:
+    """Three lines: the values, the left side and the right side there."""
+    assert isinstance(entry.statement, Statement)
+    row, column = found.entry
+    defined = worked_out(entry.statement, form, decision, found)
+    so = f", so that {code(point_in_words(defined))}" if defined else ""
+    if found.goal:
+        yield f"- {escaped(found.goal)}:"
+    yield f"- at {code(point_in_words(found.at) or 'every point')}{so}"
+    yield f"- the left side is {code(found.left)} in row {row}, column {column}"
+    yield f"- the right side is {code(found.right)}"
+
+
+def _instead(standing: Standing, *, first: bool) -> Iterator[str]:
+    yield "Right is" if first else "or"
+    yield ""
+    yield from _equation(
+        f"{latex(standing.left)} {standing.sign} {latex(standing.right)}",
+        f"{plain(standing.left)} = {plain(standing.right)}",
+    )
+    yield f"which {_verdict(standing)}. {_found(standing)}"
+    if standing.changes:
+        yield ""
+        yield from (f"- {escaped(change)}" for change in standing.changes)
+    yield ""
+
+
+def _verdict(standing: Standing) -> str:
+    words = said(standing.verdict)
+    if standing.by:
+        numbers = ", ".join(number_in_words(number) for number in standing.by)
+        return escaped(f"is the definition with which {numbers} hold")
+    return escaped(words if words.startswith("holds") else f"is {words}")
+
+
+def _found(standing: Standing) -> str:
+    how = "The search for a repair found it." if standing.found == "repair" else "It was declared, not found."
+    return f"{how} {escaped(standing.modulo)}." if standing.modulo else how
+
+
+def _equation(formula: str, words: str) -> Iterator[str]:
+    yield displayed(formula)
+    yield ""
+    yield code(words)
+    yield ""

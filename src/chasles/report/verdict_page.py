@@ -1,0 +1,93 @@
+"""The verdict on every number of the chapter, a line for each, as a Markdown page."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from chasles.proof.judge import Decision
+from chasles.report.details import number_in_words
+from chasles.report.findings import Decisions, Pairs, Repairs, Standing, ordered, stands_in
+from chasles.report.markdown import escaped, table
+from chasles.report.words import VERDICTS, counted
+from chasles.statements import Chapter, Entry, Section
+from chasles.vocabulary import plain
+
+__all__ = ["verdict_page"]
+
+WORST_FIRST = ("undecided", "fails", "ill-formed", "holds-under", "holds", "posed", "assumed", "defined")
+HEAD = ("number", "role", "verdict", "needs", "what stands in")
+ABOUT = """\
+# Verdicts
+
+Every equation of the chapter with what came out when it was decided. A number with several equations has the worst of
+their verdicts. *Holds* is proved, for all values of the symbols; *holds under* is proved from the hypotheses in the
+column *needs*; *fails* is refuted by an exact counterexample; what is *ill-formed* does not fit together as printed.
+Definitions are *defined*, conditions *posed* (a point satisfies them), postulates *assumed*. Where the print does not
+stand, the last column says what does, and whether the search for a repair found it or it had to be declared: then it is
+marked as a gap of the search. [ERRATA.md](ERRATA.md) says why each of these does not stand.
+
+`chasles emit` writes this page; `chasles decide` decides anew."""
+
+Group = list[tuple[Entry, Decision]]
+
+
+def verdict_page(book: Chapter, decisions: Decisions, repairs: Repairs) -> str:
+    """The page on the whole chapter; the same decisions and repairs give the same text."""
+    decided = ordered(book, decisions)
+    lines = [ABOUT, "", *_totals(decided, repairs)]
+    for section, groups in _sections(decided):
+        lines += ["", f"## {section.number} {escaped(section.title)}", ""]
+        lines += table(HEAD, (_row(number, group, repairs) for number, group in groups.items()))
+    return "\n".join(lines) + "\n"
+
+
+def _totals(decided: Pairs, repairs: Repairs) -> Iterator[str]:
+    numbers = {entry.number for entry, _ in decided}
+    equations = sum(number[0].isdecimal() for number in numbers)
+    yield f"{equations} numbered equations and {len(numbers) - equations} theorems, displays and exercises without one,"
+    yield f"in {len(decided)} statements: {counted(d.verdict for _, d in decided)}."
+    wrong = [(e, d) for e, d in decided if not d.verdict.true]
+    found = [standing[0].found if (standing := stands_in(e, d, repairs)) else "nothing" for e, d in wrong]
+    if wrong:
+        yield (
+            f"Of the {len(wrong)} that do not stand as printed, {found.count('repair')} are repaired by the search, "
+            f"{found.count('declared')} by what is declared, {found.count('nothing')} by nothing."
+        )
+
+
+def _sections(decided: Pairs) -> Iterator[tuple[Section, dict[str, Group]]]:
+    """The statements of each section by their number."""
+    sections: dict[Section, dict[str, Group]] = {}
+    for entry, decision in decided:
+        sections.setdefault(entry.section, {}).setdefault(entry.number, []).append((entry, decision))
+    yield from sections.items()
+
+
+def _row(number: str, group: Group, repairs: Repairs) -> tuple[str, ...]:
+    roles = dict.fromkeys(entry.statement.role for entry, _ in group)
+    worst = min((decision.verdict.name for _, decision in group), key=WORST_FIRST.index)
+    needs = dict.fromkeys(text for _, decision in group for text in getattr(decision.verdict, "needs", ()))
+    parts = [
+        (f"part {entry.statement.part}: " if len(group) > 1 else "") + _instead(stands_in(entry, decision, repairs))
+        for entry, decision in group
+        if not decision.verdict.true
+    ]
+    verdict = VERDICTS[worst][2]
+    return (
+        escaped(number_in_words(number)),
+        ", ".join(roles),
+        verdict if worst not in ("undecided", "fails", "ill-formed") else f"**{verdict}**",
+        escaped(", ".join(needs)),
+        "; ".join(parts),
+    )
+
+
+def _instead(found: tuple[Standing, ...]) -> str:
+    if not found:
+        return "**nothing: a gap**"
+    first = found[0]
+    needs = ", ".join(getattr(first.verdict, "needs", ()))
+    how = "found by repair" if first.found == "repair" else "declared: a gap of the search"
+    others = f", with {len(found) - 1} more" if len(found) > 1 else ""
+    says = f"{plain(first.left)} = {plain(first.right)}"
+    return f"{escaped(says)} ({how}{others}{escaped(f'; under {needs}' if needs else '')})"

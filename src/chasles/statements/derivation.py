@@ -1,0 +1,254 @@
+"""Derivations: the road to a result, as data. Each step says what is done; what comes out of it is computed, and decided.
+
+A road stands at one or several equations. A step takes the equations reached and makes others of them; a comparison
+ends a stretch: from there on, the statement compared with is used as it was found, not as it is printed.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
+from importlib import import_module
+from typing import ClassVar
+
+from chasles.statements.chapter import DeclarationError
+from chasles.statements.hypotheses import Hypothesis
+from chasles.statements.statement import Condition, Statement
+from chasles.vocabulary import Node, Symbol
+
+__all__ = [
+    "Ansatz",
+    "Compare",
+    "Consider",
+    "Derivation",
+    "Differentiate",
+    "Expand",
+    "Factor",
+    "FactorOut",
+    "Multiply",
+    "Solve",
+    "Step",
+    "Substitute",
+    "Take",
+    "TakeVector",
+    "roads",
+]
+
+
+class Step:
+    """One thing that is done; `kind` says it in a word or two."""
+
+    __slots__ = ()
+    kind: ClassVar[str] = "step"
+
+    @property
+    def cited(self) -> tuple[Statement, ...]:
+        """The statements that the step names."""
+        named: list[Statement] = []
+        for each in fields(self):  # type: ignore[arg-type]
+            value = getattr(self, each.name)
+            named += [part for part in (value if isinstance(value, tuple) else (value,)) if isinstance(part, Statement)]
+        return tuple(named)
+
+
+@dataclass(frozen=True, slots=True)
+class Take(Step):
+    """The road goes on from these statements; a claim among them must itself be decided."""
+
+    kind: ClassVar[str] = "take"
+    statements: tuple[Statement, ...]
+
+    def __init__(self, *statements: Statement) -> None:
+        object.__setattr__(self, "statements", statements)
+
+
+@dataclass(frozen=True, slots=True)
+class Consider(Step):
+    """The road goes on from an expression, which is equal to itself."""
+
+    kind: ClassVar[str] = "consider"
+    expression: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Substitute(Step):
+    """Left sides of these statements are replaced by their right sides: on the right side, or on `both`.
+
+    Without statements, what was found last stands in for itself in the equations before it. `by` are steps of rewriting
+    that are also true: a statement is proved with those that it is `given`.
+    """
+
+    kind: ClassVar[str] = "substitute"
+    statements: tuple[Statement, ...]
+    both: bool
+    using: tuple[Statement, ...]
+
+    def __init__(self, *statements: Statement, both: bool = False, using: tuple[Statement, ...] = ()) -> None:
+        object.__setattr__(self, "statements", statements)
+        object.__setattr__(self, "both", both)
+        object.__setattr__(self, "using", using)
+
+
+@dataclass(frozen=True, slots=True)
+class Expand(Step):
+    """Products are multiplied out, transposes and rates carried out, equal terms put together: on the right, or on `both`."""
+
+    kind: ClassVar[str] = "expand"
+    both: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Factor(Step):
+    """The right side is written as a sum of these terms; their coefficients are found, numbers or functions of angles."""
+
+    kind: ClassVar[str] = "factor"
+    terms: tuple[Node, ...]
+    using: tuple[Statement, ...]
+    left: bool
+
+    def __init__(self, *terms: Node, using: tuple[Statement, ...] = (), left: bool = False) -> None:
+        object.__setattr__(self, "terms", terms)
+        object.__setattr__(self, "using", using)
+        object.__setattr__(self, "left", left)
+
+
+@dataclass(frozen=True, slots=True)
+class FactorOut(Step):
+    """What multiplies `factor` at the end of every term of the right side; `named`, it is what the road goes on with."""
+
+    kind: ClassVar[str] = "factor"
+    factor: Node
+    named: Symbol | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Ansatz(Step):
+    """`unknown` is sought in the given form, whose coefficients are to be solved for, so that the two sides are equal.
+
+    Of an inverse it is asked that its product with the matrix is the identity.
+    """
+
+    kind: ClassVar[str] = "ansatz"
+    unknown: Node
+    form: Node
+    such_that: tuple[Node, Node] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Solve(Step):
+    """The equations reached are solved for the unknowns, symbols or rates of symbols; the engine finds their values.
+
+    With `terms`, each is found as a combination of those that fit it. A `by` multiplies an equation so that the unknown
+    stands alone.
+    """
+
+    kind: ClassVar[str] = "solve"
+    unknowns: tuple[Node, ...]
+    terms: tuple[Node, ...]
+    by: Statement | None
+    using: tuple[Statement, ...]
+
+    def __init__(
+        self,
+        *unknowns: Node,
+        terms: tuple[Node, ...] = (),
+        by: Statement | None = None,
+        using: tuple[Statement, ...] = (),
+    ) -> None:
+        object.__setattr__(self, "unknowns", unknowns)
+        object.__setattr__(self, "terms", terms)
+        object.__setattr__(self, "by", by)
+        object.__setattr__(self, "using", using)
+
+
+@dataclass(frozen=True, slots=True)
+class Differentiate(Step):
+    """Both sides are differentiated with respect to time."""
+
+    kind: ClassVar[str] = "differentiate"
+
+
+@dataclass(frozen=True, slots=True)
+class Multiply(Step):
+    """Both sides are multiplied from the left, or from the `right`."""
+
+    kind: ClassVar[str] = "multiply"
+    factor: Node
+    right: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class TakeVector(Step):
+    """The axial vector of both sides is taken."""
+
+    kind: ClassVar[str] = "take the vector of"
+
+
+@dataclass(frozen=True, slots=True)
+class Compare(Step):
+    """What was found is compared with the print of a statement; `free` symbols are chosen so that they agree.
+
+    What the two sides are written with may be `using` definitions to be the same.
+    """
+
+    kind: ClassVar[str] = "compare"
+    statement: Statement
+    free: tuple[Symbol, ...] = ()
+    using: tuple[Statement, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Derivation:
+    """The road to the statement `to`, which is its end.
+
+    `given` may be used at every step; what is `assuming` holds all along. Raises `DeclarationError` for a road that
+    does not end at `to`, begins with a step that has nothing to work on, or uses a condition as if it were a definition.
+    """
+
+    number: str
+    to: Statement
+    says: str
+    steps: tuple[Step, ...]
+    given: tuple[Statement, ...] = ()
+    assuming: tuple[Hypothesis, ...] = ()
+
+    def __post_init__(self) -> None:
+        if not self.steps or not isinstance(self.steps[0], Take | Consider | Ansatz):
+            raise DeclarationError(f"the road to ({self.number}) must begin with Take, Consider or Ansatz")
+        if not self.stops or self.stops[-1] is not self.to:
+            raise DeclarationError(f"the last comparison of the road to ({self.number}) must be with ({self.to.number})")
+        kinds = [type(step) for step in self.steps]
+        if Ansatz in kinds and Solve not in kinds[len(kinds) - kinds[::-1].index(Ansatz) :]:
+            raise DeclarationError(f"the road to ({self.number}) makes an ansatz that no later Solve justifies")
+        for given in self.given:
+            if isinstance(given, Condition):
+                raise DeclarationError(
+                    f"the road to ({self.number}) is given ({given.number}), a condition: Take it, and solve it"
+                )
+
+    @property
+    def stops(self) -> tuple[Statement, ...]:
+        """The statements that the road comes to, each once, where it is compared last."""
+        compared = [step.statement for step in self.steps if isinstance(step, Compare)]
+        return tuple(dict.fromkeys(reversed(compared)))[::-1]
+
+
+def roads(package: str = "chasles.derivations.roads") -> dict[str, Derivation]:
+    """The derivations that a package declares, by name, in the order of its modules `ROADS`.
+
+    Raises `DeclarationError` for a name that is given twice, ModuleNotFoundError if there is no such package.
+    """
+    book = import_module(package)
+    found: dict[str, Derivation] = {}
+    for module in book.ROADS:
+        for name, road in _declared(f"{package}.{module}"):
+            if found.setdefault(name, road) is not road:
+                raise DeclarationError(f"two roads are called {name}: give one another name")
+    return found
+
+
+def _declared(module: str) -> Iterator[tuple[str, Derivation]]:
+    for name, value in vars(import_module(module)).items():
+        if isinstance(value, Derivation) and not re.match("_", name):
+            yield name, value
