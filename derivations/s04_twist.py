@@ -33,9 +33,7 @@ from chasles.statements import (
     Minimum,
     Section,
     Theorem,
-    half_turn,
     nonzero,
-    symmetric,
     unit,
 )
 from chasles.vocabulary import (
@@ -555,44 +553,48 @@ linear_invariants = Claim(
 )
 
 # At a half-turn Q + 1 = 2 e e^T: each column that is not zero is along the axis.
-_half_turn_is_a_rotation = Cover("a half-turn is a rotation", Q.T @ Q, one, assuming=(half_turn(Q),))
-_axis_of_half_turn = tuple(((Q + one) @ unit_column, norm((Q + one) @ unit_column)) for unit_column in unit_columns)
+
+
+def _fourfold(parameter):
+    """4 q_k q and 4 q_k q_0: the Euler-Rodrigues parameters times four times one of them, which is linear in Q."""
+    if parameter == 0:
+        return 2 * vect(Q), 1 + tr(Q)
+    here = unit_columns[parameter - 1]
+    along = [
+        1 + 2 * here.T @ Q @ here - tr(Q) if other is here else other.T @ Q @ here + here.T @ Q @ other
+        for other in unit_columns
+    ]
+    return column(*along), 2 * (here.T @ vect(Q))
+
+
+_fourfolds = tuple((k, *_fourfold(k), norm(column(*_fourfold(k)))) for k in (0, 1, 2, 3))
+_one_is_not_zero = Cover(
+    "the four parameters do not all vanish",
+    _fourfolds[0][3] ** 2 + _fourfolds[1][3] ** 2 + _fourfolds[2][3] ** 2 + _fourfolds[3][3] ** 2, number(16),
+)
 
 natural_invariants = Inverse(
     "text 3.4.2 h",
     of=rotation_from_axis_angle,
     says="The natural invariants from the rotation.",
     assuming=(Q_is_a_rotation,),
-    branches=(
+    branches=tuple(
         Branch(
-            "neither the identity nor a half-turn",
-            where=norm(vect(Q)),
-            values=((e, vect(Q) / norm(vect(Q))), (cos(phi), (tr(Q) - 1) / 2), (sin(phi), norm(vect(Q)))),
-        ),
-        *(
-            Branch(
-                f"a half-turn about an axis that is not normal to axis {k}",
-                where=length,
-                values=((e, along / length), (cos(phi), number(-1)), (sin(phi), number(0))),
-                assuming=(half_turn(Q),),
-            )
-            for k, (along, length) in enumerate(_axis_of_half_turn, start=1)
-        ),
+            f"by Euler-Rodrigues parameter {k}",
+            where=length,
+            values=(
+                (e, along / norm(along)),
+                (cos(phi), (beside**2 - dot(along, along)) / length**2),
+                (sin(phi), 2 * beside * norm(along) / length**2),
+            ),
+            assuming=(Q_is_a_rotation, nonzero(norm(along), r"\phi \neq 0")),
+        )
+        for k, along, beside, length in _fourfolds
     ),
-    covers=(
-        _half_turn_is_a_rotation,
-        Cover(
-            "a rotation without an axial vector is the identity or has trace -1",
-            (tr(Q) + 1) * (Q - one), O,
-            assuming=(Q_is_a_rotation, symmetric(Q)),
-        ),
-        Cover(
-            "at a half-turn not all three columns vanish",
-            sum((length**2 for _, length in _axis_of_half_turn[1:]), _axis_of_half_turn[0][1] ** 2), number(4),
-            assuming=(half_turn(Q),),
-        ),
-    ),
+    covers=(_one_is_not_zero,),
     gives=(e, phi),
+    largest=True,
+    sign=(sin(phi), e),
     kernel=Kernel(of=(Q,), results=("e", "phi")),
 )
 
@@ -601,38 +603,14 @@ euler_rodrigues_parameters = Inverse(
     of=rotation_from_euler_rodrigues,
     says="The Euler-Rodrigues parameters from the rotation.",
     assuming=(Q_is_a_rotation,),
-    branches=(
-        Branch(
-            "not a half-turn",
-            where=norm(column(2 * vect(Q), 1 + tr(Q))),
-            values=(
-                (q, 2 * vect(Q) / norm(column(2 * vect(Q), 1 + tr(Q)))),
-                (q_0, (1 + tr(Q)) / norm(column(2 * vect(Q), 1 + tr(Q)))),
-            ),
-        ),
-        *(
-            Branch(
-                f"a half-turn about an axis that is not normal to axis {k}",
-                where=length,
-                values=((q, along / length), (q_0, number(0))),
-                assuming=(half_turn(Q),),
-            )
-            for k, (along, length) in enumerate(_axis_of_half_turn, start=1)
-        ),
+    branches=tuple(
+        Branch(f"by Euler-Rodrigues parameter {k}", where=length, values=((q, along / length), (q_0, beside / length)))
+        for k, along, beside, length in _fourfolds
     ),
-    covers=(
-        _half_turn_is_a_rotation,
-        Cover(
-            "the first branch leaves out only trace -1",
-            norm(column(2 * vect(Q), 1 + tr(Q))) ** 2, 4 * (1 + tr(Q)),
-        ),
-        Cover(
-            "at a half-turn not all three columns vanish",
-            sum((length**2 for _, length in _axis_of_half_turn[1:]), _axis_of_half_turn[0][1] ** 2), number(4),
-            assuming=(half_turn(Q),),
-        ),
-    ),
+    covers=(_one_is_not_zero,),
     gives=(q, q_0),
+    largest=True,
+    sign=(q_0, q),
     kernel=Kernel(of=(Q,), results=("q", "q_0")),
 )
 
@@ -645,6 +623,8 @@ screw_of_motion = Inverse(
     branches=natural_invariants.branches,
     covers=natural_invariants.covers,
     gives=(column(e, cross(p_0, e)), dot(e, a_ - a), phi),
+    largest=True,
+    sign=(sin(phi), e),
     kernel=Kernel(of=(Q, a, a_), results=("axis", "d_0", "phi")),
 )
 

@@ -7,7 +7,7 @@ to itself.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, fields
 from dataclasses import replace as with_fields
 from typing import Any
@@ -33,14 +33,22 @@ class Mutant:
         return f"({number}) part {self.statement.part}, {self.where}: {change.slip}: {change.before} -> {change.after}"
 
 
-def mutants_of(sentence: Claim | Theorem, form: str, refused: list[str]) -> Iterator[Mutant]:
-    """All mutants of one form of a statement, each spelling once; `refused` collects slips that cannot be written."""
+def mutants_of(
+    sentence: Claim | Theorem,
+    form: str,
+    refused: list[str],
+    is_symmetric: Callable[[Node], bool] = lambda _: False,
+) -> Iterator[Mutant]:
+    """All mutants of one form of a statement, each spelling once; `refused` collects slips that cannot be written.
+
+    Nothing that `is_symmetric` is transposed, nor what is symmetric by its spelling.
+    """
     if isinstance(sentence, Theorem):
-        yield from _of_theorem(sentence, refused)
+        yield from _of_theorem(sentence, refused, is_symmetric)
         return
     sides = sentence.form(form)
     seen = {sides}
-    spoken = Spoken(sides)
+    spoken = Spoken(sides, is_symmetric)
     for place, name in ((0, "left side"), (1, "right side")):
         if place == 0 and sentence.solves is not None:
             continue
@@ -61,10 +69,10 @@ def _claim(sentence: Claim, sides: tuple[Node, Node], hypotheses: tuple[Hypothes
     return with_fields(sentence, left=left, right=right, reading=None, corrected=None, kernel=None, assuming=assuming)
 
 
-def _of_theorem(theorem: Theorem, refused: list[str]) -> Iterator[Mutant]:
+def _of_theorem(theorem: Theorem, refused: list[str], is_symmetric: Callable[[Node], bool]) -> Iterator[Mutant]:
     for number, part in enumerate(theorem.forms):
         owned = tuple(node for _, _, node in _form_nodes(part))
-        spoken = Spoken(owned)
+        spoken = Spoken(owned, is_symmetric)
         seen: set[Any] = {part}
         for name, place, node in _form_nodes(part):
             for change in spoken.mutated(node, refused, signed=_is_signed(part, name)):

@@ -76,7 +76,7 @@ class Spoken:
     An angle is mistaken for an angle only, and what has a rate for something else that has one.
     """
 
-    def __init__(self, sides: tuple[Node, ...]) -> None:
+    def __init__(self, sides: tuple[Node, ...], is_symmetric: Callable[[Node], bool]) -> None:
         parts = [part for side in sides for part in walk(side)]
         self.sides = sides
         self.letters = tuple(dict.fromkeys(part for part in parts if isinstance(part, Symbol)))
@@ -86,7 +86,7 @@ class Spoken:
         self.slips = (
             _signs,
             _left_out,
-            _transposes,
+            lambda node: _transposes(node, is_symmetric),
             _order,
             _circular,
             _numbers,
@@ -162,13 +162,14 @@ def _left_out(node: Node) -> Iterator[Slip]:
             yield "term left out", rest[0] if len(rest) == 1 else Sum(rest)
 
 
-def _transposes(node: Node) -> Iterator[Slip]:
-    """A lost transpose, and an extra one on a square matrix that is not symmetric by its spelling."""
+def _transposes(node: Node, is_symmetric: Callable[[Node], bool]) -> Iterator[Slip]:
+    """A lost transpose, and an extra one on a square matrix that is not symmetric."""
+    rows, columns = node.shape
+    if isinstance(node, Negative | Sum | Inverse) or (rows == columns and is_symmetric(node)):
+        return
     if isinstance(node, Transpose):
         yield "transpose lost", node.of
-    elif isinstance(node, Negative | Sum | Inverse):
-        return
-    elif node.shape[0] == node.shape[1] > 1:
+    elif rows == columns > 1:
         factors = _factors(node)
         if [_mirrored(factor) for factor in reversed(factors)] != factors:
             yield "transpose added", Transpose(node)

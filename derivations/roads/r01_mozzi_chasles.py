@@ -20,6 +20,7 @@ from chasles.derivations.s02_screw import (
     screw_axis_point,
     shared_component,
 )
+
 from chasles.statements.derivation import Compare, Consider, Derivation, Factor, Multiply, Solve, Substitute, Take
 from chasles.vocabulary import norm
 

@@ -17,6 +17,7 @@ from chasles.derivations.s02_screw import (
     screw_axis_point,
     screw_axis_right_side,
 )
+
 from chasles.statements.derivation import (
     Ansatz,
     Compare,
@@ -56,7 +57,11 @@ point_of_the_screw_axis = Derivation(
         Consider(A_screw.T @ b_screw),
         Substitute(screw_axis_matrix, screw_axis_right_side),
         Expand(),
-        Factor((Q - one).T @ (Q - one) @ a, (Q - one).T @ (a_ - a), using=(rotation_from_axis_angle, displacement_of_landmark)),
+        Factor(
+            (Q - one).T @ (Q - one) @ a,
+            (Q - one).T @ (a_ - a),
+            using=(rotation_from_axis_angle, displacement_of_landmark),
+        ),
         Compare(normal_right_side, using=(displacement_of_landmark,)),
         Take(normal_equations_of_screw_axis_point),
         Substitute(normal_right_side),

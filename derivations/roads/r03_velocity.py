@@ -14,6 +14,7 @@ from chasles.derivations.s04_twist import (
     velocity_from_reference_configuration,
     velocity_of_point,
 )
+
 from chasles.statements.derivation import (
     Compare,
     Consider,

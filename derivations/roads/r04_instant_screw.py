@@ -24,6 +24,7 @@ from chasles.derivations.s04_twist import (
     velocity_by_angular_velocity_matrix,
     velocity_in_two_components,
 )
+
 from chasles.statements.derivation import (
     Compare,
     Consider,
@@ -42,8 +43,8 @@ _vector = (angular_velocity_matrix_of_vector,)
 point_of_the_instant_screw_axis = Derivation(
     "3.70",
     to=instant_screw_point,
-    says="The velocity in two components; the normal one vanishes on a line, whose point nearest the origin solves four "
-    "equations for three coordinates.",
+    says="The velocity in two components; the normal one vanishes on a line, whose point nearest the origin solves "
+    "four equations for three coordinates.",
     assuming=(omega_is_not_zero,),
     steps=(
         Consider(Omega**2),

@@ -1,6 +1,6 @@
 """(3.75) and (3.76): the matrices that give the rates of a rotation's invariants from its angular velocity."""
 
-from chasles.derivations.notation import E, H, L, N, e, eta, lambda_, nu, omega, one, phi
+from chasles.derivations.notation import E, H, L, N, e, omega, phi
 from chasles.derivations.s02_screw import phi_is_not_zero, rotation_from_axis_angle
 from chasles.derivations.s03_fixed_point import angular_velocity, angular_velocity_matrix
 from chasles.derivations.s04_twist import (
@@ -14,6 +14,7 @@ from chasles.derivations.s04_twist import (
     natural_rate_matrix,
     natural_rates,
 )
+
 from chasles.statements.derivation import (
     Compare,
     Derivation,
@@ -24,7 +25,7 @@ from chasles.statements.derivation import (
     Substitute,
     Take,
 )
-from chasles.vocabulary import cos, cross, dot, rate, sin
+from chasles.vocabulary import cross, rate
 
 _terms = (omega, e @ e.T @ omega, E @ omega, e.T @ omega)
 _spin = (

@@ -11,6 +11,7 @@ from chasles.derivations.s04_twist import (
     natural_velocity_matrix,
     phi_is_not_pi,
 )
+
 from chasles.statements import unit
 from chasles.statements.derivation import Ansatz, Compare, Consider, Derivation, Factor, Multiply, Solve, Substitute
 from chasles.vocabulary import Identity, column, cos, row, scalar, sin

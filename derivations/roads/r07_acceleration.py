@@ -12,6 +12,7 @@ from chasles.derivations.s05_acceleration import (
     axial_vector_of_acceleration_matrix,
     trace_of_acceleration_matrix,
 )
+
 from chasles.statements.derivation import (
     Compare,
     Consider,

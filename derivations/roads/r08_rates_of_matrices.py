@@ -32,6 +32,7 @@ from chasles.derivations.s05_acceleration import (
     upper_block_of_natural_rate_matrix_rate,
     upper_block_of_natural_rates,
 )
+
 from chasles.statements import unit
 from chasles.statements.derivation import Compare, Derivation, Differentiate, Factor, Substitute, Take
 from chasles.vocabulary import dot
@@ -141,4 +142,3 @@ rate_of_H_tilde = Derivation(
         Compare(rate_of_euler_rodrigues_velocity_matrix),
     ),
 )
-

@@ -12,6 +12,7 @@ from chasles.derivations.s06_moving_frame import (
     rate_of_rotation,
     velocity_by_differentiation,
 )
+
 from chasles.statements.derivation import (
     Compare,
     Consider,

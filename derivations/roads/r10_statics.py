@@ -41,6 +41,7 @@ from chasles.derivations.s07_statics import (
     wrench_transfer_inverse,
     wrench_transfer_matrix,
 )
+
 from chasles.statements.derivation import Compare, Consider, Derivation, Expand, Factor, Solve, Substitute, Take
 from chasles.vocabulary import cross, dot, norm
 

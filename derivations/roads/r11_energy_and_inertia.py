@@ -1,10 +1,10 @@
 """(3.126) to (3.133): the kinetic energy of a body, its moment of inertia, and Steiner's theorem."""
 
 from chasles.derivations.notation import (
-    A,
-    C,
     I_C,
     R_C,
+    A,
+    C,
     a,
     c,
     m,
@@ -39,6 +39,7 @@ from chasles.derivations.s08_dynamics import (
     velocity_from_center_of_mass,
     velocity_from_center_of_mass_by_matrix,
 )
+
 from chasles.statements.derivation import Compare, Consider, Derivation, Expand, Factor, Substitute, Take
 from chasles.vocabulary import cross, norm, rate
 
@@ -105,4 +106,3 @@ theorem_of_steiner = Derivation(
         Compare(inertia_about_point_by_matrices),
     ),
 )
-

@@ -30,6 +30,7 @@ from chasles.derivations.s08_dynamics import (
     twist_is_in_null_space,
     wrench_at_center_of_mass,
 )
+
 from chasles.statements.derivation import (
     Compare,
     Consider,
@@ -119,4 +120,3 @@ steiner_in_dyad_form = Derivation(
         Compare(steiner_by_dyads),
     ),
 )
-

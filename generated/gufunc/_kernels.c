@@ -284,7 +284,7 @@ static const char pitch_of_motion_types[] = {
 /*
  * (3.16) The loops of normal_matrix_inverse.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   22 operations; derivation sha256 5ac2e58cb954695fb22629ed1368ffe7e286efef15ae1ae9e6c4f136f03b4fc3
+ *   19 operations; derivation sha256 5ac2e58cb954695fb22629ed1368ffe7e286efef15ae1ae9e6c4f136f03b4fc3
  */
 static void normal_matrix_inverse_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -922,7 +922,7 @@ static const char rotation_from_linear_invariants_types[] = {
 /*
  * text 3.4.2 f The loops of rotation_from_euler_rodrigues.
  *   verdict: holds under; assumes |e| = 1
- *   32 operations; derivation sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
+ *   29 operations; derivation sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
  */
 static void rotation_from_euler_rodrigues_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1024,7 +1024,7 @@ static const char linear_invariants_types[] = {
 /*
  * text 3.4.2 h The loops of natural_invariants.
  *   verdict: holds under; assumes Q is a rotation
- *   39 operations; derivation sha256 ce23ec446d990ff7e0b558fdd07ff9dade09e7e0b95886da8f4657dae3611696
+ *   67 operations; derivation sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1
  */
 static void natural_invariants_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1075,7 +1075,7 @@ static const char natural_invariants_types[] = {
 /*
  * text 3.4.2 i The loops of euler_rodrigues_parameters.
  *   verdict: holds under; assumes Q is a rotation
- *   44 operations; derivation sha256 50d4440dd06d9ac3b74077d2653ac1b42afedddee70962f67db8cd4740e9b85f
+ *   49 operations; derivation sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6
  */
 static void euler_rodrigues_parameters_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1126,7 +1126,7 @@ static const char euler_rodrigues_parameters_types[] = {
 /*
  * text 3.4.2 j The loops of screw_of_motion.
  *   verdict: holds under; assumes Q is a rotation
- *   97 operations; derivation sha256 39fd2c9a765bdb2fac1a7e8f9c30e2d5bb6b4ca83ea8343c9396eb347055e45c
+ *   125 operations; derivation sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06
  */
 static void screw_of_motion_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1888,7 +1888,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     phi != 0\n"
             "              |e| = 1\n"
-            "  operations  22: 3 add, 2 subtract, 14 multiply, 2 divide, 1 cosine\n"
+            "  operations  19: 3 add, 2 subtract, 11 multiply, 2 divide, 1 cosine\n"
             "  derivation  sha256 5ac2e58cb954695fb22629ed1368ffe7e286efef15ae1ae9e6c4f136f03b4fc3\n"
             "  signature   (3),()->(3,3)\n"
             "",
@@ -2124,7 +2124,7 @@ static const Kernel kernels[] = {
             "  returns     Q (3, 3): rotation\n"
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
-            "  operations  32: 8 add, 4 subtract, 20 multiply\n"
+            "  operations  29: 8 add, 4 subtract, 17 multiply\n"
             "  derivation  sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712\n"
             "  signature   (3),()->(3,3)\n"
             "",
@@ -2162,8 +2162,8 @@ static const Kernel kernels[] = {
             "              phi: angle of rotation\n"
             "  verdict     holds under\n"
             "  assumes     Q is a rotation\n"
-            "  operations  39: 13 add, 4 subtract, 16 multiply, 3 divide, 2 square root, 1 arctangent2\n"
-            "  derivation  sha256 ce23ec446d990ff7e0b558fdd07ff9dade09e7e0b95886da8f4657dae3611696\n"
+            "  operations  67: 21 add, 10 subtract, 25 multiply, 5 divide, 5 square root, 1 arctangent2\n"
+            "  derivation  sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1\n"
             "  signature   (3,3)->(3),()\n"
             "",
         .loops = natural_invariants_loops,
@@ -2181,8 +2181,8 @@ static const Kernel kernels[] = {
             "              q_0: scalar part of four invariants of the rotation\n"
             "  verdict     holds under\n"
             "  assumes     Q is a rotation\n"
-            "  operations  44: 15 add, 3 subtract, 19 multiply, 5 divide, 2 square root\n"
-            "  derivation  sha256 50d4440dd06d9ac3b74077d2653ac1b42afedddee70962f67db8cd4740e9b85f\n"
+            "  operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root\n"
+            "  derivation  sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6\n"
             "  signature   (3,3)->(3),()\n"
             "",
         .loops = euler_rodrigues_parameters_loops,
@@ -2203,8 +2203,8 @@ static const Kernel kernels[] = {
             "              phi: angle of rotation\n"
             "  verdict     holds under\n"
             "  assumes     Q is a rotation\n"
-            "  operations  97: 27 add, 17 subtract, 44 multiply, 6 divide, 2 square root, 1 arctangent2\n"
-            "  derivation  sha256 39fd2c9a765bdb2fac1a7e8f9c30e2d5bb6b4ca83ea8343c9396eb347055e45c\n"
+            "  operations  125: 35 add, 23 subtract, 53 multiply, 8 divide, 5 square root, 1 arctangent2\n"
+            "  derivation  sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06\n"
             "  signature   (3,3),(3),(3)->(6),(),()\n"
             "",
         .loops = screw_of_motion_loops,

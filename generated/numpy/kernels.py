@@ -167,7 +167,7 @@ def normal_matrix_inverse(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     phi != 0
                 |e| = 1
-    operations  22: 3 add, 2 subtract, 14 multiply, 2 divide, 1 cosine
+    operations  19: 3 add, 2 subtract, 11 multiply, 2 divide, 1 cosine
     derivation  sha256 5ac2e58cb954695fb22629ed1368ffe7e286efef15ae1ae9e6c4f136f03b4fc3
     signature   (3),()->(3,3)
     """
@@ -180,18 +180,20 @@ def normal_matrix_inverse(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     t4 = xp.where(t2, batch.number(0.0), 1.0 - 2.0 * cos_phi) / t1
     t5 = e[0] * t4
     t6 = e[1] * t4
-    t7 = e[2] * t4
+    t7 = e[1] * t5
+    t8 = e[2] * t5
+    t9 = e[2] * t6
     result = batch.array(
         (3, 3),
         t3 + e[0] * t5,
-        e[1] * t5,
-        e[2] * t5,
-        e[0] * t6,
+        t7,
+        t8,
+        t7,
         t3 + e[1] * t6,
-        e[2] * t6,
-        e[0] * t7,
-        e[1] * t7,
-        t3 + e[2] * t7,
+        t9,
+        t8,
+        t9,
+        t3 + e[2] * (e[2] * t4),
     )
     return delivered(out, result)
 
@@ -616,30 +618,32 @@ def rotation_from_euler_rodrigues(q: Any, q_0: Any, /, *, out: Any = None) -> An
     returns     Q (3, 3): rotation
     verdict     holds under
     assumes     |e| = 1
-    operations  32: 8 add, 4 subtract, 20 multiply
+    operations  29: 8 add, 4 subtract, 17 multiply
     derivation  sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
     signature   (3),()->(3,3)
     """
     batch, q, q_0 = prepared("rotation_from_euler_rodrigues", ("q", q, (3,)), ("q_0", q_0, ()))
     t1 = q_0 * q_0 - (q[0] * q[0] + q[1] * q[1] + q[2] * q[2])
-    t2 = 2.0 * q[0]
-    t3 = 2.0 * q[1]
-    t4 = 2.0 * q[2]
-    t5 = 2.0 * q_0
-    t6 = q[0] * t5
-    t7 = q[1] * t5
-    t8 = q[2] * t5
+    t2 = 2.0 * q_0
+    t3 = 2.0 * q[0]
+    t4 = 2.0 * q[1]
+    t5 = q[1] * t3
+    t6 = q[2] * t3
+    t7 = q[2] * t4
+    t8 = q[0] * t2
+    t9 = q[1] * t2
+    t10 = q[2] * t2
     Q = batch.array(
         (3, 3),
-        t1 + q[0] * t2,
-        q[1] * t2 - t8,
-        q[2] * t2 + t7,
-        q[0] * t3 + t8,
-        t1 + q[1] * t3,
-        q[2] * t3 - t6,
-        q[0] * t4 - t7,
-        q[1] * t4 + t6,
-        t1 + q[2] * t4,
+        t1 + q[0] * t3,
+        t5 - t10,
+        t6 + t9,
+        t5 + t10,
+        t1 + q[1] * t4,
+        t7 - t8,
+        t6 - t9,
+        t7 + t8,
+        t1 + q[2] * (2.0 * q[2]),
     )
     return delivered(out, Q)
 
@@ -673,58 +677,81 @@ def natural_invariants(Q: Any, /, *, out: Any = None) -> Any:
                 phi: angle of rotation
     verdict     holds under
     assumes     Q is a rotation
-    operations  39: 13 add, 4 subtract, 16 multiply, 3 divide, 2 square root, 1 arctangent2
-    derivation  sha256 ce23ec446d990ff7e0b558fdd07ff9dade09e7e0b95886da8f4657dae3611696
+    operations  67: 21 add, 10 subtract, 25 multiply, 5 divide, 5 square root, 1 arctangent2
+    derivation  sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1
     signature   (3,3)->(3),()
     """
     batch, Q = prepared("natural_invariants", ("Q", Q, (3, 3)))
     xp = batch.xp
-    t1 = batch.number(xp.nan)
-    t2 = 1.0 + Q[2][2]
-    t3 = Q[0][2] * Q[0][2] + Q[1][2] * Q[1][2] + t2 * t2
-    t4 = Q[2][2] + (Q[0][0] + Q[1][1])
-    t5 = t4 < 0.0
-    t6 = 0.0 == t3
-    t7 = xp.where(t6, t1, xp.where(t5, Q[0][2], t1))
-    t8 = xp.where(t6, t1, xp.where(t5, Q[1][2], t1))
-    t9 = xp.where(t6, t1, xp.where(t5, t2, t1))
-    t10 = 1.0 + Q[1][1]
-    t11 = Q[0][1] * Q[0][1] + t10 * t10 + Q[2][1] * Q[2][1]
-    t12 = 0.0 == t11
-    t13 = xp.where(t12, t7, xp.where(t5, Q[0][1], t7))
-    t14 = xp.where(t12, t3, xp.where(t5, t11, t3))
-    t15 = xp.where(t12, t8, xp.where(t5, t10, t8))
-    t16 = xp.where(t12, t9, xp.where(t5, Q[2][1], t9))
-    t17 = 1.0 + Q[0][0]
-    t18 = t17 * t17 + Q[1][0] * Q[1][0] + Q[2][0] * Q[2][0]
-    t19 = 0.0 == t18
-    t20 = 0.5 * (Q[2][1] - Q[1][2])
-    t21 = 0.5 * (Q[0][2] - Q[2][0])
-    t22 = 0.5 * (Q[1][0] - Q[0][1])
-    t23 = t20 * t20 + t21 * t21 + t22 * t22
-    t24 = 0.0 == t23
-    t25 = xp.where(t24, xp.where(t19, t14, xp.where(t5, t18, t14)), t23)
-    t26 = xp.sqrt(t25)
-    t27 = t25 == 0.0
-    t28 = xp.where(t24, xp.where(t19, t13, xp.where(t5, t17, t13)), t20)
-    t29 = xp.where(t24, xp.where(t19, t15, xp.where(t5, Q[1][0], t15)), t21)
-    t30 = xp.where(t24, xp.where(t19, t16, xp.where(t5, Q[2][0], t16)), t22)
-    t31 = xp.where(t6, t1, xp.where(t5, batch.number(-1.0), t1))
-    t32 = xp.where(t12, t31, xp.where(t5, batch.number(-1.0), t31))
-    t33 = xp.where(t19, t32, xp.where(t5, batch.number(-1.0), t32))
-    t34 = xp.where(t6, t1, xp.where(t5, batch.number(0.0), t1))
-    t35 = xp.where(t12, t34, xp.where(t5, batch.number(0.0), t34))
-    t36 = xp.where(t19, t35, xp.where(t5, batch.number(0.0), t35))
-    e = batch.array(
-        (3,),
-        xp.where(t27, batch.number(0.0), t28) / t26,
-        xp.where(t27, batch.number(0.0), t29) / t26,
-        xp.where(t27, batch.number(0.0), t30) / t26,
-    )
-    phi = batch.array(
-        (),
-        xp.atan2(xp.where(t24, t36, xp.sqrt(t23)), xp.where(t24, t33, 0.5 * (t4 - 1.0))),
-    )
+    t1 = Q[0][2] + Q[2][0]
+    t2 = Q[1][2] + Q[2][1]
+    t3 = Q[2][2] + (Q[0][0] + Q[1][1])
+    t4 = 1.0 + 2.0 * Q[2][2] - t3
+    t5 = t1 * t1
+    t6 = t2 * t2
+    t7 = t5 + t6 + t4 * t4
+    t8 = Q[0][1] + Q[1][0]
+    t9 = 1.0 + 2.0 * Q[1][1] - t3
+    t10 = t8 * t8
+    t11 = t6 + (t10 + t9 * t9)
+    t12 = Q[2][1] - Q[1][2]
+    t13 = Q[0][2] - Q[2][0]
+    t14 = Q[1][0] - Q[0][1]
+    t15 = t13 * t13
+    t16 = t11 + t15
+    t17 = t14 * t14
+    t18 = t7 + t17
+    t19 = t16 < t18
+    t20 = xp.where(t19, t1, t8)
+    t21 = xp.where(t19, t7, t11)
+    t22 = xp.where(t19, t2, t9)
+    t23 = xp.where(t19, t4, t2)
+    t24 = 1.0 + 2.0 * Q[0][0] - t3
+    t25 = t5 + (t10 + t24 * t24)
+    t26 = t12 * t12
+    t27 = t25 + t26
+    t28 = t27 < t18
+    t29 = t27 < t16
+    t30 = xp.where(t29, t20, xp.where(t28, t20, t24))
+    t31 = xp.where(t29, t21, xp.where(t28, t21, t25))
+    t32 = xp.where(t29, t22, xp.where(t28, t22, t8))
+    t33 = xp.where(t29, t23, xp.where(t28, t23, t1))
+    t34 = t17 + (t15 + t26)
+    t35 = 1.0 + t3
+    t36 = t35 * t35
+    t37 = t34 + t36
+    t38 = t37 < t18
+    t39 = t37 < t16
+    t40 = t37 < t27
+    t41 = xp.where(t40, t31, xp.where(t39, t31, xp.where(t38, t31, t34)))
+    t42 = xp.sqrt(t41)
+    t43 = t41 == 0.0
+    t44 = xp.where(t40, t30, xp.where(t39, t30, xp.where(t38, t30, t12)))
+    t45 = xp.where(t43, batch.number(0.0), t44) / t42
+    t46 = xp.where(t40, t32, xp.where(t39, t32, xp.where(t38, t32, t13)))
+    t47 = xp.where(t43, batch.number(0.0), t46) / t42
+    t48 = xp.where(t40, t33, xp.where(t39, t33, xp.where(t38, t33, t14)))
+    t49 = xp.where(t43, batch.number(0.0), t48) / t42
+    t50 = xp.where(t19, t17 - t7, t15 - t11)
+    t51 = xp.where(t19, t18, t16)
+    t52 = xp.where(t29, t50, xp.where(t28, t50, t26 - t25))
+    t53 = xp.where(t29, t51, xp.where(t28, t51, t27))
+    t54 = xp.where(t40, t53, xp.where(t39, t53, xp.where(t38, t53, t37)))
+    t55 = t54 == 0.0
+    t56 = xp.where(t40, t52, xp.where(t39, t52, xp.where(t38, t52, t36 - t34)))
+    t57 = xp.where(t19, xp.sqrt(t7) * (2.0 * t14), xp.sqrt(t11) * (2.0 * t13))
+    t58 = xp.where(t29, t57, xp.where(t28, t57, xp.sqrt(t25) * (2.0 * t12)))
+    t59 = xp.where(t39, t58, xp.where(t38, t58, xp.sqrt(t34) * (2.0 * t35)))
+    t60 = xp.where(t55, batch.number(0.0), xp.where(t40, t58, t59)) / t54
+    t61 = xp.where(t49 < 0.0, batch.number(-1.0), batch.number(1.0))
+    t62 = xp.where(0.0 < t47, batch.number(1.0), t61)
+    t63 = xp.where(t47 < 0.0, batch.number(-1.0), t62)
+    t64 = xp.where(0.0 < t45, batch.number(1.0), t63)
+    t65 = xp.where(t45 < 0.0, batch.number(-1.0), t64)
+    t66 = xp.where(0.0 < t60, batch.number(1.0), t65)
+    t67 = xp.where(t60 < 0.0, batch.number(-1.0), t66)
+    e = batch.array((3,), t45 * t67, t47 * t67, t49 * t67)
+    phi = batch.array((), xp.atan2(t60 * t67, xp.where(t55, batch.number(0.0), t56) / t54))
     return delivered(out, e, phi)
 
 
@@ -735,56 +762,69 @@ def euler_rodrigues_parameters(Q: Any, /, *, out: Any = None) -> Any:
                 q_0: scalar part of four invariants of the rotation
     verdict     holds under
     assumes     Q is a rotation
-    operations  44: 15 add, 3 subtract, 19 multiply, 5 divide, 2 square root
-    derivation  sha256 50d4440dd06d9ac3b74077d2653ac1b42afedddee70962f67db8cd4740e9b85f
+    operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root
+    derivation  sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6
     signature   (3,3)->(3),()
     """
     batch, Q = prepared("euler_rodrigues_parameters", ("Q", Q, (3, 3)))
     xp = batch.xp
-    t1 = batch.number(xp.nan)
-    t2 = 1.0 + Q[2][2]
-    t3 = Q[0][2] * Q[0][2] + Q[1][2] * Q[1][2] + t2 * t2
-    t4 = Q[2][2] + (Q[0][0] + Q[1][1])
-    t5 = t4 < 0.0
-    t6 = 0.0 == t3
-    t7 = xp.where(t6, t1, xp.where(t5, Q[0][2], t1))
-    t8 = xp.where(t6, t1, xp.where(t5, Q[1][2], t1))
-    t9 = xp.where(t6, t1, xp.where(t5, t2, t1))
-    t10 = 1.0 + Q[1][1]
-    t11 = Q[0][1] * Q[0][1] + t10 * t10 + Q[2][1] * Q[2][1]
-    t12 = 0.0 == t11
-    t13 = xp.where(t12, t7, xp.where(t5, Q[0][1], t7))
-    t14 = xp.where(t12, t3, xp.where(t5, t11, t3))
-    t15 = xp.where(t12, t8, xp.where(t5, t10, t8))
-    t16 = xp.where(t12, t9, xp.where(t5, Q[2][1], t9))
-    t17 = 1.0 + Q[0][0]
-    t18 = t17 * t17 + Q[1][0] * Q[1][0] + Q[2][0] * Q[2][0]
-    t19 = 0.0 == t18
-    t20 = xp.where(t19, t14, xp.where(t5, t18, t14))
-    t21 = xp.sqrt(t20)
-    t22 = t20 == 0.0
-    t23 = xp.where(t22, batch.number(0.0), xp.where(t19, t13, xp.where(t5, t17, t13)))
-    t24 = xp.where(t22, batch.number(0.0), xp.where(t19, t15, xp.where(t5, Q[1][0], t15)))
-    t25 = xp.where(t22, batch.number(0.0), xp.where(t19, t16, xp.where(t5, Q[2][0], t16)))
-    t26 = Q[2][1] - Q[1][2]
-    t27 = Q[0][2] - Q[2][0]
-    t28 = Q[1][0] - Q[0][1]
-    t29 = 1.0 + t4
-    t30 = t26 * t26 + t27 * t27 + t28 * t28 + t29 * t29
-    t31 = xp.sqrt(t30)
-    t32 = t30 == 0.0
-    t33 = xp.where(t32, batch.number(0.0), batch.number(2.0)) / t31
-    t34 = 0.0 == t30
-    t35 = xp.where(t6, t1, xp.where(t5, batch.number(0.0), t1))
-    t36 = xp.where(t12, t35, xp.where(t5, batch.number(0.0), t35))
-    t37 = xp.where(t19, t36, xp.where(t5, batch.number(0.0), t36))
-    q = batch.array(
-        (3,),
-        xp.where(t34, t23 / t21, 0.5 * t26 * t33),
-        xp.where(t34, t24 / t21, 0.5 * t27 * t33),
-        xp.where(t34, t25 / t21, 0.5 * t28 * t33),
-    )
-    q_0 = batch.array((), xp.where(t34, t37, xp.where(t32, batch.number(0.0), t29) / t31))
+    t1 = Q[0][2] + Q[2][0]
+    t2 = Q[1][2] + Q[2][1]
+    t3 = Q[2][2] + (Q[0][0] + Q[1][1])
+    t4 = 1.0 + 2.0 * Q[2][2] - t3
+    t5 = Q[2][1] - Q[1][2]
+    t6 = Q[0][2] - Q[2][0]
+    t7 = Q[1][0] - Q[0][1]
+    t8 = t1 * t1
+    t9 = t2 * t2
+    t10 = t7 * t7
+    t11 = t8 + t9 + t4 * t4 + t10
+    t12 = Q[0][1] + Q[1][0]
+    t13 = 1.0 + 2.0 * Q[1][1] - t3
+    t14 = t12 * t12
+    t15 = t6 * t6
+    t16 = t9 + (t14 + t13 * t13) + t15
+    t17 = t16 < t11
+    t18 = xp.where(t17, t1, t12)
+    t19 = xp.where(t17, t11, t16)
+    t20 = xp.where(t17, t2, t13)
+    t21 = xp.where(t17, t4, t2)
+    t22 = 1.0 + 2.0 * Q[0][0] - t3
+    t23 = t5 * t5
+    t24 = t8 + (t14 + t22 * t22) + t23
+    t25 = t24 < t11
+    t26 = t24 < t16
+    t27 = xp.where(t26, t18, xp.where(t25, t18, t22))
+    t28 = xp.where(t26, t19, xp.where(t25, t19, t24))
+    t29 = xp.where(t26, t20, xp.where(t25, t20, t12))
+    t30 = xp.where(t26, t21, xp.where(t25, t21, t1))
+    t31 = 1.0 + t3
+    t32 = t10 + (t15 + t23) + t31 * t31
+    t33 = t32 < t11
+    t34 = t32 < t16
+    t35 = t32 < t24
+    t36 = xp.where(t35, t28, xp.where(t34, t28, xp.where(t33, t28, t32)))
+    t37 = xp.sqrt(t36)
+    t38 = t36 == 0.0
+    t39 = xp.where(t35, t27, xp.where(t34, t27, xp.where(t33, t27, t5)))
+    t40 = xp.where(t38, batch.number(0.0), t39) / t37
+    t41 = xp.where(t35, t29, xp.where(t34, t29, xp.where(t33, t29, t6)))
+    t42 = xp.where(t38, batch.number(0.0), t41) / t37
+    t43 = xp.where(t35, t30, xp.where(t34, t30, xp.where(t33, t30, t7)))
+    t44 = xp.where(t38, batch.number(0.0), t43) / t37
+    t45 = xp.where(t17, t7, t6)
+    t46 = xp.where(t26, t45, xp.where(t25, t45, t5))
+    t47 = xp.where(t35, t46, xp.where(t34, t46, xp.where(t33, t46, t31)))
+    t48 = xp.where(t38, batch.number(0.0), t47) / t37
+    t49 = xp.where(t44 < 0.0, batch.number(-1.0), batch.number(1.0))
+    t50 = xp.where(0.0 < t42, batch.number(1.0), t49)
+    t51 = xp.where(t42 < 0.0, batch.number(-1.0), t50)
+    t52 = xp.where(0.0 < t40, batch.number(1.0), t51)
+    t53 = xp.where(t40 < 0.0, batch.number(-1.0), t52)
+    t54 = xp.where(0.0 < t48, batch.number(1.0), t53)
+    t55 = xp.where(t48 < 0.0, batch.number(-1.0), t54)
+    q = batch.array((3,), t40 * t55, t42 * t55, t44 * t55)
+    q_0 = batch.array((), t48 * t55)
     return delivered(out, q, q_0)
 
 
@@ -798,8 +838,8 @@ def screw_of_motion(Q: Any, a: Any, a_prime: Any, /, *, out: Any = None) -> Any:
                 phi: angle of rotation
     verdict     holds under
     assumes     Q is a rotation
-    operations  97: 27 add, 17 subtract, 44 multiply, 6 divide, 2 square root, 1 arctangent2
-    derivation  sha256 39fd2c9a765bdb2fac1a7e8f9c30e2d5bb6b4ca83ea8343c9396eb347055e45c
+    operations  125: 35 add, 23 subtract, 53 multiply, 8 divide, 5 square root, 1 arctangent2
+    derivation  sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06
     signature   (3,3),(3),(3)->(6),(),()
     """
     batch, Q, a, a_prime = prepared(
@@ -809,69 +849,100 @@ def screw_of_motion(Q: Any, a: Any, a_prime: Any, /, *, out: Any = None) -> Any:
         ("a_prime", a_prime, (3,)),
     )
     xp = batch.xp
-    t1 = batch.number(xp.nan)
-    t2 = 1.0 + Q[2][2]
-    t3 = Q[0][2] * Q[0][2] + Q[1][2] * Q[1][2] + t2 * t2
-    t4 = Q[2][2] + (Q[0][0] + Q[1][1])
-    t5 = t4 < 0.0
-    t6 = 0.0 == t3
-    t7 = xp.where(t6, t1, xp.where(t5, Q[0][2], t1))
-    t8 = xp.where(t6, t1, xp.where(t5, Q[1][2], t1))
-    t9 = xp.where(t6, t1, xp.where(t5, t2, t1))
-    t10 = 1.0 + Q[1][1]
-    t11 = Q[0][1] * Q[0][1] + t10 * t10 + Q[2][1] * Q[2][1]
-    t12 = 0.0 == t11
-    t13 = xp.where(t12, t7, xp.where(t5, Q[0][1], t7))
-    t14 = xp.where(t12, t3, xp.where(t5, t11, t3))
-    t15 = xp.where(t12, t8, xp.where(t5, t10, t8))
-    t16 = xp.where(t12, t9, xp.where(t5, Q[2][1], t9))
-    t17 = 1.0 + Q[0][0]
-    t18 = t17 * t17 + Q[1][0] * Q[1][0] + Q[2][0] * Q[2][0]
-    t19 = 0.0 == t18
-    t20 = 0.5 * (Q[2][1] - Q[1][2])
-    t21 = 0.5 * (Q[0][2] - Q[2][0])
-    t22 = 0.5 * (Q[1][0] - Q[0][1])
-    t23 = t20 * t20 + t21 * t21 + t22 * t22
-    t24 = 0.0 == t23
-    t25 = xp.where(t24, xp.where(t19, t14, xp.where(t5, t18, t14)), t23)
-    t26 = xp.sqrt(t25)
-    t27 = t25 == 0.0
-    t28 = xp.where(t24, xp.where(t19, t13, xp.where(t5, t17, t13)), t20)
-    t29 = xp.where(t27, batch.number(0.0), t28) / t26
-    t30 = xp.where(t24, xp.where(t19, t15, xp.where(t5, Q[1][0], t15)), t21)
-    t31 = xp.where(t27, batch.number(0.0), t30) / t26
-    t32 = xp.where(t24, xp.where(t19, t16, xp.where(t5, Q[2][0], t16)), t22)
-    t33 = xp.where(t27, batch.number(0.0), t32) / t26
-    t34 = xp.where(t6, t1, xp.where(t5, batch.number(-1.0), t1))
-    t35 = xp.where(t12, t34, xp.where(t5, batch.number(-1.0), t34))
-    t36 = xp.where(t19, t35, xp.where(t5, batch.number(-1.0), t35))
-    t37 = xp.where(t24, t36, 0.5 * (t4 - 1.0))
-    t38 = xp.where(t6, t1, xp.where(t5, batch.number(0.0), t1))
-    t39 = xp.where(t12, t38, xp.where(t5, batch.number(0.0), t38))
-    t40 = xp.where(t19, t39, xp.where(t5, batch.number(0.0), t39))
-    t41 = 2.0 * (1.0 - t37)
-    t42 = Q[0][0] * a[0] + Q[0][1] * a[1] + Q[0][2] * a[2] - a_prime[0]
-    t43 = Q[1][0] * a[0] + Q[1][1] * a[1] + Q[1][2] * a[2] - a_prime[1]
-    t44 = Q[2][0] * a[0] + Q[2][1] * a[1] + Q[2][2] * a[2] - a_prime[2]
-    t45 = t41 == 0.0
-    t46 = Q[0][0] * t42 + Q[1][0] * t43 + Q[2][0] * t44 - t42
-    t47 = xp.where(t45, batch.number(0.0), t46) / t41
-    t48 = Q[0][1] * t42 + Q[1][1] * t43 + Q[2][1] * t44 - t43
-    t49 = xp.where(t45, batch.number(0.0), t48) / t41
-    t50 = Q[0][2] * t42 + Q[1][2] * t43 + Q[2][2] * t44 - t44
-    t51 = xp.where(t45, batch.number(0.0), t50) / t41
-    t52 = t29 * (a_prime[0] - a[0]) + t31 * (a_prime[1] - a[1])
+    t1 = Q[0][2] + Q[2][0]
+    t2 = Q[1][2] + Q[2][1]
+    t3 = Q[2][2] + (Q[0][0] + Q[1][1])
+    t4 = 1.0 + 2.0 * Q[2][2] - t3
+    t5 = t1 * t1
+    t6 = t2 * t2
+    t7 = t5 + t6 + t4 * t4
+    t8 = Q[0][1] + Q[1][0]
+    t9 = 1.0 + 2.0 * Q[1][1] - t3
+    t10 = t8 * t8
+    t11 = t6 + (t10 + t9 * t9)
+    t12 = Q[2][1] - Q[1][2]
+    t13 = Q[0][2] - Q[2][0]
+    t14 = Q[1][0] - Q[0][1]
+    t15 = t13 * t13
+    t16 = t11 + t15
+    t17 = t14 * t14
+    t18 = t7 + t17
+    t19 = t16 < t18
+    t20 = xp.where(t19, t1, t8)
+    t21 = xp.where(t19, t7, t11)
+    t22 = xp.where(t19, t2, t9)
+    t23 = xp.where(t19, t4, t2)
+    t24 = 1.0 + 2.0 * Q[0][0] - t3
+    t25 = t5 + (t10 + t24 * t24)
+    t26 = t12 * t12
+    t27 = t25 + t26
+    t28 = t27 < t18
+    t29 = t27 < t16
+    t30 = xp.where(t29, t20, xp.where(t28, t20, t24))
+    t31 = xp.where(t29, t21, xp.where(t28, t21, t25))
+    t32 = xp.where(t29, t22, xp.where(t28, t22, t8))
+    t33 = xp.where(t29, t23, xp.where(t28, t23, t1))
+    t34 = t17 + (t15 + t26)
+    t35 = 1.0 + t3
+    t36 = t35 * t35
+    t37 = t34 + t36
+    t38 = t37 < t18
+    t39 = t37 < t16
+    t40 = t37 < t27
+    t41 = xp.where(t40, t31, xp.where(t39, t31, xp.where(t38, t31, t34)))
+    t42 = xp.sqrt(t41)
+    t43 = t41 == 0.0
+    t44 = xp.where(t40, t30, xp.where(t39, t30, xp.where(t38, t30, t12)))
+    t45 = xp.where(t43, batch.number(0.0), t44) / t42
+    t46 = xp.where(t40, t32, xp.where(t39, t32, xp.where(t38, t32, t13)))
+    t47 = xp.where(t43, batch.number(0.0), t46) / t42
+    t48 = xp.where(t40, t33, xp.where(t39, t33, xp.where(t38, t33, t14)))
+    t49 = xp.where(t43, batch.number(0.0), t48) / t42
+    t50 = xp.where(t19, t17 - t7, t15 - t11)
+    t51 = xp.where(t19, t18, t16)
+    t52 = xp.where(t29, t50, xp.where(t28, t50, t26 - t25))
+    t53 = xp.where(t29, t51, xp.where(t28, t51, t27))
+    t54 = xp.where(t40, t53, xp.where(t39, t53, xp.where(t38, t53, t37)))
+    t55 = t54 == 0.0
+    t56 = xp.where(t40, t52, xp.where(t39, t52, xp.where(t38, t52, t36 - t34)))
+    t57 = xp.where(t55, batch.number(0.0), t56) / t54
+    t58 = xp.where(t19, xp.sqrt(t7) * (2.0 * t14), xp.sqrt(t11) * (2.0 * t13))
+    t59 = xp.where(t29, t58, xp.where(t28, t58, xp.sqrt(t25) * (2.0 * t12)))
+    t60 = xp.where(t39, t59, xp.where(t38, t59, xp.sqrt(t34) * (2.0 * t35)))
+    t61 = xp.where(t55, batch.number(0.0), xp.where(t40, t59, t60)) / t54
+    t62 = xp.where(t49 < 0.0, batch.number(-1.0), batch.number(1.0))
+    t63 = xp.where(0.0 < t47, batch.number(1.0), t62)
+    t64 = xp.where(t47 < 0.0, batch.number(-1.0), t63)
+    t65 = xp.where(0.0 < t45, batch.number(1.0), t64)
+    t66 = xp.where(t45 < 0.0, batch.number(-1.0), t65)
+    t67 = xp.where(0.0 < t61, batch.number(1.0), t66)
+    t68 = xp.where(t61 < 0.0, batch.number(-1.0), t67)
+    t69 = t45 * t68
+    t70 = t47 * t68
+    t71 = t49 * t68
+    t72 = 2.0 * (1.0 - t57)
+    t73 = Q[0][0] * a[0] + Q[0][1] * a[1] + Q[0][2] * a[2] - a_prime[0]
+    t74 = Q[1][0] * a[0] + Q[1][1] * a[1] + Q[1][2] * a[2] - a_prime[1]
+    t75 = Q[2][0] * a[0] + Q[2][1] * a[1] + Q[2][2] * a[2] - a_prime[2]
+    t76 = t72 == 0.0
+    t77 = Q[0][0] * t73 + Q[1][0] * t74 + Q[2][0] * t75 - t73
+    t78 = xp.where(t76, batch.number(0.0), t77) / t72
+    t79 = Q[0][1] * t73 + Q[1][1] * t74 + Q[2][1] * t75 - t74
+    t80 = xp.where(t76, batch.number(0.0), t79) / t72
+    t81 = Q[0][2] * t73 + Q[1][2] * t74 + Q[2][2] * t75 - t75
+    t82 = xp.where(t76, batch.number(0.0), t81) / t72
+    t83 = t69 * (a_prime[0] - a[0]) + t70 * (a_prime[1] - a[1])
     axis = batch.array(
         (6,),
-        t29,
-        t31,
-        t33,
-        t33 * t49 - t31 * t51,
-        t29 * t51 - t33 * t47,
-        t31 * t47 - t29 * t49,
+        t69,
+        t70,
+        t71,
+        t71 * t80 - t70 * t82,
+        t69 * t82 - t71 * t78,
+        t70 * t78 - t69 * t80,
     )
-    d_0 = batch.array((), t52 + t33 * (a_prime[2] - a[2]))
-    phi = batch.array((), xp.atan2(xp.where(t24, t40, xp.sqrt(t23)), t37))
+    d_0 = batch.array((), t83 + t71 * (a_prime[2] - a[2]))
+    phi = batch.array((), xp.atan2(t61 * t68, t57))
     return delivered(out, axis, d_0, phi)
 
 

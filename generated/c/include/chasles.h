@@ -137,7 +137,7 @@ void chasles_pitch_of_motion_batchf(
  *   verdict     holds under
  *   assumes     phi != 0
  *               |e| = 1
- *   operations  22: 3 add, 2 subtract, 14 multiply, 2 divide, 1 cosine
+ *   operations  19: 3 add, 2 subtract, 11 multiply, 2 divide, 1 cosine
  *   derivation  sha256 5ac2e58cb954695fb22629ed1368ffe7e286efef15ae1ae9e6c4f136f03b4fc3
  */
 void chasles_normal_matrix_inverse(const double e[3], double phi, double result[9]);
@@ -469,7 +469,7 @@ void chasles_rotation_from_linear_invariants_batchf(
  *   returns     Q[9]: rotation
  *   verdict     holds under
  *   assumes     |e| = 1
- *   operations  32: 8 add, 4 subtract, 20 multiply
+ *   operations  29: 8 add, 4 subtract, 17 multiply
  *   derivation  sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
  */
 void chasles_rotation_from_euler_rodrigues(const double q[3], double q_0, double Q[9]);
@@ -515,8 +515,8 @@ void chasles_linear_invariants_batchf(
  *               phi: angle of rotation
  *   verdict     holds under
  *   assumes     Q is a rotation
- *   operations  39: 13 add, 4 subtract, 16 multiply, 3 divide, 2 square root, 1 arctangent2
- *   derivation  sha256 ce23ec446d990ff7e0b558fdd07ff9dade09e7e0b95886da8f4657dae3611696
+ *   operations  67: 21 add, 10 subtract, 25 multiply, 5 divide, 5 square root, 1 arctangent2
+ *   derivation  sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1
  */
 void chasles_natural_invariants(const double Q[9], double e[3], double *phi);
 void chasles_natural_invariantsf(const float Q[9], float e[3], float *phi);
@@ -538,8 +538,8 @@ void chasles_natural_invariants_batchf(
  *               q_0: scalar part of four invariants of the rotation
  *   verdict     holds under
  *   assumes     Q is a rotation
- *   operations  44: 15 add, 3 subtract, 19 multiply, 5 divide, 2 square root
- *   derivation  sha256 50d4440dd06d9ac3b74077d2653ac1b42afedddee70962f67db8cd4740e9b85f
+ *   operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root
+ *   derivation  sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6
  */
 void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *q_0);
 void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_0);
@@ -564,8 +564,8 @@ void chasles_euler_rodrigues_parameters_batchf(
  *               phi: angle of rotation
  *   verdict     holds under
  *   assumes     Q is a rotation
- *   operations  97: 27 add, 17 subtract, 44 multiply, 6 divide, 2 square root, 1 arctangent2
- *   derivation  sha256 39fd2c9a765bdb2fac1a7e8f9c30e2d5bb6b4ca83ea8343c9396eb347055e45c
+ *   operations  125: 35 add, 23 subtract, 53 multiply, 8 divide, 5 square root, 1 arctangent2
+ *   derivation  sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06
  */
 void chasles_screw_of_motion(
     const double Q[9],

@@ -13,7 +13,7 @@
  *   verdict     holds under
  *   assumes     phi != 0
  *               |e| = 1
- *   operations  22: 3 add, 2 subtract, 14 multiply, 2 divide, 1 cosine
+ *   operations  19: 3 add, 2 subtract, 11 multiply, 2 divide, 1 cosine
  *   derivation  sha256 5ac2e58cb954695fb22629ed1368ffe7e286efef15ae1ae9e6c4f136f03b4fc3
  */
 void chasles_normal_matrix_inverse(const double e[3], double phi, double result[9])
@@ -25,31 +25,27 @@ void chasles_normal_matrix_inverse(const double e[3], double phi, double result[
     const double t4 = (t2 ? 0.0 : 1.0 - 2.0 * cos_phi) / t1;
     const double t5 = e[0] * t4;
     const double t6 = e[1] * t4;
-    const double t7 = e[2] * t4;
     const double result1 = e[1] * t5;
     const double result2 = e[2] * t5;
-    const double result3 = e[0] * t6;
     const double result5 = e[2] * t6;
-    const double result6 = e[0] * t7;
-    const double result7 = e[1] * t7;
     const double result0 = t3 + e[0] * t5;
     const double result4 = t3 + e[1] * t6;
-    const double result8 = t3 + e[2] * t7;
+    const double result8 = t3 + e[2] * (e[2] * t4);
     result[0] = result0;
     result[1] = result1;
     result[2] = result2;
-    result[3] = result3;
+    result[3] = result1;
     result[4] = result4;
     result[5] = result5;
-    result[6] = result6;
-    result[7] = result7;
+    result[6] = result2;
+    result[7] = result5;
     result[8] = result8;
 }
 
 /*
  * (3.16) chasles_normal_matrix_inverse in single precision.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   22 operations; derivation sha256 5ac2e58cb954695fb22629ed1368ffe7e286efef15ae1ae9e6c4f136f03b4fc3
+ *   19 operations; derivation sha256 5ac2e58cb954695fb22629ed1368ffe7e286efef15ae1ae9e6c4f136f03b4fc3
  */
 void chasles_normal_matrix_inversef(const float e[3], float phi, float result[9])
 {
@@ -60,31 +56,27 @@ void chasles_normal_matrix_inversef(const float e[3], float phi, float result[9]
     const float t4 = (t2 ? 0.0f : 1.0f - 2.0f * cos_phi) / t1;
     const float t5 = e[0] * t4;
     const float t6 = e[1] * t4;
-    const float t7 = e[2] * t4;
     const float result1 = e[1] * t5;
     const float result2 = e[2] * t5;
-    const float result3 = e[0] * t6;
     const float result5 = e[2] * t6;
-    const float result6 = e[0] * t7;
-    const float result7 = e[1] * t7;
     const float result0 = t3 + e[0] * t5;
     const float result4 = t3 + e[1] * t6;
-    const float result8 = t3 + e[2] * t7;
+    const float result8 = t3 + e[2] * (e[2] * t4);
     result[0] = result0;
     result[1] = result1;
     result[2] = result2;
-    result[3] = result3;
+    result[3] = result1;
     result[4] = result4;
     result[5] = result5;
-    result[6] = result6;
-    result[7] = result7;
+    result[6] = result2;
+    result[7] = result5;
     result[8] = result8;
 }
 
 /*
  * (3.16) chasles_normal_matrix_inverse for a batch.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   22 operations; derivation sha256 5ac2e58cb954695fb22629ed1368ffe7e286efef15ae1ae9e6c4f136f03b4fc3
+ *   19 operations; derivation sha256 5ac2e58cb954695fb22629ed1368ffe7e286efef15ae1ae9e6c4f136f03b4fc3
  */
 void chasles_normal_matrix_inverse_batch(
     size_t count,
@@ -100,7 +92,7 @@ void chasles_normal_matrix_inverse_batch(
 /*
  * (3.16) chasles_normal_matrix_inversef for a batch.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   22 operations; derivation sha256 5ac2e58cb954695fb22629ed1368ffe7e286efef15ae1ae9e6c4f136f03b4fc3
+ *   19 operations; derivation sha256 5ac2e58cb954695fb22629ed1368ffe7e286efef15ae1ae9e6c4f136f03b4fc3
  */
 void chasles_normal_matrix_inverse_batchf(
     size_t count,

@@ -471,28 +471,30 @@ void chasles_rotation_from_linear_invariants_batchf(
  *   returns     Q[9]: rotation
  *   verdict     holds under
  *   assumes     |e| = 1
- *   operations  32: 8 add, 4 subtract, 20 multiply
+ *   operations  29: 8 add, 4 subtract, 17 multiply
  *   derivation  sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
  */
 void chasles_rotation_from_euler_rodrigues(const double q[3], double q_0, double Q[9])
 {
     const double t1 = q_0 * q_0 - (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
-    const double t2 = 2.0 * q[0];
-    const double t3 = 2.0 * q[1];
-    const double t4 = 2.0 * q[2];
-    const double t5 = 2.0 * q_0;
-    const double Q0 = t1 + q[0] * t2;
-    const double Q4 = t1 + q[1] * t3;
-    const double Q8 = t1 + q[2] * t4;
-    const double t6 = q[0] * t5;
-    const double t7 = q[1] * t5;
-    const double t8 = q[2] * t5;
-    const double Q1 = q[1] * t2 - t8;
-    const double Q2 = q[2] * t2 + t7;
-    const double Q3 = q[0] * t3 + t8;
-    const double Q5 = q[2] * t3 - t6;
-    const double Q6 = q[0] * t4 - t7;
-    const double Q7 = q[1] * t4 + t6;
+    const double t2 = 2.0 * q_0;
+    const double t3 = 2.0 * q[0];
+    const double t4 = 2.0 * q[1];
+    const double t5 = q[1] * t3;
+    const double t6 = q[2] * t3;
+    const double t7 = q[2] * t4;
+    const double Q0 = t1 + q[0] * t3;
+    const double Q4 = t1 + q[1] * t4;
+    const double Q8 = t1 + q[2] * (2.0 * q[2]);
+    const double t8 = q[0] * t2;
+    const double t9 = q[1] * t2;
+    const double t10 = q[2] * t2;
+    const double Q1 = t5 - t10;
+    const double Q2 = t6 + t9;
+    const double Q3 = t5 + t10;
+    const double Q5 = t7 - t8;
+    const double Q6 = t6 - t9;
+    const double Q7 = t7 + t8;
     Q[0] = Q0;
     Q[1] = Q1;
     Q[2] = Q2;
@@ -507,27 +509,29 @@ void chasles_rotation_from_euler_rodrigues(const double q[3], double q_0, double
 /*
  * text 3.4.2 f chasles_rotation_from_euler_rodrigues in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   32 operations; derivation sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
+ *   29 operations; derivation sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
  */
 void chasles_rotation_from_euler_rodriguesf(const float q[3], float q_0, float Q[9])
 {
     const float t1 = q_0 * q_0 - (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
-    const float t2 = 2.0f * q[0];
-    const float t3 = 2.0f * q[1];
-    const float t4 = 2.0f * q[2];
-    const float t5 = 2.0f * q_0;
-    const float Q0 = t1 + q[0] * t2;
-    const float Q4 = t1 + q[1] * t3;
-    const float Q8 = t1 + q[2] * t4;
-    const float t6 = q[0] * t5;
-    const float t7 = q[1] * t5;
-    const float t8 = q[2] * t5;
-    const float Q1 = q[1] * t2 - t8;
-    const float Q2 = q[2] * t2 + t7;
-    const float Q3 = q[0] * t3 + t8;
-    const float Q5 = q[2] * t3 - t6;
-    const float Q6 = q[0] * t4 - t7;
-    const float Q7 = q[1] * t4 + t6;
+    const float t2 = 2.0f * q_0;
+    const float t3 = 2.0f * q[0];
+    const float t4 = 2.0f * q[1];
+    const float t5 = q[1] * t3;
+    const float t6 = q[2] * t3;
+    const float t7 = q[2] * t4;
+    const float Q0 = t1 + q[0] * t3;
+    const float Q4 = t1 + q[1] * t4;
+    const float Q8 = t1 + q[2] * (2.0f * q[2]);
+    const float t8 = q[0] * t2;
+    const float t9 = q[1] * t2;
+    const float t10 = q[2] * t2;
+    const float Q1 = t5 - t10;
+    const float Q2 = t6 + t9;
+    const float Q3 = t5 + t10;
+    const float Q5 = t7 - t8;
+    const float Q6 = t6 - t9;
+    const float Q7 = t7 + t8;
     Q[0] = Q0;
     Q[1] = Q1;
     Q[2] = Q2;
@@ -542,7 +546,7 @@ void chasles_rotation_from_euler_rodriguesf(const float q[3], float q_0, float Q
 /*
  * text 3.4.2 f chasles_rotation_from_euler_rodrigues for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   32 operations; derivation sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
+ *   29 operations; derivation sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
  */
 void chasles_rotation_from_euler_rodrigues_batch(
     size_t count,
@@ -558,7 +562,7 @@ void chasles_rotation_from_euler_rodrigues_batch(
 /*
  * text 3.4.2 f chasles_rotation_from_euler_rodriguesf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   32 operations; derivation sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
+ *   29 operations; derivation sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
  */
 void chasles_rotation_from_euler_rodrigues_batchf(
     size_t count,
@@ -649,47 +653,75 @@ void chasles_linear_invariants_batchf(
  *               phi: angle of rotation
  *   verdict     holds under
  *   assumes     Q is a rotation
- *   operations  39: 13 add, 4 subtract, 16 multiply, 3 divide, 2 square root, 1 arctangent2
- *   derivation  sha256 ce23ec446d990ff7e0b558fdd07ff9dade09e7e0b95886da8f4657dae3611696
+ *   operations  67: 21 add, 10 subtract, 25 multiply, 5 divide, 5 square root, 1 arctangent2
+ *   derivation  sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1
  */
 void chasles_natural_invariants(const double Q[9], double e[3], double *phi)
 {
-    const double t1 = NAN;
-    const double t2 = 1.0 + Q[8];
-    const double t3 = Q[2] * Q[2] + Q[5] * Q[5] + t2 * t2;
-    const double t4 = Q[8] + (Q[0] + Q[4]);
-    const int t5 = t4 < 0.0;
-    const int t6 = 0.0 == t3;
-    const double t7 = t6 ? t1 : (t5 ? Q[2] : t1);
-    const double t8 = t6 ? t1 : (t5 ? Q[5] : t1);
-    const double t9 = t6 ? t1 : (t5 ? t2 : t1);
-    const double t10 = 1.0 + Q[4];
-    const double t11 = Q[1] * Q[1] + t10 * t10 + Q[7] * Q[7];
-    const int t12 = 0.0 == t11;
-    const double t13 = t12 ? t7 : (t5 ? Q[1] : t7);
-    const double t14 = t12 ? t3 : (t5 ? t11 : t3);
-    const double t15 = t12 ? t8 : (t5 ? t10 : t8);
-    const double t16 = t12 ? t9 : (t5 ? Q[7] : t9);
-    const double t17 = 1.0 + Q[0];
-    const double t18 = t17 * t17 + Q[3] * Q[3] + Q[6] * Q[6];
-    const int t19 = 0.0 == t18;
-    const double t20 = 0.5 * (Q[7] - Q[5]);
-    const double t21 = 0.5 * (Q[2] - Q[6]);
-    const double t22 = 0.5 * (Q[3] - Q[1]);
-    const double t23 = t20 * t20 + t21 * t21 + t22 * t22;
-    const int t24 = 0.0 == t23;
-    const double t25 = t24 ? (t19 ? t14 : (t5 ? t18 : t14)) : t23;
-    const double t26 = sqrt(t25);
-    const int t27 = t25 == 0.0;
-    const double e0 = (t27 ? 0.0 : (t24 ? (t19 ? t13 : (t5 ? t17 : t13)) : t20)) / t26;
-    const double e1 = (t27 ? 0.0 : (t24 ? (t19 ? t15 : (t5 ? Q[3] : t15)) : t21)) / t26;
-    const double e2 = (t27 ? 0.0 : (t24 ? (t19 ? t16 : (t5 ? Q[6] : t16)) : t22)) / t26;
-    const double t28 = t6 ? t1 : (t5 ? -1.0 : t1);
-    const double t29 = t12 ? t28 : (t5 ? -1.0 : t28);
-    const double t30 = t6 ? t1 : (t5 ? 0.0 : t1);
-    const double t31 = t12 ? t30 : (t5 ? 0.0 : t30);
-    const double t32 = t24 ? (t19 ? t29 : (t5 ? -1.0 : t29)) : 0.5 * (t4 - 1.0);
-    const double phi_value = atan2(t24 ? (t19 ? t31 : (t5 ? 0.0 : t31)) : sqrt(t23), t32);
+    const double t1 = Q[2] + Q[6];
+    const double t2 = Q[5] + Q[7];
+    const double t3 = Q[8] + (Q[0] + Q[4]);
+    const double t4 = 1.0 + 2.0 * Q[8] - t3;
+    const double t5 = t1 * t1;
+    const double t6 = t2 * t2;
+    const double t7 = t5 + t6 + t4 * t4;
+    const double t8 = Q[1] + Q[3];
+    const double t9 = 1.0 + 2.0 * Q[4] - t3;
+    const double t10 = t8 * t8;
+    const double t11 = t6 + (t10 + t9 * t9);
+    const double t12 = Q[7] - Q[5];
+    const double t13 = Q[2] - Q[6];
+    const double t14 = Q[3] - Q[1];
+    const double t15 = t13 * t13;
+    const double t16 = t11 + t15;
+    const double t17 = t14 * t14;
+    const double t18 = t7 + t17;
+    const int t19 = t16 < t18;
+    const double t20 = t19 ? t1 : t8;
+    const double t21 = t19 ? t7 : t11;
+    const double t22 = t19 ? t2 : t9;
+    const double t23 = t19 ? t4 : t2;
+    const double t24 = 1.0 + 2.0 * Q[0] - t3;
+    const double t25 = t5 + (t10 + t24 * t24);
+    const double t26 = t12 * t12;
+    const double t27 = t25 + t26;
+    const int t28 = t27 < t18;
+    const int t29 = t27 < t16;
+    const double t30 = t29 ? t20 : (t28 ? t20 : t24);
+    const double t31 = t29 ? t21 : (t28 ? t21 : t25);
+    const double t32 = t29 ? t22 : (t28 ? t22 : t8);
+    const double t33 = t29 ? t23 : (t28 ? t23 : t1);
+    const double t34 = t17 + (t15 + t26);
+    const double t35 = 1.0 + t3;
+    const double t36 = t35 * t35;
+    const double t37 = t34 + t36;
+    const int t38 = t37 < t18;
+    const int t39 = t37 < t16;
+    const int t40 = t37 < t27;
+    const double t41 = t40 ? t31 : (t39 ? t31 : (t38 ? t31 : t34));
+    const double t42 = sqrt(t41);
+    const int t43 = t41 == 0.0;
+    const double t44 = (t43 ? 0.0 : (t40 ? t30 : (t39 ? t30 : (t38 ? t30 : t12)))) / t42;
+    const double t45 = (t43 ? 0.0 : (t40 ? t32 : (t39 ? t32 : (t38 ? t32 : t13)))) / t42;
+    const double t46 = (t43 ? 0.0 : (t40 ? t33 : (t39 ? t33 : (t38 ? t33 : t14)))) / t42;
+    const double t47 = t19 ? t17 - t7 : t15 - t11;
+    const double t48 = t19 ? t18 : t16;
+    const double t49 = t29 ? t47 : (t28 ? t47 : t26 - t25);
+    const double t50 = t29 ? t48 : (t28 ? t48 : t27);
+    const double t51 = t40 ? t50 : (t39 ? t50 : (t38 ? t50 : t37));
+    const int t52 = t51 == 0.0;
+    const double t53 = t19 ? sqrt(t7) * (2.0 * t14) : sqrt(t11) * (2.0 * t13);
+    const double t54 = t29 ? t53 : (t28 ? t53 : sqrt(t25) * (2.0 * t12));
+    const double t55 = t40 ? t54 : (t39 ? t54 : (t38 ? t54 : sqrt(t34) * (2.0 * t35)));
+    const double t56 = (t52 ? 0.0 : t55) / t51;
+    const double t57 = t45 < 0.0 ? -1.0 : (0.0 < t45 ? 1.0 : (t46 < 0.0 ? -1.0 : 1.0));
+    const double t58 = 0.0 < t56 ? 1.0 : (t44 < 0.0 ? -1.0 : (0.0 < t44 ? 1.0 : t57));
+    const double t59 = t56 < 0.0 ? -1.0 : t58;
+    const double e0 = t44 * t59;
+    const double e1 = t45 * t59;
+    const double e2 = t46 * t59;
+    const double t60 = (t52 ? 0.0 : (t40 ? t49 : (t39 ? t49 : (t38 ? t49 : t36 - t34)))) / t51;
+    const double phi_value = atan2(t56 * t59, t60);
     e[0] = e0;
     e[1] = e1;
     e[2] = e2;
@@ -699,46 +731,74 @@ void chasles_natural_invariants(const double Q[9], double e[3], double *phi)
 /*
  * text 3.4.2 h chasles_natural_invariants in single precision.
  *   verdict: holds under; assumes Q is a rotation
- *   39 operations; derivation sha256 ce23ec446d990ff7e0b558fdd07ff9dade09e7e0b95886da8f4657dae3611696
+ *   67 operations; derivation sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1
  */
 void chasles_natural_invariantsf(const float Q[9], float e[3], float *phi)
 {
-    const float t1 = NAN;
-    const float t2 = 1.0f + Q[8];
-    const float t3 = Q[2] * Q[2] + Q[5] * Q[5] + t2 * t2;
-    const float t4 = Q[8] + (Q[0] + Q[4]);
-    const int t5 = t4 < 0.0f;
-    const int t6 = 0.0f == t3;
-    const float t7 = t6 ? t1 : (t5 ? Q[2] : t1);
-    const float t8 = t6 ? t1 : (t5 ? Q[5] : t1);
-    const float t9 = t6 ? t1 : (t5 ? t2 : t1);
-    const float t10 = 1.0f + Q[4];
-    const float t11 = Q[1] * Q[1] + t10 * t10 + Q[7] * Q[7];
-    const int t12 = 0.0f == t11;
-    const float t13 = t12 ? t7 : (t5 ? Q[1] : t7);
-    const float t14 = t12 ? t3 : (t5 ? t11 : t3);
-    const float t15 = t12 ? t8 : (t5 ? t10 : t8);
-    const float t16 = t12 ? t9 : (t5 ? Q[7] : t9);
-    const float t17 = 1.0f + Q[0];
-    const float t18 = t17 * t17 + Q[3] * Q[3] + Q[6] * Q[6];
-    const int t19 = 0.0f == t18;
-    const float t20 = 0.5f * (Q[7] - Q[5]);
-    const float t21 = 0.5f * (Q[2] - Q[6]);
-    const float t22 = 0.5f * (Q[3] - Q[1]);
-    const float t23 = t20 * t20 + t21 * t21 + t22 * t22;
-    const int t24 = 0.0f == t23;
-    const float t25 = t24 ? (t19 ? t14 : (t5 ? t18 : t14)) : t23;
-    const float t26 = sqrtf(t25);
-    const int t27 = t25 == 0.0f;
-    const float e0 = (t27 ? 0.0f : (t24 ? (t19 ? t13 : (t5 ? t17 : t13)) : t20)) / t26;
-    const float e1 = (t27 ? 0.0f : (t24 ? (t19 ? t15 : (t5 ? Q[3] : t15)) : t21)) / t26;
-    const float e2 = (t27 ? 0.0f : (t24 ? (t19 ? t16 : (t5 ? Q[6] : t16)) : t22)) / t26;
-    const float t28 = t6 ? t1 : (t5 ? -1.0f : t1);
-    const float t29 = t12 ? t28 : (t5 ? -1.0f : t28);
-    const float t30 = t6 ? t1 : (t5 ? 0.0f : t1);
-    const float t31 = t12 ? t30 : (t5 ? 0.0f : t30);
-    const float t32 = t24 ? (t19 ? t29 : (t5 ? -1.0f : t29)) : 0.5f * (t4 - 1.0f);
-    const float phi_value = atan2f(t24 ? (t19 ? t31 : (t5 ? 0.0f : t31)) : sqrtf(t23), t32);
+    const float t1 = Q[2] + Q[6];
+    const float t2 = Q[5] + Q[7];
+    const float t3 = Q[8] + (Q[0] + Q[4]);
+    const float t4 = 1.0f + 2.0f * Q[8] - t3;
+    const float t5 = t1 * t1;
+    const float t6 = t2 * t2;
+    const float t7 = t5 + t6 + t4 * t4;
+    const float t8 = Q[1] + Q[3];
+    const float t9 = 1.0f + 2.0f * Q[4] - t3;
+    const float t10 = t8 * t8;
+    const float t11 = t6 + (t10 + t9 * t9);
+    const float t12 = Q[7] - Q[5];
+    const float t13 = Q[2] - Q[6];
+    const float t14 = Q[3] - Q[1];
+    const float t15 = t13 * t13;
+    const float t16 = t11 + t15;
+    const float t17 = t14 * t14;
+    const float t18 = t7 + t17;
+    const int t19 = t16 < t18;
+    const float t20 = t19 ? t1 : t8;
+    const float t21 = t19 ? t7 : t11;
+    const float t22 = t19 ? t2 : t9;
+    const float t23 = t19 ? t4 : t2;
+    const float t24 = 1.0f + 2.0f * Q[0] - t3;
+    const float t25 = t5 + (t10 + t24 * t24);
+    const float t26 = t12 * t12;
+    const float t27 = t25 + t26;
+    const int t28 = t27 < t18;
+    const int t29 = t27 < t16;
+    const float t30 = t29 ? t20 : (t28 ? t20 : t24);
+    const float t31 = t29 ? t21 : (t28 ? t21 : t25);
+    const float t32 = t29 ? t22 : (t28 ? t22 : t8);
+    const float t33 = t29 ? t23 : (t28 ? t23 : t1);
+    const float t34 = t17 + (t15 + t26);
+    const float t35 = 1.0f + t3;
+    const float t36 = t35 * t35;
+    const float t37 = t34 + t36;
+    const int t38 = t37 < t18;
+    const int t39 = t37 < t16;
+    const int t40 = t37 < t27;
+    const float t41 = t40 ? t31 : (t39 ? t31 : (t38 ? t31 : t34));
+    const float t42 = sqrtf(t41);
+    const int t43 = t41 == 0.0f;
+    const float t44 = (t43 ? 0.0f : (t40 ? t30 : (t39 ? t30 : (t38 ? t30 : t12)))) / t42;
+    const float t45 = (t43 ? 0.0f : (t40 ? t32 : (t39 ? t32 : (t38 ? t32 : t13)))) / t42;
+    const float t46 = (t43 ? 0.0f : (t40 ? t33 : (t39 ? t33 : (t38 ? t33 : t14)))) / t42;
+    const float t47 = t19 ? t17 - t7 : t15 - t11;
+    const float t48 = t19 ? t18 : t16;
+    const float t49 = t29 ? t47 : (t28 ? t47 : t26 - t25);
+    const float t50 = t29 ? t48 : (t28 ? t48 : t27);
+    const float t51 = t40 ? t50 : (t39 ? t50 : (t38 ? t50 : t37));
+    const int t52 = t51 == 0.0f;
+    const float t53 = t19 ? sqrtf(t7) * (2.0f * t14) : sqrtf(t11) * (2.0f * t13);
+    const float t54 = t29 ? t53 : (t28 ? t53 : sqrtf(t25) * (2.0f * t12));
+    const float t55 = t40 ? t54 : (t39 ? t54 : (t38 ? t54 : sqrtf(t34) * (2.0f * t35)));
+    const float t56 = (t52 ? 0.0f : t55) / t51;
+    const float t57 = t45 < 0.0f ? -1.0f : (0.0f < t45 ? 1.0f : (t46 < 0.0f ? -1.0f : 1.0f));
+    const float t58 = 0.0f < t56 ? 1.0f : (t44 < 0.0f ? -1.0f : (0.0f < t44 ? 1.0f : t57));
+    const float t59 = t56 < 0.0f ? -1.0f : t58;
+    const float e0 = t44 * t59;
+    const float e1 = t45 * t59;
+    const float e2 = t46 * t59;
+    const float t60 = (t52 ? 0.0f : (t40 ? t49 : (t39 ? t49 : (t38 ? t49 : t36 - t34)))) / t51;
+    const float phi_value = atan2f(t56 * t59, t60);
     e[0] = e0;
     e[1] = e1;
     e[2] = e2;
@@ -748,7 +808,7 @@ void chasles_natural_invariantsf(const float Q[9], float e[3], float *phi)
 /*
  * text 3.4.2 h chasles_natural_invariants for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   39 operations; derivation sha256 ce23ec446d990ff7e0b558fdd07ff9dade09e7e0b95886da8f4657dae3611696
+ *   67 operations; derivation sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1
  */
 void chasles_natural_invariants_batch(
     size_t count,
@@ -764,7 +824,7 @@ void chasles_natural_invariants_batch(
 /*
  * text 3.4.2 h chasles_natural_invariantsf for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   39 operations; derivation sha256 ce23ec446d990ff7e0b558fdd07ff9dade09e7e0b95886da8f4657dae3611696
+ *   67 operations; derivation sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1
  */
 void chasles_natural_invariants_batchf(
     size_t count,
@@ -784,51 +844,62 @@ void chasles_natural_invariants_batchf(
  *               q_0: scalar part of four invariants of the rotation
  *   verdict     holds under
  *   assumes     Q is a rotation
- *   operations  44: 15 add, 3 subtract, 19 multiply, 5 divide, 2 square root
- *   derivation  sha256 50d4440dd06d9ac3b74077d2653ac1b42afedddee70962f67db8cd4740e9b85f
+ *   operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root
+ *   derivation  sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6
  */
 void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *q_0)
 {
-    const double t1 = NAN;
-    const double t2 = 1.0 + Q[8];
-    const double t3 = Q[2] * Q[2] + Q[5] * Q[5] + t2 * t2;
-    const double t4 = Q[8] + (Q[0] + Q[4]);
-    const int t5 = t4 < 0.0;
-    const int t6 = 0.0 == t3;
-    const double t7 = t6 ? t1 : (t5 ? Q[2] : t1);
-    const double t8 = t6 ? t1 : (t5 ? Q[5] : t1);
-    const double t9 = t6 ? t1 : (t5 ? t2 : t1);
-    const double t10 = 1.0 + Q[4];
-    const double t11 = Q[1] * Q[1] + t10 * t10 + Q[7] * Q[7];
-    const int t12 = 0.0 == t11;
-    const double t13 = t12 ? t7 : (t5 ? Q[1] : t7);
-    const double t14 = t12 ? t3 : (t5 ? t11 : t3);
-    const double t15 = t12 ? t8 : (t5 ? t10 : t8);
-    const double t16 = t12 ? t9 : (t5 ? Q[7] : t9);
-    const double t17 = 1.0 + Q[0];
-    const double t18 = t17 * t17 + Q[3] * Q[3] + Q[6] * Q[6];
-    const int t19 = 0.0 == t18;
-    const double t20 = t19 ? t14 : (t5 ? t18 : t14);
-    const double t21 = sqrt(t20);
-    const int t22 = t20 == 0.0;
-    const double t23 = Q[7] - Q[5];
-    const double t24 = Q[2] - Q[6];
-    const double t25 = Q[3] - Q[1];
-    const double t26 = 1.0 + t4;
-    const double t27 = t23 * t23 + t24 * t24 + t25 * t25 + t26 * t26;
-    const double t28 = sqrt(t27);
-    const int t29 = t27 == 0.0;
-    const double t30 = (t29 ? 0.0 : 2.0) / t28;
-    const int t31 = 0.0 == t27;
-    const double t32 = (t22 ? 0.0 : (t19 ? t13 : (t5 ? t17 : t13))) / t21;
-    const double q0 = t31 ? t32 : 0.5 * t23 * t30;
-    const double t33 = (t22 ? 0.0 : (t19 ? t15 : (t5 ? Q[3] : t15))) / t21;
-    const double q1 = t31 ? t33 : 0.5 * t24 * t30;
-    const double t34 = (t22 ? 0.0 : (t19 ? t16 : (t5 ? Q[6] : t16))) / t21;
-    const double q2 = t31 ? t34 : 0.5 * t25 * t30;
-    const double t35 = t6 ? t1 : (t5 ? 0.0 : t1);
-    const double t36 = t12 ? t35 : (t5 ? 0.0 : t35);
-    const double q_0_value = t31 ? (t19 ? t36 : (t5 ? 0.0 : t36)) : (t29 ? 0.0 : t26) / t28;
+    const double t1 = Q[2] + Q[6];
+    const double t2 = Q[5] + Q[7];
+    const double t3 = Q[8] + (Q[0] + Q[4]);
+    const double t4 = 1.0 + 2.0 * Q[8] - t3;
+    const double t5 = Q[7] - Q[5];
+    const double t6 = Q[2] - Q[6];
+    const double t7 = Q[3] - Q[1];
+    const double t8 = t1 * t1;
+    const double t9 = t2 * t2;
+    const double t10 = t7 * t7;
+    const double t11 = t8 + t9 + t4 * t4 + t10;
+    const double t12 = Q[1] + Q[3];
+    const double t13 = 1.0 + 2.0 * Q[4] - t3;
+    const double t14 = t12 * t12;
+    const double t15 = t6 * t6;
+    const double t16 = t9 + (t14 + t13 * t13) + t15;
+    const int t17 = t16 < t11;
+    const double t18 = t17 ? t1 : t12;
+    const double t19 = t17 ? t11 : t16;
+    const double t20 = t17 ? t2 : t13;
+    const double t21 = t17 ? t4 : t2;
+    const double t22 = 1.0 + 2.0 * Q[0] - t3;
+    const double t23 = t5 * t5;
+    const double t24 = t8 + (t14 + t22 * t22) + t23;
+    const int t25 = t24 < t11;
+    const int t26 = t24 < t16;
+    const double t27 = t26 ? t18 : (t25 ? t18 : t22);
+    const double t28 = t26 ? t19 : (t25 ? t19 : t24);
+    const double t29 = t26 ? t20 : (t25 ? t20 : t12);
+    const double t30 = t26 ? t21 : (t25 ? t21 : t1);
+    const double t31 = 1.0 + t3;
+    const double t32 = t10 + (t15 + t23) + t31 * t31;
+    const int t33 = t32 < t11;
+    const int t34 = t32 < t16;
+    const int t35 = t32 < t24;
+    const double t36 = t35 ? t28 : (t34 ? t28 : (t33 ? t28 : t32));
+    const double t37 = sqrt(t36);
+    const int t38 = t36 == 0.0;
+    const double t39 = (t38 ? 0.0 : (t35 ? t27 : (t34 ? t27 : (t33 ? t27 : t5)))) / t37;
+    const double t40 = (t38 ? 0.0 : (t35 ? t29 : (t34 ? t29 : (t33 ? t29 : t6)))) / t37;
+    const double t41 = (t38 ? 0.0 : (t35 ? t30 : (t34 ? t30 : (t33 ? t30 : t7)))) / t37;
+    const double t42 = t17 ? t7 : t6;
+    const double t43 = t26 ? t42 : (t25 ? t42 : t5);
+    const double t44 = (t38 ? 0.0 : (t35 ? t43 : (t34 ? t43 : (t33 ? t43 : t31)))) / t37;
+    const double t45 = t40 < 0.0 ? -1.0 : (0.0 < t40 ? 1.0 : (t41 < 0.0 ? -1.0 : 1.0));
+    const double t46 = 0.0 < t44 ? 1.0 : (t39 < 0.0 ? -1.0 : (0.0 < t39 ? 1.0 : t45));
+    const double t47 = t44 < 0.0 ? -1.0 : t46;
+    const double q0 = t39 * t47;
+    const double q1 = t40 * t47;
+    const double q2 = t41 * t47;
+    const double q_0_value = t44 * t47;
     q[0] = q0;
     q[1] = q1;
     q[2] = q2;
@@ -838,50 +909,61 @@ void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parameters in single precision.
  *   verdict: holds under; assumes Q is a rotation
- *   44 operations; derivation sha256 50d4440dd06d9ac3b74077d2653ac1b42afedddee70962f67db8cd4740e9b85f
+ *   49 operations; derivation sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6
  */
 void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_0)
 {
-    const float t1 = NAN;
-    const float t2 = 1.0f + Q[8];
-    const float t3 = Q[2] * Q[2] + Q[5] * Q[5] + t2 * t2;
-    const float t4 = Q[8] + (Q[0] + Q[4]);
-    const int t5 = t4 < 0.0f;
-    const int t6 = 0.0f == t3;
-    const float t7 = t6 ? t1 : (t5 ? Q[2] : t1);
-    const float t8 = t6 ? t1 : (t5 ? Q[5] : t1);
-    const float t9 = t6 ? t1 : (t5 ? t2 : t1);
-    const float t10 = 1.0f + Q[4];
-    const float t11 = Q[1] * Q[1] + t10 * t10 + Q[7] * Q[7];
-    const int t12 = 0.0f == t11;
-    const float t13 = t12 ? t7 : (t5 ? Q[1] : t7);
-    const float t14 = t12 ? t3 : (t5 ? t11 : t3);
-    const float t15 = t12 ? t8 : (t5 ? t10 : t8);
-    const float t16 = t12 ? t9 : (t5 ? Q[7] : t9);
-    const float t17 = 1.0f + Q[0];
-    const float t18 = t17 * t17 + Q[3] * Q[3] + Q[6] * Q[6];
-    const int t19 = 0.0f == t18;
-    const float t20 = t19 ? t14 : (t5 ? t18 : t14);
-    const float t21 = sqrtf(t20);
-    const int t22 = t20 == 0.0f;
-    const float t23 = Q[7] - Q[5];
-    const float t24 = Q[2] - Q[6];
-    const float t25 = Q[3] - Q[1];
-    const float t26 = 1.0f + t4;
-    const float t27 = t23 * t23 + t24 * t24 + t25 * t25 + t26 * t26;
-    const float t28 = sqrtf(t27);
-    const int t29 = t27 == 0.0f;
-    const float t30 = (t29 ? 0.0f : 2.0f) / t28;
-    const int t31 = 0.0f == t27;
-    const float t32 = (t22 ? 0.0f : (t19 ? t13 : (t5 ? t17 : t13))) / t21;
-    const float q0 = t31 ? t32 : 0.5f * t23 * t30;
-    const float t33 = (t22 ? 0.0f : (t19 ? t15 : (t5 ? Q[3] : t15))) / t21;
-    const float q1 = t31 ? t33 : 0.5f * t24 * t30;
-    const float t34 = (t22 ? 0.0f : (t19 ? t16 : (t5 ? Q[6] : t16))) / t21;
-    const float q2 = t31 ? t34 : 0.5f * t25 * t30;
-    const float t35 = t6 ? t1 : (t5 ? 0.0f : t1);
-    const float t36 = t12 ? t35 : (t5 ? 0.0f : t35);
-    const float q_0_value = t31 ? (t19 ? t36 : (t5 ? 0.0f : t36)) : (t29 ? 0.0f : t26) / t28;
+    const float t1 = Q[2] + Q[6];
+    const float t2 = Q[5] + Q[7];
+    const float t3 = Q[8] + (Q[0] + Q[4]);
+    const float t4 = 1.0f + 2.0f * Q[8] - t3;
+    const float t5 = Q[7] - Q[5];
+    const float t6 = Q[2] - Q[6];
+    const float t7 = Q[3] - Q[1];
+    const float t8 = t1 * t1;
+    const float t9 = t2 * t2;
+    const float t10 = t7 * t7;
+    const float t11 = t8 + t9 + t4 * t4 + t10;
+    const float t12 = Q[1] + Q[3];
+    const float t13 = 1.0f + 2.0f * Q[4] - t3;
+    const float t14 = t12 * t12;
+    const float t15 = t6 * t6;
+    const float t16 = t9 + (t14 + t13 * t13) + t15;
+    const int t17 = t16 < t11;
+    const float t18 = t17 ? t1 : t12;
+    const float t19 = t17 ? t11 : t16;
+    const float t20 = t17 ? t2 : t13;
+    const float t21 = t17 ? t4 : t2;
+    const float t22 = 1.0f + 2.0f * Q[0] - t3;
+    const float t23 = t5 * t5;
+    const float t24 = t8 + (t14 + t22 * t22) + t23;
+    const int t25 = t24 < t11;
+    const int t26 = t24 < t16;
+    const float t27 = t26 ? t18 : (t25 ? t18 : t22);
+    const float t28 = t26 ? t19 : (t25 ? t19 : t24);
+    const float t29 = t26 ? t20 : (t25 ? t20 : t12);
+    const float t30 = t26 ? t21 : (t25 ? t21 : t1);
+    const float t31 = 1.0f + t3;
+    const float t32 = t10 + (t15 + t23) + t31 * t31;
+    const int t33 = t32 < t11;
+    const int t34 = t32 < t16;
+    const int t35 = t32 < t24;
+    const float t36 = t35 ? t28 : (t34 ? t28 : (t33 ? t28 : t32));
+    const float t37 = sqrtf(t36);
+    const int t38 = t36 == 0.0f;
+    const float t39 = (t38 ? 0.0f : (t35 ? t27 : (t34 ? t27 : (t33 ? t27 : t5)))) / t37;
+    const float t40 = (t38 ? 0.0f : (t35 ? t29 : (t34 ? t29 : (t33 ? t29 : t6)))) / t37;
+    const float t41 = (t38 ? 0.0f : (t35 ? t30 : (t34 ? t30 : (t33 ? t30 : t7)))) / t37;
+    const float t42 = t17 ? t7 : t6;
+    const float t43 = t26 ? t42 : (t25 ? t42 : t5);
+    const float t44 = (t38 ? 0.0f : (t35 ? t43 : (t34 ? t43 : (t33 ? t43 : t31)))) / t37;
+    const float t45 = t40 < 0.0f ? -1.0f : (0.0f < t40 ? 1.0f : (t41 < 0.0f ? -1.0f : 1.0f));
+    const float t46 = 0.0f < t44 ? 1.0f : (t39 < 0.0f ? -1.0f : (0.0f < t39 ? 1.0f : t45));
+    const float t47 = t44 < 0.0f ? -1.0f : t46;
+    const float q0 = t39 * t47;
+    const float q1 = t40 * t47;
+    const float q2 = t41 * t47;
+    const float q_0_value = t44 * t47;
     q[0] = q0;
     q[1] = q1;
     q[2] = q2;
@@ -891,7 +973,7 @@ void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parameters for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   44 operations; derivation sha256 50d4440dd06d9ac3b74077d2653ac1b42afedddee70962f67db8cd4740e9b85f
+ *   49 operations; derivation sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6
  */
 void chasles_euler_rodrigues_parameters_batch(
     size_t count,
@@ -907,7 +989,7 @@ void chasles_euler_rodrigues_parameters_batch(
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parametersf for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   44 operations; derivation sha256 50d4440dd06d9ac3b74077d2653ac1b42afedddee70962f67db8cd4740e9b85f
+ *   49 operations; derivation sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6
  */
 void chasles_euler_rodrigues_parameters_batchf(
     size_t count,
@@ -930,8 +1012,8 @@ void chasles_euler_rodrigues_parameters_batchf(
  *               phi: angle of rotation
  *   verdict     holds under
  *   assumes     Q is a rotation
- *   operations  97: 27 add, 17 subtract, 44 multiply, 6 divide, 2 square root, 1 arctangent2
- *   derivation  sha256 39fd2c9a765bdb2fac1a7e8f9c30e2d5bb6b4ca83ea8343c9396eb347055e45c
+ *   operations  125: 35 add, 23 subtract, 53 multiply, 8 divide, 5 square root, 1 arctangent2
+ *   derivation  sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06
  */
 void chasles_screw_of_motion(
     const double Q[9],
@@ -941,55 +1023,83 @@ void chasles_screw_of_motion(
     double *d_0,
     double *phi)
 {
-    const double t1 = NAN;
-    const double t2 = 1.0 + Q[8];
-    const double t3 = Q[2] * Q[2] + Q[5] * Q[5] + t2 * t2;
-    const double t4 = Q[8] + (Q[0] + Q[4]);
-    const int t5 = t4 < 0.0;
-    const int t6 = 0.0 == t3;
-    const double t7 = t6 ? t1 : (t5 ? Q[2] : t1);
-    const double t8 = t6 ? t1 : (t5 ? Q[5] : t1);
-    const double t9 = t6 ? t1 : (t5 ? t2 : t1);
-    const double t10 = 1.0 + Q[4];
-    const double t11 = Q[1] * Q[1] + t10 * t10 + Q[7] * Q[7];
-    const int t12 = 0.0 == t11;
-    const double t13 = t12 ? t7 : (t5 ? Q[1] : t7);
-    const double t14 = t12 ? t3 : (t5 ? t11 : t3);
-    const double t15 = t12 ? t8 : (t5 ? t10 : t8);
-    const double t16 = t12 ? t9 : (t5 ? Q[7] : t9);
-    const double t17 = 1.0 + Q[0];
-    const double t18 = t17 * t17 + Q[3] * Q[3] + Q[6] * Q[6];
-    const int t19 = 0.0 == t18;
-    const double t20 = 0.5 * (Q[7] - Q[5]);
-    const double t21 = 0.5 * (Q[2] - Q[6]);
-    const double t22 = 0.5 * (Q[3] - Q[1]);
-    const double t23 = t20 * t20 + t21 * t21 + t22 * t22;
-    const int t24 = 0.0 == t23;
-    const double t25 = t24 ? (t19 ? t14 : (t5 ? t18 : t14)) : t23;
-    const double t26 = sqrt(t25);
-    const int t27 = t25 == 0.0;
-    const double axis0 = (t27 ? 0.0 : (t24 ? (t19 ? t13 : (t5 ? t17 : t13)) : t20)) / t26;
-    const double axis1 = (t27 ? 0.0 : (t24 ? (t19 ? t15 : (t5 ? Q[3] : t15)) : t21)) / t26;
-    const double axis2 = (t27 ? 0.0 : (t24 ? (t19 ? t16 : (t5 ? Q[6] : t16)) : t22)) / t26;
-    const double t28 = t6 ? t1 : (t5 ? -1.0 : t1);
-    const double t29 = t12 ? t28 : (t5 ? -1.0 : t28);
-    const double t30 = t24 ? (t19 ? t29 : (t5 ? -1.0 : t29)) : 0.5 * (t4 - 1.0);
-    const double t31 = t6 ? t1 : (t5 ? 0.0 : t1);
-    const double t32 = t12 ? t31 : (t5 ? 0.0 : t31);
-    const double t33 = 2.0 * (1.0 - t30);
-    const double t34 = Q[0] * a[0] + Q[1] * a[1] + Q[2] * a[2] - a_prime[0];
-    const double t35 = Q[3] * a[0] + Q[4] * a[1] + Q[5] * a[2] - a_prime[1];
-    const double t36 = Q[6] * a[0] + Q[7] * a[1] + Q[8] * a[2] - a_prime[2];
-    const int t37 = t33 == 0.0;
-    const double t38 = (t37 ? 0.0 : Q[0] * t34 + Q[3] * t35 + Q[6] * t36 - t34) / t33;
-    const double t39 = (t37 ? 0.0 : Q[1] * t34 + Q[4] * t35 + Q[7] * t36 - t35) / t33;
-    const double t40 = (t37 ? 0.0 : Q[2] * t34 + Q[5] * t35 + Q[8] * t36 - t36) / t33;
-    const double axis3 = axis2 * t39 - axis1 * t40;
-    const double axis4 = axis0 * t40 - axis2 * t38;
-    const double axis5 = axis1 * t38 - axis0 * t39;
-    const double t41 = axis0 * (a_prime[0] - a[0]) + axis1 * (a_prime[1] - a[1]);
-    const double d_0_value = t41 + axis2 * (a_prime[2] - a[2]);
-    const double phi_value = atan2(t24 ? (t19 ? t32 : (t5 ? 0.0 : t32)) : sqrt(t23), t30);
+    const double t1 = Q[2] + Q[6];
+    const double t2 = Q[5] + Q[7];
+    const double t3 = Q[8] + (Q[0] + Q[4]);
+    const double t4 = 1.0 + 2.0 * Q[8] - t3;
+    const double t5 = t1 * t1;
+    const double t6 = t2 * t2;
+    const double t7 = t5 + t6 + t4 * t4;
+    const double t8 = Q[1] + Q[3];
+    const double t9 = 1.0 + 2.0 * Q[4] - t3;
+    const double t10 = t8 * t8;
+    const double t11 = t6 + (t10 + t9 * t9);
+    const double t12 = Q[7] - Q[5];
+    const double t13 = Q[2] - Q[6];
+    const double t14 = Q[3] - Q[1];
+    const double t15 = t13 * t13;
+    const double t16 = t11 + t15;
+    const double t17 = t14 * t14;
+    const double t18 = t7 + t17;
+    const int t19 = t16 < t18;
+    const double t20 = t19 ? t1 : t8;
+    const double t21 = t19 ? t7 : t11;
+    const double t22 = t19 ? t2 : t9;
+    const double t23 = t19 ? t4 : t2;
+    const double t24 = 1.0 + 2.0 * Q[0] - t3;
+    const double t25 = t5 + (t10 + t24 * t24);
+    const double t26 = t12 * t12;
+    const double t27 = t25 + t26;
+    const int t28 = t27 < t18;
+    const int t29 = t27 < t16;
+    const double t30 = t29 ? t20 : (t28 ? t20 : t24);
+    const double t31 = t29 ? t21 : (t28 ? t21 : t25);
+    const double t32 = t29 ? t22 : (t28 ? t22 : t8);
+    const double t33 = t29 ? t23 : (t28 ? t23 : t1);
+    const double t34 = t17 + (t15 + t26);
+    const double t35 = 1.0 + t3;
+    const double t36 = t35 * t35;
+    const double t37 = t34 + t36;
+    const int t38 = t37 < t18;
+    const int t39 = t37 < t16;
+    const int t40 = t37 < t27;
+    const double t41 = t40 ? t31 : (t39 ? t31 : (t38 ? t31 : t34));
+    const double t42 = sqrt(t41);
+    const int t43 = t41 == 0.0;
+    const double t44 = (t43 ? 0.0 : (t40 ? t30 : (t39 ? t30 : (t38 ? t30 : t12)))) / t42;
+    const double t45 = (t43 ? 0.0 : (t40 ? t32 : (t39 ? t32 : (t38 ? t32 : t13)))) / t42;
+    const double t46 = (t43 ? 0.0 : (t40 ? t33 : (t39 ? t33 : (t38 ? t33 : t14)))) / t42;
+    const double t47 = t19 ? t17 - t7 : t15 - t11;
+    const double t48 = t19 ? t18 : t16;
+    const double t49 = t29 ? t47 : (t28 ? t47 : t26 - t25);
+    const double t50 = t29 ? t48 : (t28 ? t48 : t27);
+    const double t51 = t40 ? t50 : (t39 ? t50 : (t38 ? t50 : t37));
+    const int t52 = t51 == 0.0;
+    const double t53 = (t52 ? 0.0 : (t40 ? t49 : (t39 ? t49 : (t38 ? t49 : t36 - t34)))) / t51;
+    const double t54 = t19 ? sqrt(t7) * (2.0 * t14) : sqrt(t11) * (2.0 * t13);
+    const double t55 = t29 ? t54 : (t28 ? t54 : sqrt(t25) * (2.0 * t12));
+    const double t56 = t40 ? t55 : (t39 ? t55 : (t38 ? t55 : sqrt(t34) * (2.0 * t35)));
+    const double t57 = (t52 ? 0.0 : t56) / t51;
+    const double t58 = t45 < 0.0 ? -1.0 : (0.0 < t45 ? 1.0 : (t46 < 0.0 ? -1.0 : 1.0));
+    const double t59 = 0.0 < t57 ? 1.0 : (t44 < 0.0 ? -1.0 : (0.0 < t44 ? 1.0 : t58));
+    const double t60 = t57 < 0.0 ? -1.0 : t59;
+    const double axis0 = t44 * t60;
+    const double axis1 = t45 * t60;
+    const double axis2 = t46 * t60;
+    const double t61 = 2.0 * (1.0 - t53);
+    const double t62 = Q[0] * a[0] + Q[1] * a[1] + Q[2] * a[2] - a_prime[0];
+    const double t63 = Q[3] * a[0] + Q[4] * a[1] + Q[5] * a[2] - a_prime[1];
+    const double t64 = Q[6] * a[0] + Q[7] * a[1] + Q[8] * a[2] - a_prime[2];
+    const int t65 = t61 == 0.0;
+    const double t66 = (t65 ? 0.0 : Q[0] * t62 + Q[3] * t63 + Q[6] * t64 - t62) / t61;
+    const double t67 = (t65 ? 0.0 : Q[1] * t62 + Q[4] * t63 + Q[7] * t64 - t63) / t61;
+    const double t68 = (t65 ? 0.0 : Q[2] * t62 + Q[5] * t63 + Q[8] * t64 - t64) / t61;
+    const double axis3 = axis2 * t67 - axis1 * t68;
+    const double axis4 = axis0 * t68 - axis2 * t66;
+    const double axis5 = axis1 * t66 - axis0 * t67;
+    const double t69 = axis0 * (a_prime[0] - a[0]) + axis1 * (a_prime[1] - a[1]);
+    const double d_0_value = t69 + axis2 * (a_prime[2] - a[2]);
+    const double phi_value = atan2(t57 * t60, t53);
     axis[0] = axis0;
     axis[1] = axis1;
     axis[2] = axis2;
@@ -1003,7 +1113,7 @@ void chasles_screw_of_motion(
 /*
  * text 3.4.2 j chasles_screw_of_motion in single precision.
  *   verdict: holds under; assumes Q is a rotation
- *   97 operations; derivation sha256 39fd2c9a765bdb2fac1a7e8f9c30e2d5bb6b4ca83ea8343c9396eb347055e45c
+ *   125 operations; derivation sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06
  */
 void chasles_screw_of_motionf(
     const float Q[9],
@@ -1013,55 +1123,83 @@ void chasles_screw_of_motionf(
     float *d_0,
     float *phi)
 {
-    const float t1 = NAN;
-    const float t2 = 1.0f + Q[8];
-    const float t3 = Q[2] * Q[2] + Q[5] * Q[5] + t2 * t2;
-    const float t4 = Q[8] + (Q[0] + Q[4]);
-    const int t5 = t4 < 0.0f;
-    const int t6 = 0.0f == t3;
-    const float t7 = t6 ? t1 : (t5 ? Q[2] : t1);
-    const float t8 = t6 ? t1 : (t5 ? Q[5] : t1);
-    const float t9 = t6 ? t1 : (t5 ? t2 : t1);
-    const float t10 = 1.0f + Q[4];
-    const float t11 = Q[1] * Q[1] + t10 * t10 + Q[7] * Q[7];
-    const int t12 = 0.0f == t11;
-    const float t13 = t12 ? t7 : (t5 ? Q[1] : t7);
-    const float t14 = t12 ? t3 : (t5 ? t11 : t3);
-    const float t15 = t12 ? t8 : (t5 ? t10 : t8);
-    const float t16 = t12 ? t9 : (t5 ? Q[7] : t9);
-    const float t17 = 1.0f + Q[0];
-    const float t18 = t17 * t17 + Q[3] * Q[3] + Q[6] * Q[6];
-    const int t19 = 0.0f == t18;
-    const float t20 = 0.5f * (Q[7] - Q[5]);
-    const float t21 = 0.5f * (Q[2] - Q[6]);
-    const float t22 = 0.5f * (Q[3] - Q[1]);
-    const float t23 = t20 * t20 + t21 * t21 + t22 * t22;
-    const int t24 = 0.0f == t23;
-    const float t25 = t24 ? (t19 ? t14 : (t5 ? t18 : t14)) : t23;
-    const float t26 = sqrtf(t25);
-    const int t27 = t25 == 0.0f;
-    const float axis0 = (t27 ? 0.0f : (t24 ? (t19 ? t13 : (t5 ? t17 : t13)) : t20)) / t26;
-    const float axis1 = (t27 ? 0.0f : (t24 ? (t19 ? t15 : (t5 ? Q[3] : t15)) : t21)) / t26;
-    const float axis2 = (t27 ? 0.0f : (t24 ? (t19 ? t16 : (t5 ? Q[6] : t16)) : t22)) / t26;
-    const float t28 = t6 ? t1 : (t5 ? -1.0f : t1);
-    const float t29 = t12 ? t28 : (t5 ? -1.0f : t28);
-    const float t30 = t24 ? (t19 ? t29 : (t5 ? -1.0f : t29)) : 0.5f * (t4 - 1.0f);
-    const float t31 = t6 ? t1 : (t5 ? 0.0f : t1);
-    const float t32 = t12 ? t31 : (t5 ? 0.0f : t31);
-    const float t33 = 2.0f * (1.0f - t30);
-    const float t34 = Q[0] * a[0] + Q[1] * a[1] + Q[2] * a[2] - a_prime[0];
-    const float t35 = Q[3] * a[0] + Q[4] * a[1] + Q[5] * a[2] - a_prime[1];
-    const float t36 = Q[6] * a[0] + Q[7] * a[1] + Q[8] * a[2] - a_prime[2];
-    const int t37 = t33 == 0.0f;
-    const float t38 = (t37 ? 0.0f : Q[0] * t34 + Q[3] * t35 + Q[6] * t36 - t34) / t33;
-    const float t39 = (t37 ? 0.0f : Q[1] * t34 + Q[4] * t35 + Q[7] * t36 - t35) / t33;
-    const float t40 = (t37 ? 0.0f : Q[2] * t34 + Q[5] * t35 + Q[8] * t36 - t36) / t33;
-    const float axis3 = axis2 * t39 - axis1 * t40;
-    const float axis4 = axis0 * t40 - axis2 * t38;
-    const float axis5 = axis1 * t38 - axis0 * t39;
-    const float t41 = axis0 * (a_prime[0] - a[0]) + axis1 * (a_prime[1] - a[1]);
-    const float d_0_value = t41 + axis2 * (a_prime[2] - a[2]);
-    const float phi_value = atan2f(t24 ? (t19 ? t32 : (t5 ? 0.0f : t32)) : sqrtf(t23), t30);
+    const float t1 = Q[2] + Q[6];
+    const float t2 = Q[5] + Q[7];
+    const float t3 = Q[8] + (Q[0] + Q[4]);
+    const float t4 = 1.0f + 2.0f * Q[8] - t3;
+    const float t5 = t1 * t1;
+    const float t6 = t2 * t2;
+    const float t7 = t5 + t6 + t4 * t4;
+    const float t8 = Q[1] + Q[3];
+    const float t9 = 1.0f + 2.0f * Q[4] - t3;
+    const float t10 = t8 * t8;
+    const float t11 = t6 + (t10 + t9 * t9);
+    const float t12 = Q[7] - Q[5];
+    const float t13 = Q[2] - Q[6];
+    const float t14 = Q[3] - Q[1];
+    const float t15 = t13 * t13;
+    const float t16 = t11 + t15;
+    const float t17 = t14 * t14;
+    const float t18 = t7 + t17;
+    const int t19 = t16 < t18;
+    const float t20 = t19 ? t1 : t8;
+    const float t21 = t19 ? t7 : t11;
+    const float t22 = t19 ? t2 : t9;
+    const float t23 = t19 ? t4 : t2;
+    const float t24 = 1.0f + 2.0f * Q[0] - t3;
+    const float t25 = t5 + (t10 + t24 * t24);
+    const float t26 = t12 * t12;
+    const float t27 = t25 + t26;
+    const int t28 = t27 < t18;
+    const int t29 = t27 < t16;
+    const float t30 = t29 ? t20 : (t28 ? t20 : t24);
+    const float t31 = t29 ? t21 : (t28 ? t21 : t25);
+    const float t32 = t29 ? t22 : (t28 ? t22 : t8);
+    const float t33 = t29 ? t23 : (t28 ? t23 : t1);
+    const float t34 = t17 + (t15 + t26);
+    const float t35 = 1.0f + t3;
+    const float t36 = t35 * t35;
+    const float t37 = t34 + t36;
+    const int t38 = t37 < t18;
+    const int t39 = t37 < t16;
+    const int t40 = t37 < t27;
+    const float t41 = t40 ? t31 : (t39 ? t31 : (t38 ? t31 : t34));
+    const float t42 = sqrtf(t41);
+    const int t43 = t41 == 0.0f;
+    const float t44 = (t43 ? 0.0f : (t40 ? t30 : (t39 ? t30 : (t38 ? t30 : t12)))) / t42;
+    const float t45 = (t43 ? 0.0f : (t40 ? t32 : (t39 ? t32 : (t38 ? t32 : t13)))) / t42;
+    const float t46 = (t43 ? 0.0f : (t40 ? t33 : (t39 ? t33 : (t38 ? t33 : t14)))) / t42;
+    const float t47 = t19 ? t17 - t7 : t15 - t11;
+    const float t48 = t19 ? t18 : t16;
+    const float t49 = t29 ? t47 : (t28 ? t47 : t26 - t25);
+    const float t50 = t29 ? t48 : (t28 ? t48 : t27);
+    const float t51 = t40 ? t50 : (t39 ? t50 : (t38 ? t50 : t37));
+    const int t52 = t51 == 0.0f;
+    const float t53 = (t52 ? 0.0f : (t40 ? t49 : (t39 ? t49 : (t38 ? t49 : t36 - t34)))) / t51;
+    const float t54 = t19 ? sqrtf(t7) * (2.0f * t14) : sqrtf(t11) * (2.0f * t13);
+    const float t55 = t29 ? t54 : (t28 ? t54 : sqrtf(t25) * (2.0f * t12));
+    const float t56 = t40 ? t55 : (t39 ? t55 : (t38 ? t55 : sqrtf(t34) * (2.0f * t35)));
+    const float t57 = (t52 ? 0.0f : t56) / t51;
+    const float t58 = t45 < 0.0f ? -1.0f : (0.0f < t45 ? 1.0f : (t46 < 0.0f ? -1.0f : 1.0f));
+    const float t59 = 0.0f < t57 ? 1.0f : (t44 < 0.0f ? -1.0f : (0.0f < t44 ? 1.0f : t58));
+    const float t60 = t57 < 0.0f ? -1.0f : t59;
+    const float axis0 = t44 * t60;
+    const float axis1 = t45 * t60;
+    const float axis2 = t46 * t60;
+    const float t61 = 2.0f * (1.0f - t53);
+    const float t62 = Q[0] * a[0] + Q[1] * a[1] + Q[2] * a[2] - a_prime[0];
+    const float t63 = Q[3] * a[0] + Q[4] * a[1] + Q[5] * a[2] - a_prime[1];
+    const float t64 = Q[6] * a[0] + Q[7] * a[1] + Q[8] * a[2] - a_prime[2];
+    const int t65 = t61 == 0.0f;
+    const float t66 = (t65 ? 0.0f : Q[0] * t62 + Q[3] * t63 + Q[6] * t64 - t62) / t61;
+    const float t67 = (t65 ? 0.0f : Q[1] * t62 + Q[4] * t63 + Q[7] * t64 - t63) / t61;
+    const float t68 = (t65 ? 0.0f : Q[2] * t62 + Q[5] * t63 + Q[8] * t64 - t64) / t61;
+    const float axis3 = axis2 * t67 - axis1 * t68;
+    const float axis4 = axis0 * t68 - axis2 * t66;
+    const float axis5 = axis1 * t66 - axis0 * t67;
+    const float t69 = axis0 * (a_prime[0] - a[0]) + axis1 * (a_prime[1] - a[1]);
+    const float d_0_value = t69 + axis2 * (a_prime[2] - a[2]);
+    const float phi_value = atan2f(t57 * t60, t53);
     axis[0] = axis0;
     axis[1] = axis1;
     axis[2] = axis2;
@@ -1075,7 +1213,7 @@ void chasles_screw_of_motionf(
 /*
  * text 3.4.2 j chasles_screw_of_motion for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   97 operations; derivation sha256 39fd2c9a765bdb2fac1a7e8f9c30e2d5bb6b4ca83ea8343c9396eb347055e45c
+ *   125 operations; derivation sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06
  */
 void chasles_screw_of_motion_batch(
     size_t count,
@@ -1100,7 +1238,7 @@ void chasles_screw_of_motion_batch(
 /*
  * text 3.4.2 j chasles_screw_of_motionf for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   97 operations; derivation sha256 39fd2c9a765bdb2fac1a7e8f9c30e2d5bb6b4ca83ea8343c9396eb347055e45c
+ *   125 operations; derivation sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06
  */
 void chasles_screw_of_motion_batchf(
     size_t count,

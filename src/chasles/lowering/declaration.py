@@ -103,7 +103,7 @@ def _define(definitions: _Definitions, given: Sentence, decide: Decide) -> None:
     if isinstance(given, Inverse):
         if form is None:
             raise LoweringError(_no_standing(given, decide(given)))
-        choices, rules, angles = choices_of(given)
+        choices, rules, angles = choices_of(given, largest=given.largest, sign=given.sign)
         definitions.choices += choices
         definitions.rules |= rules
         definitions.angles |= angles

@@ -11,44 +11,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 from functools import reduce
-from operator import add
 from typing import Any
 
+from chasles.numerics.combinations import combined, scaled
 from chasles.numerics.enclosures import plain_context
 from chasles.numerics.linear_systems import solved
 from chasles.numerics.motions import Motion
-from chasles.numerics.small_matrices import Matrix, cofactors, determinant, flipped, plus, product
+from chasles.numerics.small_matrices import Matrix, flipped, plus
 from chasles.statements import Problem
-from chasles.vocabulary import (
-    PI,
-    At,
-    Block,
-    Call,
-    Cofactor,
-    Contract,
-    Cross,
-    Determinant,
-    Dot,
-    Group,
-    Identity,
-    Integral,
-    Inverse,
-    Negative,
-    Node,
-    Norm,
-    Number,
-    Power,
-    Quotient,
-    Rate,
-    Scale,
-    Skew,
-    Sum,
-    Symbol,
-    Trace,
-    Transpose,
-    Vect,
-    Zero,
-)
+from chasles.vocabulary import PI, At, Group, Integral, Node, Rate, Symbol
 
 __all__ = ["DIGITS", "Instant", "World"]
 
@@ -124,14 +95,14 @@ class Instant:
                 return self(Rate(of))
             case Rate(of):
                 later, earlier = self._shifted(1)(of), self._shifted(-1)(of)
-                return _scaled(plus(later, _scaled(earlier, -1)), 1 / (2 * self.world.step))
+                return scaled(plus(later, scaled(earlier, -1)), 1 / (2 * self.world.step))
             case Integral(of):
                 parts = (self._in_element(k, node.running)(of) for k in range(ELEMENTS))
                 return reduce(plus, parts)
             case At(of) | Group(of):
                 return self(of)
             case _:
-                return self._algebra(node)
+                return combined(node, self, self.context)
 
     def _symbol(self, symbol: Symbol) -> Matrix:
         if symbol in self.world.problem.unknowns:
@@ -171,7 +142,7 @@ class Instant:
 
     def _advanced(self, begin: States, steps: Fraction, slopes: States) -> dict[Symbol, Matrix]:
         by = self.world.step * steps.numerator / steps.denominator
-        return {symbol: plus(value, _scaled(slopes[symbol], by)) for symbol, value in begin.items()}
+        return {symbol: plus(value, scaled(slopes[symbol], by)) for symbol, value in begin.items()}
 
     def _determined(self) -> dict[Symbol, Matrix]:
         """The unknowns that satisfy the conditions, which are linear in them."""
@@ -201,62 +172,3 @@ class Instant:
             for one, other in zip(trial(goal.left), trial(goal.right), strict=True)
             for a, b in zip(one, other, strict=True)
         ]
-
-    def _algebra(self, node: Node) -> Matrix:
-        match node:
-            case Number(value):
-                return [[self.context.mpf(value.numerator) / value.denominator]]
-            case Identity(size):
-                return [[self.context.mpf(int(i == j)) for j in range(size)] for i in range(size)]
-            case Zero(rows, columns):
-                return [[self.context.mpf(0)] * columns for _ in range(rows)]
-            case Block(rows):
-                lines = [zip(*map(self, row), strict=True) for row in rows]
-                return [[entry for part in parts for entry in part] for line in lines for parts in line]
-            case Sum(terms):
-                return reduce(plus, map(self, terms))
-            case Negative(term):
-                return _scaled(self(term), -1)
-            case Scale(factor, term):
-                return _scaled(self(term), self(factor)[0][0])
-            case Quotient(numerator, denominator):
-                return _scaled(self(numerator), 1 / self(denominator)[0][0])
-            case Contract(factors):
-                return reduce(product, map(self, factors))
-            case Power(base, exponent):
-                return reduce(product, [self(base)] * exponent)
-            case Transpose(of):
-                return flipped(self(of))
-            case Dot(left, right):
-                return product(flipped(self(left)), self(right))
-            case Inverse(of):
-                return _scaled(flipped(cofactors(self(of))), 1 / determinant(self(of)))
-            case _:
-                return self._geometry(node)
-
-    def _geometry(self, node: Node) -> Matrix:
-        match node:
-            case Norm(of):
-                return [[self.context.sqrt(reduce(add, (row[0] ** 2 for row in self(of))))]]
-            case Call("sin" | "cos" as function, argument):
-                return [[getattr(self.context, function)(self(argument)[0][0])]]
-            case Skew(of):
-                (x,), (y,), (z,) = self(of)
-                return [[x * 0, -z, y], [z, x * 0, -x], [-y, x, x * 0]]
-            case Cross(left, right):
-                return product(self(Skew(left)), self(right))
-            case Vect(of):
-                m = self(of)
-                return [[(m[k][j] - m[j][k]) / 2] for j, k in ((1, 2), (2, 0), (0, 1))]
-            case Trace(of):
-                return [[reduce(add, (row[i] for i, row in enumerate(self(of))))]]
-            case Determinant(of):
-                return [[determinant(self(of))]]
-            case Cofactor(of):
-                return cofactors(self(of))
-            case _:
-                raise TypeError(f"{node} ({type(node).__name__}) has no value at a moment")
-
-
-def _scaled(matrix: Matrix, factor: Any) -> Matrix:
-    return [[factor * entry for entry in row] for row in matrix]

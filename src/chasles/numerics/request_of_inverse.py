@@ -72,14 +72,19 @@ def _applies(branch: Branch, values: Values, rules: Mapping[Node, Node]) -> bool
 
 
 def _arguments(sentence: Inverse, values: Values, rules: Mapping[Node, Node], digits: int) -> dict[Node, Any]:
-    """The formula's arguments, by the first branch that applies; raises `Singular` if none does."""
-    for branch in sentence.branches:
-        if not _applies(branch, values, rules):
-            continue
-        known: dict[Node, Any] = {key: evaluate(value, values, rules, digits) for key, value in branch.values}
-        for key in list(known):
-            if isinstance(key, Call) and key.function == "cos":
-                (cosine,), (sine,) = known[key][0], known[Call("sin", key.argument)][0]
-                known[key.argument] = plain_context(digits).atan2(sine, cosine)
-        return known
-    raise Singular(f"no branch of ({sentence.number}) applies here")
+    """The formula's arguments, by the first branch that applies or the largest; raises `Singular` if none does."""
+    applying = (branch for branch in sentence.branches if _applies(branch, values, rules))
+    if sentence.largest:
+        applying = iter(sorted(applying, key=lambda branch: -evaluate(branch.where, values, rules)[0][0]))
+    branch = next(applying, None)
+    if branch is None:
+        raise Singular(f"no branch of ({sentence.number}) applies here")
+    known: dict[Node, Any] = {key: evaluate(value, values, rules, digits) for key, value in branch.values}
+    entries = [entry for key in sentence.sign for row in known[key] for entry in row]
+    if next((entry for entry in entries if entry), 1) < 0:
+        known |= {key: [[-entry for entry in row] for row in known[key]] for key in sentence.sign}
+    for key in list(known):
+        if isinstance(key, Call) and key.function == "cos":
+            (cosine,), (sine,) = known[key][0], known[Call("sin", key.argument)][0]
+            known[key.argument] = plain_context(digits).atan2(sine, cosine)
+    return known

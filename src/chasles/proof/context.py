@@ -154,14 +154,24 @@ def _free_symbols(node: object, rules: dict[object, object]) -> set[Symbol]:
 def _declare_atoms(
     unfold: Unfolder, active: tuple[Hypothesis, ...]
 ) -> tuple[tuple[Hypothesis | None, Polynomial], ...]:
+    """What may be divided by; an expression that itself divides comes after what it divides by."""
     declared: list[tuple[Hypothesis | None, Polynomial]] = []
-    for hypothesis in active:
-        for node in hypothesis.nonvanishing:
-            numerator = unfold(node)[0][0].numerator
+    waiting = [(hypothesis, node) for hypothesis in active for node in hypothesis.nonvanishing]
+    while waiting:
+        postponed = []
+        for hypothesis, node in waiting:
+            try:
+                numerator = unfold(node)[0][0].numerator
+            except UndeclaredDivisor:
+                postponed.append((hypothesis, node))
+                continue
             if numerator == 0:
                 raise Untreatable(f"{hypothesis.text} cannot be: the left side is zero")
             unfold.field.atoms.append(numerator)
             declared.append((hypothesis, numerator))
+        if len(postponed) == len(waiting):
+            unfold(postponed[0][1])
+        waiting = postponed
     return tuple(declared)
 
 

@@ -268,10 +268,12 @@ def _certificate(
     What is divided by, and the conditions, are numbered in the order in which the problem declares them.
     """
     write: Callable[[Polynomial], str] = lambda p: written(context.field.ring, p)  # noqa: E731
-    divisors = [
-        (h, f"{k + 1}. {h.text}") for k, h in enumerate(h for h in context.problem.hypotheses for _ in h.nonvanishing)
-    ]
-    atoms = [label for hypothesis, label in divisors if hypothesis in context.active]
+    divisors = [h for h in context.problem.hypotheses for _ in h.nonvanishing]
+    atoms = []
+    for hypothesis, _ in context.atoms:
+        assert hypothesis is not None
+        label = f"{divisors.index(hypothesis) + 1}. {hypothesis.text}"
+        atoms.append(label)
 
     def said(denominator: tuple[int, ...], cofactors: Combination, on_conditions: Combination) -> dict[str, Any]:
         named = {f"{k + 1}. {conditions[k].label}": write(c) for k, c in on_conditions.items()}

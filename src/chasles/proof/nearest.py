@@ -13,6 +13,7 @@ from dataclasses import replace as with_fields
 from chasles.proof.ansatz import Palette, fit, palette_of
 from chasles.proof.combined import combined_changes
 from chasles.proof.freedom import freedom_of, other_objects
+from chasles.proof.opened import opened_changes
 from chasles.proof.residues import Singular, Unsampled
 from chasles.proof.single import Change, added_terms, new_coefficients
 from chasles.proof.slips import Undone, in_letters, undone
@@ -27,7 +28,7 @@ __all__ = ["Nearest"]
 
 SLIP = 3
 """The effort of undoing a slip of form."""
-REFUSED = (Misfit, TypeError, Untreatable, UndeclaredDivisor, Singular)
+REFUSED = (Misfit, TypeError, Untreatable, UndeclaredDivisor, Singular, Unsampled)
 """Why an equation cannot be tried: it does not fit, cannot be posed, is not treated, or divides by zero."""
 
 
@@ -54,7 +55,7 @@ class Nearest:
         if self.agree(left, right):
             yield Change(left, right, ())
             return
-        for stage in (self.single_changes, self._other_objects, self._several_changes):
+        for stage in (self.single_changes, self._other_objects, self._several_changes, self._inner_changes):
             found = list(stage(left, right))
             yield from found
             if found:
@@ -90,10 +91,10 @@ class Nearest:
             return False
         try:
             return trial.holds(change.left, change.right)
-        except REFUSED:
-            return False
         except Unsampled:
             return self.agree(change.left, change.right)
+        except REFUSED:
+            return False
 
     def _other_objects(self, left: Node, right: Node) -> Iterator[Change]:
         palette = palette_of([right], self.own)
@@ -106,6 +107,10 @@ class Nearest:
             yield from found
             if found:
                 return
+
+    def _inner_changes(self, left: Node, right: Node) -> Iterator[Change]:
+        for trial, palette in list(self._on_trial(left, right))[1:]:
+            yield from (change for change in opened_changes(trial, palette) if self._holds(trial, change))
 
     def _on_trial(self, left: Node, right: Node) -> Iterator[tuple[Trial, Palette]]:
         """The equation at points, first with the symbols of its right side alone, then with all that are at hand."""

@@ -17,6 +17,7 @@ from chasles.vocabulary import (
     Cross,
     Dot,
     Group,
+    Integral,
     Negative,
     Node,
     Quotient,
@@ -83,7 +84,7 @@ def _linear(node: Node) -> range:
             return range(1)
         case Sum() | Scale() | Contract() | Block() | Dot() | Cross():
             return range(len(children(node)))
-        case Negative() | Transpose() | Skew() | Vect() | Trace() | Group() | At() | Rate():
+        case Negative() | Transpose() | Skew() | Vect() | Trace() | Group() | At() | Rate() | Integral():
             return range(1)
         case _:
             return range(0)

@@ -275,12 +275,13 @@ def _unit_vector(draw: Random, rich: bool) -> tuple[Fraction, ...]:
 
 
 def _rotation(draw: Random, rich: bool) -> Numbers:
-    """A rotation from a quaternion of integers; half of them have a rational sine of their angle too."""
+    """A rotation from a quaternion of integers; half of them have rational Euler-Rodrigues parameters too."""
     reach = 3 if rich else 1
     while True:
-        x, y, z, w = (draw.randint(-reach, reach) for _ in range(4))
+        x, y, z, w = (Fraction(draw.randint(-reach, reach)) for _ in range(4))
         if rich and draw.randint(0, 1):
-            x, y, z, _ = draw.choice(PYTHAGOREAN)
+            w, sine = draw.choice(CIRCLE)
+            x, y, z = (sine * entry for entry in draw.choice(UNIT_VECTORS))
         if total := x * x + y * y + z * z + w * w:
             break
     rows = [

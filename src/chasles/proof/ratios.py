@@ -70,9 +70,13 @@ class Ratio:
         return _times(self.numerator, self.field.power_product(missing)) if any(missing) else self.numerator
 
     def divided(self, constant: Fraction, exponents: tuple[int, ...]) -> Ratio:
-        """The fraction divided by a constant times a product of atoms."""
+        """The fraction divided by a constant times a product of powers of atoms; powers below the line go above it."""
         numerator = self.numerator if constant == 1 else self.numerator * self.field.ring.constant(1 / constant)
-        return Ratio(self.field, numerator, _product(self.denominator, exponents))
+        total = _product(self.denominator, exponents)
+        if any(exponent < 0 for exponent in total):
+            numerator = numerator * self.field.power_product(tuple(max(-exponent, 0) for exponent in total))
+            total = tuple(max(exponent, 0) for exponent in total)
+        return Ratio(self.field, numerator, total)
 
     @property
     def is_zero(self) -> bool:

@@ -18,6 +18,7 @@ from chasles.proof.context import Context
 from chasles.proof.deadline import check
 from chasles.proof.linear import MODULUS, Column
 from chasles.proof.rings import Polynomial
+from chasles.proof.variables import Untreatable
 from chasles.vocabulary import (
     At,
     Block,
@@ -54,7 +55,7 @@ class Singular(ValueError):
 
 
 class Unsampled(LookupError):
-    """An expression with a variable that has no value at the points, because it did not occur when they were drawn."""
+    """An expression that has no value at the points: it did not occur when they were drawn, or has no such form."""
 
 
 class Sampled:
@@ -134,7 +135,7 @@ class Sampled:
         field = self.context.unfold.field
         try:
             found = self.context.unfold(node)
-        except (KeyError, StopIteration):
+        except (KeyError, StopIteration, Untreatable):
             raise Unsampled(node) from None
         values: Values = []
         entries = [[(_coded(self.context, e.numerator), e.denominator) for e in row] for row in found]

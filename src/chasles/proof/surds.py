@@ -143,7 +143,8 @@ class Exact:
         for (power, radicand, nested), c in sorted(self.terms.items(), key=lambda term: (term[0][:2], len(term[0][2]))):
             factors = [f"sqrt({radicand})"] if radicand != 1 else []
             factors += sorted(f"sqrt({inside.text()})" for inside in nested)
-            factors += [theta if power == 1 else f"{theta}**({power})"] if power else []
+            exponent = f"({power})" if power < 0 else str(power)
+            factors += [theta if power == 1 else f"{theta}**{exponent}"] if power else []
             size = abs(c)
             if size.numerator != 1 or not factors:
                 factors.insert(0, str(size.numerator))
@@ -174,7 +175,15 @@ def square_root(value: Fraction) -> Exact | None:
 
 
 def root_of(value: Exact, beside: Iterable[Exact] = ()) -> Exact | None:
-    """The square root of a number, beside which roots of others are in use; None if none is known to be exact."""
+    """The square root of a number, beside which roots of others are in use; None if none is known to be exact.
+
+    The transcendental number counts as positive.
+    """
+    if len(value.terms) == 1:
+        (((power, radicand, nested), coefficient),) = value.terms.items()
+        root = square_root(coefficient) if power % 2 == 0 and radicand == 1 and not nested else None
+        if root is not None:
+            return root * Exact({(power // 2, 1, NONE): Fraction(1)})
     rational = value.as_rational
     if rational is not None:
         return square_root(rational)

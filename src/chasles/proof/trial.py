@@ -13,7 +13,7 @@ from chasles.proof.conditions import solve_conditions
 from chasles.proof.context import build
 from chasles.proof.linear import MODULUS, Column, Span, minus, multiple, normalized
 from chasles.proof.places import Path, Place, put, with_term
-from chasles.proof.residues import Sampled, generic_points
+from chasles.proof.residues import Sampled, Unsampled, generic_points
 from chasles.statements import Claim, Goal, Problem, Statement, problem_of
 from chasles.vocabulary import (
     Call,
@@ -83,7 +83,7 @@ class Trial:
     def share(self, at: Sampled, place: Place, term: Node | None = None) -> Column:
         """What a term in a place of the right side contributes: the one that stands there, or one added to it.
 
-        Nothing if it does not fit there.
+        Nothing if it does not fit there, or cannot be told.
         """
         term = place.node if term is None else term
         key = id(at), place.path, term
@@ -91,9 +91,13 @@ class Trial:
             try:
                 more = put(self.right, place.path, with_term(place.node, term))
                 self._shares[key] = minus(self.gap(at), self.miss(at, self.left, more))
-            except Misfit:
+            except (Misfit, Unsampled):
                 self._shares[key] = [0] * len(self.gap(at))
         return self._shares[key]
+
+    def of(self, right: Node) -> Trial:
+        """The same trial of another right side."""
+        return Trial(self.statement, self.left, right, self.problem, self.varied, self.fixed)
 
     def holds(self, left: Node, right: Node) -> bool:
         """Whether other sides agree at all points."""

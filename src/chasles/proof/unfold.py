@@ -220,11 +220,10 @@ class Unfolder:
                 exponents[place] = 1
                 for k, power in enumerate(ratio.denominator):
                     exponents[k] -= power
-                if min(exponents) >= 0:
-                    return constant, tuple(exponents)
+                return constant, tuple(exponents)
         terms = self.field.ring.terms(ratio.numerator)
-        if len(terms) == 1 and not any(terms[0][0]) and not any(ratio.denominator):
-            return terms[0][1], ()
+        if len(terms) == 1 and not any(terms[0][0]):
+            return terms[0][1], tuple(-power for power in ratio.denominator)
         raise UndeclaredDivisor(node)
 
     def _norm(self, of: Node) -> Ratio:

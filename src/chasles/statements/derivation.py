@@ -1,4 +1,4 @@
-"""Derivations: the road to a result, as data. Each step says what is done; what comes out of it is computed, and decided.
+"""Derivations: the road to a result, as data. A step says what is done; what comes of it is computed, and decided.
 
 A road stands at one or several equations. A step takes the equations reached and makes others of them; a comparison
 ends a stretch: from there on, the statement compared with is used as it was found, not as it is printed.
@@ -75,8 +75,8 @@ class Consider(Step):
 class Substitute(Step):
     """Left sides of these statements are replaced by their right sides: on the right side, or on `both`.
 
-    Without statements, what was found last stands in for itself in the equations before it. `by` are steps of rewriting
-    that are also true: a statement is proved with those that it is `given`.
+    Without statements, what was solved for is put in the ansatz, or in the equations reached. A replacement may be
+    `using` definitions to be true.
     """
 
     kind: ClassVar[str] = "substitute"
@@ -92,7 +92,7 @@ class Substitute(Step):
 
 @dataclass(frozen=True, slots=True)
 class Expand(Step):
-    """Products are multiplied out, transposes and rates carried out, equal terms put together: on the right, or on `both`."""
+    """Products, transposes and rates are carried out, equal terms put together: on the right side, or on `both`."""
 
     kind: ClassVar[str] = "expand"
     both: bool = False
@@ -100,22 +100,23 @@ class Expand(Step):
 
 @dataclass(frozen=True, slots=True)
 class Factor(Step):
-    """The right side is written as a sum of these terms; their coefficients are found, numbers or functions of angles."""
+    """The right side is written as a sum of these terms; coefficients are found, numbers or functions of angles.
+
+    Without terms, it is found to be zero. What it is written with may be `using` definitions to be the same.
+    """
 
     kind: ClassVar[str] = "factor"
     terms: tuple[Node, ...]
     using: tuple[Statement, ...]
-    left: bool
 
-    def __init__(self, *terms: Node, using: tuple[Statement, ...] = (), left: bool = False) -> None:
+    def __init__(self, *terms: Node, using: tuple[Statement, ...] = ()) -> None:
         object.__setattr__(self, "terms", terms)
         object.__setattr__(self, "using", using)
-        object.__setattr__(self, "left", left)
 
 
 @dataclass(frozen=True, slots=True)
 class FactorOut(Step):
-    """What multiplies `factor` at the end of every term of the right side; `named`, it is what the road goes on with."""
+    """The right side as something times `factor`; if that is `named`, it is what the road goes on with."""
 
     kind: ClassVar[str] = "factor"
     factor: Node
@@ -203,7 +204,8 @@ class Derivation:
     """The road to the statement `to`, which is its end.
 
     `given` may be used at every step; what is `assuming` holds all along. Raises `DeclarationError` for a road that
-    does not end at `to`, begins with a step that has nothing to work on, or uses a condition as if it were a definition.
+    begins with a step that has nothing to work on, is not compared with `to` last, uses `to` before it comes there,
+    makes an ansatz and does not solve for it, or uses a condition as if it were a definition.
     """
 
     number: str
@@ -217,15 +219,25 @@ class Derivation:
         if not self.steps or not isinstance(self.steps[0], Take | Consider | Ansatz):
             raise DeclarationError(f"the road to ({self.number}) must begin with Take, Consider or Ansatz")
         if not self.stops or self.stops[-1] is not self.to:
-            raise DeclarationError(f"the last comparison of the road to ({self.number}) must be with ({self.to.number})")
+            raise DeclarationError(
+                f"the last comparison of the road to ({self.number}) must be with ({self.to.number})"
+            )
         kinds = [type(step) for step in self.steps]
         if Ansatz in kinds and Solve not in kinds[len(kinds) - kinds[::-1].index(Ansatz) :]:
             raise DeclarationError(f"the road to ({self.number}) makes an ansatz that no later Solve justifies")
+        for step in self.steps[: self._arrival]:
+            if any(statement is self.to for statement in step.cited):
+                raise DeclarationError(f"the road to ({self.number}) uses ({self.to.number}) before it comes there")
         for given in self.given:
             if isinstance(given, Condition):
                 raise DeclarationError(
                     f"the road to ({self.number}) is given ({given.number}), a condition: Take it, and solve it"
                 )
+
+    @property
+    def _arrival(self) -> int:
+        """The place of the first comparison with the end."""
+        return next(k for k, step in enumerate(self.steps) if isinstance(step, Compare) and step.statement is self.to)
 
     @property
     def stops(self) -> tuple[Statement, ...]:

@@ -17,6 +17,8 @@ from chasles.vocabulary import Call, Node, Number, Power, Scale, Sum, Symbol
 __all__ = ["Key", "as_node", "as_sympy", "factored", "key_of"]
 
 MOST_TERMS = 80
+MOST_VARIABLES = 2
+"""In more variables, factoring can take SymPy minutes: only squares and single variables are split off there."""
 Key = frozenset[tuple[tuple[tuple[str, int], ...], Fraction]]
 Factors = list[tuple[Polynomial, int]]
 
@@ -31,7 +33,7 @@ def key_of(context: Context, polynomial: Polynomial) -> Key:
 
 
 def factored(context: Context, polynomial: Polynomial) -> tuple[int, Fraction, Factors]:
-    """Sign, size and irreducible factors with their powers; a long polynomial counts as irreducible."""
+    """Sign, size and factors with their powers, none of them a square; irreducible ones if it is in few variables."""
     ring = context.field.ring
     terms = ring.terms(polynomial)
     places = [k for k in range(len(ring.names)) if any(exponents[k] for exponents, _ in terms)]
@@ -40,7 +42,10 @@ def factored(context: Context, polynomial: Polynomial) -> tuple[int, Fraction, F
         return (1 if constant > 0 else -1), abs(constant), [] if not places else [(polynomial, 1)]
     gens = sympy.symbols(f"x:{len(places)}")
     packed = {tuple(e[k] for k in places): sympy.Rational(c.numerator, c.denominator) for e, c in terms}
-    content, factors = sympy.Poly.from_dict(packed, *gens).factor_list()
+    whole = sympy.Poly.from_dict(packed, *gens)
+    monomials, rest = whole.terms_gcd()
+    content, factors = rest.factor_list() if len(places) <= MOST_VARIABLES else rest.sqf_list()
+    factors += [(sympy.Poly(gen, *gens), power) for gen, power in zip(gens, monomials, strict=True) if power]
     size = Fraction(int(content.p), int(content.q))
     sign = 1 if size > 0 else -1
     found: Factors = []

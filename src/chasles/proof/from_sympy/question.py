@@ -95,11 +95,11 @@ class Question:
     def _point(self, point: Mapping[str, Any]) -> dict[str, Any]:
         """A point by SymPy's names, irrational coordinates as SymPy numbers; roots follow from the others."""
         origins = {word.name: origin for word, origin in self.reader.atoms.origins.items()}
-        turning = [name for name, value in point.items() if isinstance(value, Exact) and not value.is_algebraic]
         found: dict[str, Any] = {}
         for name, value in sorted(point.items()):
-            # A single angle that stands beside its rational cosine and sine has no other name.
-            if name in self.roots or name == PI.name or (turning == [name]):
+            unnamed = isinstance(value, Exact) and not value.is_algebraic and self.search.theta is not None
+            # An angle that stands beside its rational cosine and sine has no other name.
+            if name in self.roots or name == PI.name or unnamed:
                 continue
             spelled = _spelled(name, origins)
             # A symbol may be called as a cosine is written.

@@ -71,11 +71,11 @@ class _Resolver:
         context = self._context() if self.reader.roots else None
         for root in self.reader.roots.values():
             assert context is not None
-            self._note(context, self._radicand(context, root.radicand)[0])
+            self._note(context, self._reduced(context, self._radicand(context, root.radicand)[0]))
         for root in self.reader.roots.values():
             context = self._context()
             polynomial, absolute = self._radicand(context, root.radicand)
-            value = self._root(context, polynomial)
+            value = self._square_free(context, polynomial)
             below = [self._absolute(context, atom) for atom in absolute]
             above = [value, *(node for node, _ in below)]
             squares: list[Node] = [Power(node, 2) for _, node in below]
@@ -100,7 +100,7 @@ class _Resolver:
             assert hypothesis is not None
             numerator = numerator * atom if power % 2 else numerator
             below += [(atom, hypothesis.nonvanishing[0])] * ((power + 1) // 2)
-        return self._reduced(context, numerator), below
+        return numerator, below
 
     def _reduced(self, context: Context, polynomial: Polynomial) -> Polynomial:
         return context.basis.reduce(polynomial)[1]
@@ -112,7 +112,20 @@ class _Resolver:
         if len(odd) == 1:
             self.known.add(key_of(context, odd[0] if sign > 0 else -odd[0]))
 
+    def _square_free(self, context: Context, polynomial: Polynomial) -> Node:
+        """The root of a polynomial whose squares leave it before cosines and sines are reduced."""
+        sign, size, factors = factored(context, polynomial) if polynomial != 0 else (1, Fraction(1), [])
+        squares = [factor for factor, power in factors for _ in range(power // 2)]
+        left = context.field.ring.constant(sign * size)
+        for factor, power in factors:
+            left = left * factor if power % 2 else left
+        if not squares or (sign < 0 and all(power % 2 == 0 for _, power in factors)):
+            return self._root(context, self._reduced(context, polynomial))
+        outside = [self._absolute(context, (factor, None))[0] for factor in squares]
+        return multiplied([*outside, self._root(context, self._reduced(context, left))])
+
     def _root(self, context: Context, polynomial: Polynomial) -> Node:
+        """The root of a polynomial that is reduced."""
         if polynomial == 0:
             return Number(Fraction(0))
         sign, size, factors = factored(context, polynomial)
@@ -154,6 +167,9 @@ class _Resolver:
             return plain, plain
         if self._is_known(context, -polynomial):
             return as_node(context, -polynomial), plain
+        square = self._reduced(context, polynomial * polynomial)
+        if square != polynomial * polynomial:
+            return self._root(context, square), plain
         key, _, origin = self._size(context, polynomial)
         self._define(key, Power(plain, 2), origin)
         return self.words[key], plain

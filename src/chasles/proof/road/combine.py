@@ -50,7 +50,7 @@ def combined(node: Node, terms: Sequence[Node], problem: Problem) -> Node:
         columns = [_times(sampled, function, core) for core in cores for function in stage]
         found = combination(columns, target)
         if found is not None:
-            return _written(fitting, stage, found)
+            return _written(fitting, stage, found, sampled)
     raise NoCombination(f"{node} is no combination of {_listed(fitting)}, or one in several ways")
 
 
@@ -116,14 +116,29 @@ def _times(sampled: Sampled, function: Function, column: list[int]) -> list[int]
     return [entry * values[k // size] % MODULUS for k, entry in enumerate(column)]
 
 
-def _written(terms: list[Node], functions: list[Function], values: list[Fraction]) -> Node:
+def _written(terms: list[Node], functions: list[Function], values: list[Fraction], sampled: Sampled) -> Node:
     pieces = []
     for k, term in enumerate(terms):
-        own = values[k * len(functions) : (k + 1) * len(functions)]
-        coefficient = spelled(zip(own, functions, strict=True))
+        own = [pair for pair in zip(values[k * len(functions) :], functions, strict=False) if pair[0]]
+        coefficient = spelled(_over_one(own, functions, sampled))
         if coefficient is not None:
             pieces.append(times(coefficient, None if term == ONE else term))
     return added(pieces)
+
+
+def _over_one(
+    own: list[tuple[Fraction, Function]], functions: list[Function], sampled: Sampled
+) -> list[tuple[Fraction, Function]]:
+    """The coefficient as one fraction, where it is a fraction and something else beside it."""
+    divisors = {function.denominator for _, function in own}
+    if len(divisors) != 2 or None not in divisors:
+        return own
+    (divisor,) = divisors - {None}
+    above = [Function(f.numerator, divisor) for f in functions if f.denominator is None]
+    whole = spelled(own)
+    assert whole is not None
+    values = combination([sampled.flat(f.node) for f in above], sampled.flat(whole))
+    return own if values is None else list(zip(values, above, strict=True))
 
 
 def _listed(terms: Sequence[Node]) -> str:

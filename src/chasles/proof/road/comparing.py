@@ -44,7 +44,10 @@ class Comparison:
         why = _why(self.printed)
         if self.form:
             return f"{why}; equal to {FORMS[self.form]}{for_what}"
-        return why if self.last is None or self.last is self.printed else f"{why}; as read or corrected, it {_why(self.last)}"
+        again = (
+            "" if self.last is None or self.last is self.printed else f"; as read or corrected, it {_why(self.last)}"
+        )
+        return why + again
 
 
 def _why(verdict: Verdict) -> str:
@@ -105,7 +108,8 @@ def _one_form(
         values: dict[Node, Node] = dict(chosen)
         found = found[0], tidied(replace(found[1], values))
     verdict: Verdict | None = None
-    for goals in _readings(found, sides):
+    restricts = found[0] != sides[0] and not state.decide([("", *found)], environment).true
+    for goals in _readings(found, sides, restricts):
         decided = state.decide(goals, environment)
         verdict = verdict or decided
         if decided.true:
@@ -113,15 +117,26 @@ def _one_form(
     return found, chosen, verdict or Holds({"entries": {}}, {})
 
 
-def _readings(found: Equation, sides: Equation) -> Iterator[list[tuple[str, Node, Node]]]:
-    """Side by side; else the difference of the sides, which may have been moved or have changed its sign."""
+def _readings(found: Equation, sides: Equation, restricts: bool) -> Iterator[list[tuple[str, Node, Node]]]:
+    """Side by side, in either order; of what `restricts`, the difference of the sides, of either sign.
+
+    Of two identities the differences are both zero, and would be equal whatever they say.
+    """
     if isinstance(sides[0], Inverse) and found[0] != sides[0]:
         product = Contract((sides[1], sides[0].of))
-        yield [("the product with the matrix", found[0], product), ("the identity", found[1], Identity(product.shape[0]))]
+        yield [
+            ("the product with the matrix", found[0], product),
+            ("the identity", found[1], Identity(product.shape[0])),
+        ]
         return
-    same_left = found[0] == sides[0]
-    yield [*([] if same_left else [("left side", found[0], sides[0])]), ("right side", found[1], sides[1])]
-    if found[0].shape == sides[0].shape and not same_left:
+    if found[0] == sides[0]:
+        yield [("right side", found[1], sides[1])]
+        return
+    if found[0].shape != sides[0].shape:
+        raise ValueError(f"what was found, {found[0]} = {found[1]}, has another shape than {sides[0]} = {sides[1]}")
+    yield [("left side", found[0], sides[0]), ("right side", found[1], sides[1])]
+    yield [("left side, for right", found[0], sides[1]), ("right side, for left", found[1], sides[0])]
+    if restricts:
         difference, other = Sum((found[0], Negative(found[1]))), Sum((sides[0], Negative(sides[1])))
-        yield [("found and printed", difference, other)]
-        yield [("found and printed, the sign changed", Negative(difference), other)]
+        yield [("difference of the sides", difference, other)]
+        yield [("difference of the sides, the sign changed", Negative(difference), other)]

@@ -16,8 +16,11 @@ class CannotIsolate(ValueError):
     """The equation has no term, or several, with what is sought, or it is deeper inside."""
 
 
-def alone(unknown: Node, left: Node, right: Node) -> Node:
-    """What the unknown is equal to; raises `CannotIsolate` unless exactly one term is a multiple of it."""
+def alone(unknown: Node, left: Node, right: Node) -> tuple[Node, Node]:
+    """Left - right as a coefficient times unknown - value: the value and the coefficient.
+
+    Raises `CannotIsolate` unless exactly one term is a scalar multiple of the unknown.
+    """
     terms = products(Sum((left, Negative(right))))
     mine = [p for p in terms if any(occurs(unknown, part) for part in (*p.scalars, *p.divisors, *p.factors))]
     if len(mine) != 1:
@@ -30,13 +33,16 @@ def alone(unknown: Node, left: Node, right: Node) -> Node:
         scalars.remove(unknown)
     else:
         raise CannotIsolate(f"{unknown} does not stand alone in {left} = {right}: say by what to multiply it")
-    rest: list[Node] = [spelled_out([with_fields(p, number=-p.number / own.number)], unknown.shape) for p in terms if p != own]
+    rest: list[Node] = [
+        spelled_out([with_fields(p, number=-p.number / own.number)], unknown.shape) for p in terms if p != own
+    ]
     value = added(rest) if rest else spelled_out([], unknown.shape)
     for divisor in own.divisors:
         value = Scale(divisor, value)
     for scalar in scalars:
         value = Quotient(value, scalar)
-    return multiplied_out(value) if own.divisors else value
+    coefficient = spelled_out([with_fields(own, scalars=tuple(scalars), factors=(), shape=(1, 1))], (1, 1))
+    return (multiplied_out(value) if own.divisors else value), coefficient
 
 
 def before(factor: Node, node: Node) -> Node:
@@ -62,5 +68,3 @@ def _before(factor: Node, p: Product) -> Product:
             scalars = (*p.scalars[:k], *p.scalars[k + 1 :])
             return with_fields(p, scalars=scalars, factors=(*p.factors, Transpose(other)), shape=shape)
     raise CannotIsolate(f"{spelled_out([p], p.shape)} does not end with {factor}")
-
-

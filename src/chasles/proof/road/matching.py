@@ -36,7 +36,9 @@ def occurs(pattern: Node, node: Node) -> bool:
 
 
 def _flat(factors: Sequence[Node]) -> Node:
-    return Contract(tuple(f for factor in factors for f in (factor.factors if isinstance(factor, Contract) else (factor,))))
+    return Contract(
+        tuple(f for factor in factors for f in (factor.factors if isinstance(factor, Contract) else (factor,)))
+    )
 
 
 def _with_run(factors: Sequence[Node], run: Sequence[Node], value: Node) -> Iterator[Node]:

@@ -1,14 +1,13 @@
-"""Products multiplied out: an expression as a sum of numbers times scalars times factors that are multiplied in order."""
+"""Products multiplied out: an expression as a sum of numbers times scalars times factors in their order."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
 from dataclasses import replace as with_fields
 from fractions import Fraction
 from itertools import product
 
-from chasles.proof.coefficients import ONE, added
+from chasles.proof.coefficients import added
+from chasles.proof.road.product import Product, cancelled, collected, contraction, divided, spelled_out
 from chasles.vocabulary import (
     At,
     Block,
@@ -37,23 +36,7 @@ from chasles.vocabulary import (
     rebuilt,
 )
 
-__all__ = ["Product", "multiplied_out", "products", "spelled_out", "without_brackets"]
-
-
-@dataclass(frozen=True, slots=True)
-class Product:
-    """number * scalars / divisors * factors; `size` is the number of rows and columns, which no factors leave open."""
-
-    number: Fraction
-    scalars: tuple[Node, ...]
-    divisors: tuple[Node, ...]
-    factors: tuple[Node, ...]
-    shape: tuple[int, int]
-
-    @property
-    def core(self) -> tuple[object, ...]:
-        """What two products share if they can be put together."""
-        return tuple(sorted(map(str, self.scalars))), tuple(sorted(map(str, self.divisors))), self.factors
+__all__ = ["multiplied_out", "products", "without_brackets"]
 
 
 def without_brackets(node: Node) -> Node:
@@ -73,7 +56,7 @@ def without_brackets(node: Node) -> Node:
 
 def multiplied_out(node: Node) -> Node:
     """The expression as a sum of products, equal ones put together, in the order in which they arise."""
-    return spelled_out(_collected(products(node)), node.shape)
+    return spelled_out(collected(products(node)), node.shape)
 
 
 def products(node: Node) -> list[Product]:
@@ -89,13 +72,13 @@ def products(node: Node) -> list[Product]:
         case Identity():
             return [Product(Fraction(1), (), (), (), shape)]
         case Sum(terms):
-            return _collected(p for term in terms for p in products(term))
+            return collected(p for term in terms for p in products(term))
         case Negative(term):
             return [with_fields(p, number=-p.number) for p in products(term)]
         case Scale(factor, term):
-            return _collected(_scaled(a, b) for a, b in product(products(factor), products(term)))
+            return collected(_scaled(a, b) for a, b in product(products(factor), products(term)))
         case Quotient(above, below):
-            return [_divided(p, below) for p in products(above)]
+            return [divided(p, below) for p in products(above)]
         case Contract(factors):
             return _contracted([products(factor) for factor in factors])
         case Power(base, exponent) if not isinstance(base, Norm) and not isinstance(base, Symbol | Rate):
@@ -103,15 +86,15 @@ def products(node: Node) -> list[Product]:
         case Power(Norm(of), 2) if isinstance(of, Sum):
             return products(Dot(of, of))
         case Transpose(of):
-            return _collected(_flipped(p) for p in products(of))
+            return collected(_flipped(p) for p in products(of))
         case Dot(left, right) | Cross(left, right):
-            return _collected(_paired(node, a, b) for a, b in product(products(left), products(right)))
+            return collected(_paired(node, a, b) for a, b in product(products(left), products(right)))
         case Skew(of) | Vect(of) | Trace(of):
-            return _collected(_mapped(node, p) for p in products(of))
+            return collected(_mapped(node, p) for p in products(of))
         case Block(rows):
             return [_atom(Block(tuple(tuple(map(multiplied_out, row)) for row in rows)))]
         case Integral(of):
-            return _collected(_integrated(node, p) for p in products(of))
+            return collected(_integrated(node, p) for p in products(of))
         case Rate() | Call():
             return [_atom(node)]
         case _:
@@ -126,42 +109,15 @@ def _atom(node: Node) -> Product:
 
 
 def _scaled(factor: Product, term: Product) -> Product:
-    scalars = (*factor.scalars, *((_contraction(factor.factors),) if factor.factors else ()), *term.scalars)
+    scalars = (*factor.scalars, *((contraction(factor.factors),) if factor.factors else ()), *term.scalars)
     shape = term.shape if factor.shape == (1, 1) else factor.shape
-    return _cancelled(factor.number * term.number, scalars, (*factor.divisors, *term.divisors), term.factors, shape)
-
-
-def _cancelled(
-    number: Fraction, scalars: tuple[Node, ...], divisors: tuple[Node, ...], factors: tuple[Node, ...], shape: tuple[int, int]
-) -> Product:
-    kept = list(scalars)
-    below = []
-    for divisor in divisors:
-        if divisor in kept:
-            kept.remove(divisor)
-        else:
-            below.append(divisor)
-    return Product(number, tuple(kept), tuple(below), factors, shape)
-
-
-def _divided(above: Product, below: Node) -> Product:
-    match below:
-        case Number(value):
-            return with_fields(above, number=above.number / value)
-        case Scale(factor, term):
-            return _divided(_divided(above, factor), term)
-        case Group(of):
-            return _divided(above, of)
-        case Negative(of):
-            return _divided(with_fields(above, number=-above.number), of)
-        case _:
-            return _cancelled(above.number, above.scalars, (*above.divisors, below), above.factors, above.shape)
+    return cancelled(factor.number * term.number, scalars, (*factor.divisors, *term.divisors), term.factors, shape)
 
 
 def _contracted(parts: list[list[Product]]) -> list[Product]:
     total = parts[0]
     for part in parts[1:]:
-        total = _collected(p for a, b in product(total, part) for p in _joined(a, b))
+        total = collected(p for a, b in product(total, part) for p in _joined(a, b))
     return total
 
 
@@ -177,7 +133,7 @@ def _joined(a: Product, b: Product) -> list[Product]:
             inner = Contract((*a.factors[:-1], met, *b.factors[1:])) if len(a.factors) + len(b.factors) > 2 else met
             outer = Product(number, scalars, divisors, (), (1, 1))
             return [_scaled(outer, p) for p in (products(inner) if inner != met or met.is_scalar else [_whole(met)])]
-    return [_cancelled(number, scalars, divisors, (*a.factors, *b.factors), shape)]
+    return [cancelled(number, scalars, divisors, (*a.factors, *b.factors), shape)]
 
 
 def _whole(block: Node) -> Product:
@@ -217,7 +173,9 @@ def _transposed(node: Node) -> tuple[int, Node]:
         case Skew() | Symbol(stands_for=Skew()):
             return -1, node
         case Block(rows):
-            return 1, Block(tuple(tuple(multiplied_out(Transpose(b)) for b in column) for column in zip(*rows, strict=True)))
+            return 1, Block(
+                tuple(tuple(multiplied_out(Transpose(b)) for b in column) for column in zip(*rows, strict=True))
+            )
         case Power(base, exponent):
             sign, flipped = _transposed(base)
             return sign**exponent, Power(flipped, exponent)
@@ -227,18 +185,18 @@ def _transposed(node: Node) -> tuple[int, Node]:
 
 def _paired(node: Dot | Cross, a: Product, b: Product) -> Product:
     number, scalars, divisors = a.number * b.number, (*a.scalars, *b.scalars), (*a.divisors, *b.divisors)
-    left, right = _contraction(a.factors), _contraction(b.factors)
+    left, right = contraction(a.factors), contraction(b.factors)
     if isinstance(node, Dot):
-        return _cancelled(number, (*scalars, Dot(left, right)), divisors, (), (1, 1))
+        return cancelled(number, (*scalars, Dot(left, right)), divisors, (), (1, 1))
     if left == right:
         return Product(Fraction(0), (), (), (), node.shape)
-    return _cancelled(number, scalars, divisors, (Cross(left, right),), node.shape)
+    return cancelled(number, scalars, divisors, (Cross(left, right),), node.shape)
 
 
 def _mapped(node: Skew | Vect | Trace, p: Product) -> Product:
-    inner = _contraction(p.factors) if p.factors else Identity(p.shape[0])
+    inner = contraction(p.factors) if p.factors else Identity(p.shape[0])
     if isinstance(node, Trace):
-        return _cancelled(p.number, (*p.scalars, Trace(inner)), p.divisors, (), (1, 1))
+        return cancelled(p.number, (*p.scalars, Trace(inner)), p.divisors, (), (1, 1))
     return Product(p.number, p.scalars, p.divisors, (rebuilt(node, (inner,)),), node.shape)
 
 
@@ -246,43 +204,3 @@ def _integrated(node: Integral, p: Product) -> Product:
     """The integral of a product: its number comes out, and what is the same for all elements stays where it is."""
     inner = spelled_out([with_fields(p, number=Fraction(1))], p.shape)
     return with_fields(_atom(with_fields(node, of=inner)), number=p.number)
-
-
-def _contraction(factors: tuple[Node, ...]) -> Node:
-    return factors[0] if len(factors) == 1 else Contract(factors)
-
-
-def _collected(found_terms: Iterable[Product]) -> list[Product]:
-    found: dict[object, Product] = {}
-    for p in found_terms:
-        known = found.get(p.core)
-        found[p.core] = p if known is None else with_fields(known, number=known.number + p.number)
-    return [p for p in found.values() if p.number]
-
-
-def spelled_out(parts: list[Product], shape: tuple[int, int]) -> Node:
-    """The sum of the products, written out; zero if there are none."""
-    if not parts:
-        return Number(Fraction(0)) if shape == (1, 1) else Zero(*shape)
-    terms = [_term(p) for p in parts]
-    return terms[0] if len(terms) == 1 else Sum(tuple(terms))
-
-
-def _term(p: Product) -> Node:
-    node: Node | None = _contraction(p.factors) if p.factors else None
-    if node is None and p.shape != (1, 1):
-        node = Identity(p.shape[0])
-    coefficient: Node | None = None
-    for scalar in reversed(p.scalars):
-        coefficient = scalar if coefficient is None else Scale(scalar, coefficient)
-    for divisor in p.divisors:
-        if coefficient is None and node is not None:
-            node = Quotient(node, divisor)
-        else:
-            coefficient = Quotient(ONE if coefficient is None else coefficient, divisor)
-    if coefficient is not None:
-        node = coefficient if node is None else Scale(coefficient, node)
-    size = abs(p.number)
-    if size != 1 or node is None:
-        node = Number(size) if node is None else Scale(Number(size), node)
-    return Negative(node) if p.number < 0 else node

@@ -11,22 +11,19 @@ from chasles.proof.road.isolate import alone
 from chasles.proof.road.state import Equation, State
 from chasles.proof.verdict import Verdict
 from chasles.statements import Goal, Problem, Statement
-from chasles.vocabulary import Node, Rate, Symbol, replace, symbols_of
+from chasles.vocabulary import Node, Rate, Scale, Symbol, replace, symbols_of
 
-__all__ = ["solve_by_multiplying", "solve_by_moving", "solve_linear_system"]
+__all__ = ["solve_by_moving", "solve_by_multiplying", "solve_linear_system"]
 
 
 def solve_by_moving(state: State, unknown: Node, using: Sequence[Statement]) -> tuple[Equation, Verdict]:
-    """The unknown is brought to stand alone in the first equation in which it can."""
+    """The unknown is brought to stand alone; decided: the equation is a multiple of the one found."""
     left, right = state.equations[0]
-    value = alone(unknown, left, right)
-    goals = [("what was moved is equal", left - right, unknown - value)]
-    verdict = state.decide(goals, state.environment(using))
-    if not verdict.true:
-        there: dict[Node, Node] = {unknown: value}
-        goals = [("the value satisfies the equation", replace(left, there), replace(right, there))]
-        verdict = state.decide(goals, state.environment(using))
-    return (unknown, value), verdict
+    value, coefficient = alone(unknown, left, right)
+    multiple = Scale(coefficient, unknown - value)
+    return (unknown, value), state.decide(
+        [("a multiple of what was found", left - right, multiple)], state.environment(using)
+    )
 
 
 def solve_by_multiplying(
@@ -51,7 +48,9 @@ def solve_linear_system(
     names = {unknown: _named(unknown) for unknown in unknowns}
     rates = tuple((unknown, name) for unknown, name in names.items() if isinstance(unknown, Rate))
     environment = state.environment(using, rates)
-    conditions = tuple(Goal("equation", left, right) for left, right in (*state.equations, *_rates(environment, unknowns)))
+    conditions = tuple(
+        Goal("equation", left, right) for left, right in (*state.equations, *_rates(environment, unknowns))
+    )
     problem = with_fields(environment, conditions=conditions, unknowns=tuple(names.values()))
     values = {u: combined(name, terms or (ONE,), problem) for u, name in names.items()}
     only = [(f"{unknown} can be nothing else", names[unknown], value) for unknown, value in values.items()]

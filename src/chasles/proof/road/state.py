@@ -1,4 +1,4 @@
-"""Where a road has come to, and what may be used there: the equations reached, what was found, the problems to decide."""
+"""Where a road has come to, and what may be used there: equations reached, statements found, problems to decide."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from chasles.statements.statement import is_rule
 from chasles.vocabulary import Misfit, Node, number
 from chasles.vocabulary.families import indices_of
 
-__all__ = ["Equation", "State"]
+__all__ = ["Equation", "State", "cited", "rules_behind", "usable"]
 
 Equation = tuple[Node, Node]
 Rules = tuple[tuple[Node, Node], ...]
@@ -37,9 +37,17 @@ class State:
 
     def sides(self, statement: Statement) -> Equation:
         """The sides of a statement: as found on the road, or in the form that stands for it."""
-        found = self.found.get(id(statement), statement)
-        left, right = found.form(self.judge.standing(found)) if found is statement else found.printed
+        found = self.found.get(id(statement))
+        left, right = statement.form(self._relied_on(statement)) if found is None else found.printed
         return without_brackets(left), without_brackets(right)
+
+    def _relied_on(self, statement: Statement) -> str:
+        """The form in which a statement may be used; raises ValueError for a claim of which no form holds."""
+        if isinstance(statement, Claim):
+            decision = self.judge.decide(statement)
+            if not decision.verdict.true and not (decision.correction and decision.correction.verdict.true):
+                raise ValueError(f"{cited(statement)} is used, and it {decision.verdict.name}")
+        return self.judge.standing(statement)
 
     def environment(self, using: Iterable[Statement] = (), rules: Rules = ()) -> Problem:
         """What may be used: rules of the statements that are given, and all that is assumed."""
@@ -51,7 +59,7 @@ class State:
         return with_fields(problem, goals=(), rules=(*kept, *rules))
 
     def _standing(self, statement: Statement) -> str:
-        return "printed" if any(statement is found for found in self.found.values()) else self.judge.standing(statement)
+        return "printed" if any(statement is found for found in self.found.values()) else self._relied_on(statement)
 
     def decide(self, goals: Sequence[tuple[str, Node, Node]], problem: Problem) -> Verdict:
         """The verdict on equations that must all hold; without any, there was nothing to prove."""
@@ -64,6 +72,12 @@ class State:
             return IllFormed(str(error))
         except (UndeclaredDivisor, Untreatable) as error:
             return Undecided(str(error))
+
+
+def cited(statement: Statement) -> str:
+    """The statement's number as a reader looks for it."""
+    number = f"({statement.number})" if statement.number[:1].isdecimal() else statement.number
+    return f"{number} part {statement.part}" if statement.part > 1 else number
 
 
 def usable(statement: Statement) -> bool:

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from typing import Any
 
 from chasles.proof.road.combine import combined
-from chasles.proof.road.isolate import before
+from chasles.proof.road.isolate import CannotIsolate, alone, before
 from chasles.proof.road.matching import occurs, put_for
 from chasles.proof.road.products import multiplied_out, without_brackets
 from chasles.proof.road.rates import carried_out, rate_of
 from chasles.proof.road.solving import solve_by_moving, solve_by_multiplying, solve_linear_system
+from chasles.proof.road.state import Equation, State, cited, usable
 from chasles.proof.road.tidy import tidied
-from chasles.proof.road.state import Equation, State, usable
 from chasles.proof.verdict import Holds, Posed, Verdict
 from chasles.statements.derivation import (
     Ansatz,
@@ -67,7 +67,7 @@ def _take(step: Take, state: State) -> Outcome:
     decisions = [state.judge.decide(statement) for statement in step.statements]
     verdicts = [d.correction.verdict if d.correction and not d.verdict.true else d.verdict for d in decisions]
     verdict = next((v for v in verdicts if not v.true), verdicts[0])
-    said = "; ".join(f"({s.number}) {s.says}" for s in step.statements)
+    said = "; ".join(f"{cited(s)} {s.says}" for s in step.statements)
     return Outcome(tuple(map(state.sides, step.statements)), verdict, said)
 
 
@@ -82,17 +82,12 @@ def _substitute(step: Substitute, state: State) -> Outcome:
         return _substitute_solved(step, state)
     equations, verdict = state.equations, None
     for statement in step.statements:
-        if not any(occurs(_key(state.sides(statement)), side) for side in _worked_on(equations, step.both)):
-            raise ValueError(f"the left side of ({statement.number}), {state.sides(statement)[0]}, does not occur")
+        if not any(occurs(state.sides(statement)[0], side) for side in _worked_on(equations, step.both)):
+            raise ValueError(f"the left side of {cited(statement)}, {state.sides(statement)[0]}, does not occur")
         equations, decided = _put(state, equations, state.sides(statement), step, usable(statement))
         verdict = decided if verdict is None or verdict.true else verdict
     assert verdict is not None
-    cited = ", ".join(f"({s.number})" for s in step.statements)
-    return Outcome(equations, verdict, cited)
-
-
-def _key(sides: Equation) -> Node:
-    return sides[0]
+    return Outcome(equations, verdict, ", ".join(map(cited, step.statements)))
 
 
 def _worked_on(equations: Sequence[Equation], both: bool) -> list[Node]:
@@ -136,8 +131,8 @@ def _substitute_solved(step: Substitute, state: State) -> Outcome:
     if verdict is None:
         raise ValueError("nothing that was solved for occurs")
     neat = tuple((left, tidied(right)) for left, right in equations)
-    if verdict.true:
-        verdict = state.decide(_unchanged(equations, neat), state.environment(step.using)) if neat != equations else verdict
+    if verdict.true and neat != equations:
+        verdict = state.decide(_unchanged(equations, neat), state.environment(step.using))
     return Outcome(neat, verdict, "what was found for " + ", ".join(str(left) for left, _ in state.solved))
 
 
@@ -152,18 +147,19 @@ def _worked_out(node: Node) -> Node:
 
 def _unchanged(equations: Sequence[Equation], after: Sequence[Equation]) -> list[tuple[str, Node, Node]]:
     pairs = zip(equations, after, strict=True)
-    return [("after and before", old, new) for before_it, behind in pairs for old, new in zip(before_it, behind, strict=True)]
+    return [
+        ("after and before", old, new)
+        for before_it, behind in pairs
+        for old, new in zip(before_it, behind, strict=True)
+    ]
 
 
 def _factor(step: Factor, state: State) -> Outcome:
     problem = state.environment(step.using)
     terms = tuple(map(without_brackets, step.terms))
-    after = tuple(
-        (combined(left, terms, problem), right) if step.left else (left, combined(right, terms, problem))
-        for left, right in state.equations
-    )
-    said = f"in {', '.join(map(str, step.terms))}"
-    by = ", ".join(f"({s.number})" for s in step.using)
+    after = tuple((left, combined(right, terms, problem)) for left, right in state.equations)
+    said = f"in {', '.join(map(str, step.terms))}" if step.terms else "nothing is left"
+    by = ", ".join(map(cited, step.using))
     return Outcome(after, state.decide(_unchanged(state.equations, after), problem), f"{said}, by {by}" if by else said)
 
 
@@ -194,7 +190,7 @@ def _solve(step: Solve, state: State) -> Outcome:
     said = ", ".join(map(str, step.unknowns))
     if step.by is not None:
         equation, verdict = solve_by_multiplying(state, step.unknowns[0], step.by, step.using)
-        return Outcome((equation,), verdict, f"for {said}, multiplied by ({step.by.number})")
+        return Outcome((equation,), verdict, f"for {said}, multiplied by {cited(step.by)}")
     if step.terms or len(step.unknowns) > 1 or state.ansatz is not None or not _moves(step.unknowns[0], state):
         equations, verdict = solve_linear_system(state, step.unknowns, step.terms, step.using)
         return Outcome(equations, verdict, f"for {said}: a linear system, with one solution")
@@ -203,8 +199,6 @@ def _solve(step: Solve, state: State) -> Outcome:
 
 
 def _moves(unknown: Node, state: State) -> bool:
-    from chasles.proof.road.isolate import CannotIsolate, alone
-
     try:
         alone(unknown, *state.equations[0])
     except CannotIsolate:
@@ -254,4 +248,3 @@ def _take_vector(step: TakeVector, state: State) -> Outcome:
         for old, new in zip(state.equations, after, strict=True)
     ]
     return Outcome(after, state.decide(goals, state.environment()), "both sides")
-

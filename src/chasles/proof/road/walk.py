@@ -9,7 +9,7 @@ from dataclasses import replace as with_fields
 from chasles.proof.judge import Judge
 from chasles.proof.residues import Singular, Unsampled
 from chasles.proof.road.comparing import Comparison, compare
-from chasles.proof.road.state import Equation, State
+from chasles.proof.road.state import Equation, State, cited
 from chasles.proof.road.steps import Outcome, carry_out
 from chasles.proof.unfold import UndeclaredDivisor
 from chasles.proof.variables import Untreatable
@@ -26,7 +26,7 @@ STUCK = (Misfit, TypeError, ValueError, LookupError, Untreatable, UndeclaredDivi
 
 @dataclass(frozen=True, slots=True)
 class Passage:
-    """A step that was made: what kind, why, the equations after it, the verdict on it; of a comparison, what came of it."""
+    """A step that was made: what kind, why, the equations after it, the verdict on it; what came of a comparison."""
 
     kind: str
     reason: str
@@ -109,8 +109,8 @@ def _compared(step: Compare, state: State) -> Passage:
         before = dict(zip((left for left, _ in state.equations), state.equations, strict=True))
         before[comparison.found[0]] = comparison.found
         state.equations = tuple(before.values())
-    cited = f"({statement.number}): {comparison.words}"
-    return Passage(step.kind, cited, (comparison.found,), comparison.verdict, comparison)
+    said = f"{cited(statement)}: {comparison.words}"
+    return Passage(step.kind, said, (comparison.found,), comparison.verdict, comparison)
 
 
 def _as_found(statement: Statement, comparison: Comparison) -> Statement:

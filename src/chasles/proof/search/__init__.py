@@ -47,7 +47,7 @@ class Search:
     `allowed` says whether a variable may have a value, `products` which angles are products of which factors, `rigid`
     which of these are no arbitrary real numbers, `frames` which variables are the entries of orthonormal columns;
     `spelled` is how an angle is written. If `blind`, there are conditions that no point here is checked for, and
-    nothing is refuted.
+    nothing is refuted. `theta` is the angle that was the transcendental number at the last point found; else pi was.
     """
 
     allowed: Callable[[str, Exact], bool]
@@ -58,6 +58,7 @@ class Search:
     spelled: Callable[[Symbol], str] = str
     blind: bool = False
     calls: int = 0
+    theta: Symbol | None = None
 
     def refute(self, context: Context, suspects: Sequence[Suspect]) -> Counterexample | None:
         """The counterexample that is easiest to evaluate by hand among a number of them; None if none is found."""
@@ -95,6 +96,7 @@ class Search:
     def _points(self, context: Context, stage: Stage, attempts: int, keep_some_time: bool) -> Iterator[Values]:
         """Different points that satisfy everything, simple ones first."""
         turning = Turning(stage, self.products, self.rigid)
+        self.theta = turning.theta
         drawing = Drawing(stage, turning, self.frames, self.allowed)
         least = remaining() * (1 - SHARE) if keep_some_time else 0.0
         seen: set[tuple[str, ...]] = set()
@@ -126,8 +128,7 @@ class Search:
         self, context: Context, evaluate: Evaluation, suspect: Suspect
     ) -> tuple[int, Counterexample] | None:
         """The counterexample and how much work it is; None if its numbers are too long to be written."""
-        theta = Turning(evaluate.stage, self.products, self.rigid).theta
-        name = "pi" if theta is None else self.spelled(theta)
+        name = "pi" if self.theta is None else self.spelled(self.theta)
         try:
             texts = [self._text(context, evaluate, side, suspect.place, name) for side in _sides(suspect)]
         except ValueError:

@@ -188,5 +188,7 @@ class Drawing:
 
 
 def _is_root(value: Exact) -> bool:
-    """Whether a number is not negative."""
+    """Whether a number is not negative; the transcendental number is not."""
+    if len(value.terms) == 1:
+        return all(coefficient > 0 for coefficient in value.terms.values())
     return value.is_algebraic and not value.is_negative

@@ -1,0 +1,53 @@
+"""`chasles derive N`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+import click
+
+from chasles.cli.book import as_data, of_numbers
+from chasles.cli.failures import complain
+
+if TYPE_CHECKING:
+    from chasles.proof.road import Road
+
+__all__ = ["command"]
+
+
+@click.command("derive", short_help="Walk the road to a result.", epilog="Example: chasles derive 3.18")
+@of_numbers
+@click.option("--latex", is_flag=True, help="Show the equations in LaTeX as well.")
+@as_data
+def command(numbers: tuple[str, ...], latex: bool, json: bool) -> int:
+    """Walk the road to an equation: each step's result is found and decided, the end is compared with the print.
+
+    Without a number, all roads are walked and named, a line each. The exit status is 1 if a step does not hold.
+    """
+    from chasles.cli.roads import chosen_roads
+    from chasles.proof.judge import Judge
+    from chasles.proof.road import walk
+    from chasles.report.records import as_json
+    from chasles.report.road_page import road_line, road_page, road_record
+    from chasles.report.screen import Screen
+    from chasles.report.waiting import watched
+
+    chosen, judge = chosen_roads(numbers), Judge()
+    walked = {name: walk(road, judge) for name, road in watched(iter(chosen.items()), len(chosen), "Walking")}
+    if json:
+        click.echo(as_json({"roads": [road_record(name, road) for name, road in walked.items()]}))
+    else:
+        screen = Screen()
+        for place, (name, road) in enumerate(walked.items()):
+            page = road_page(screen, name, road, latex) if numbers else road_line(screen, name, road)
+            screen.show(*([""] if place and numbers else []), *page)
+    return complain(_failures(list(walked.items())))
+
+
+def _failures(walked: Sequence[tuple[str, Road]]) -> Iterator[str]:
+    """A line for each road that does not arrive."""
+    for name, road in walked:
+        if not road.arrives:
+            last = road.passages[-1]
+            yield f"{name} stops at step {len(road.passages)}, {last.kind}: {last.reason}"

@@ -1,0 +1,122 @@
+"""A road on a page: step by step what is done, the equation that comes of it, and its verdict; and as data."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from rich.console import RenderableType
+from rich.padding import Padding
+from rich.table import Table
+from rich.text import Text
+
+from chasles.proof.road import Passage, Road
+from chasles.proof.verdict import Fails
+from chasles.report.details import number_in_words
+from chasles.report.screen import Screen
+from chasles.report.words import labelled, point_in_words, reason, said
+from chasles.vocabulary import latex as in_latex
+from chasles.vocabulary import plain
+
+__all__ = ["road_line", "road_page", "road_record"]
+
+
+def road_page(screen: Screen, name: str, road: Road, latex: bool = False) -> Iterator[RenderableType]:
+    """The whole road."""
+    derivation = road.derivation
+    yield Text.assemble((number_in_words(derivation.number), "bold"), "  ", derivation.to.says)
+    yield Text(f"  {name}: {derivation.says}", "dim")
+    if derivation.assuming:
+        yield Text(f"  assuming {', '.join(h.text for h in derivation.assuming)}", "dim")
+    for number, passage in enumerate(road.passages, start=1):
+        yield from _step(screen, number, passage, latex)
+    yield Text.assemble("  ", *_outcome(road))
+
+
+def road_line(screen: Screen, name: str, road: Road) -> Iterator[RenderableType]:
+    """The road in one line: where it leads, in how many steps, what came of it."""
+    words = f"{road.derivation.number}  {name}: {len(road.passages)} steps; "
+    yield Text.assemble(words, *_outcome(road))
+
+
+def road_record(name: str, road: Road) -> dict[str, Any]:
+    """The road as `chasles derive --json` prints it; its keys and their order are fixed."""
+    derivation = road.derivation
+    return {
+        "name": name,
+        "number": derivation.number,
+        "to": {"number": derivation.to.number, "part": derivation.to.part},
+        "says": derivation.says,
+        "assuming": [hypothesis.text for hypothesis in derivation.assuming],
+        "arrives": road.arrives,
+        "steps": [_record(passage) for passage in road.passages],
+    }
+
+
+def _step(screen: Screen, number: int, passage: Passage, latex: bool) -> Iterator[RenderableType]:
+    grid = Table.grid(padding=(0, 1, 0, 0))
+    grid.add_column(justify="right", style="dim", width=3)
+    grid.add_column(overflow="fold")
+    verdict = labelled(passage.verdict, screen.signs)
+    needs = ", ".join(getattr(passage.verdict, "needs", ()))
+    shown = Text.assemble((passage.kind, "bold"), f" {passage.reason}  ")
+    if passage.comparison is None:
+        shown.append_text(verdict).append(f" {needs}" if needs else "")
+    grid.add_row(str(number), shown)
+    for left, right in passage.equations:
+        grid.add_row("", Text(f"    {plain(left)} = {plain(right)}"))
+        if latex:
+            grid.add_row("", Text(f"    {in_latex(left)} = {in_latex(right)}", "dim"))
+    for line in _objections(passage):
+        grid.add_row("", Text(f"    {line}"))
+    yield Padding(grid, (0, 0, 0, 1))
+
+
+def _objections(passage: Passage) -> Iterator[str]:
+    if passage.comparison is not None:
+        printed = passage.comparison.printed
+        if isinstance(printed, Fails):
+            yield f"for example at {point_in_words(printed.counterexample.at) or 'every point'}"
+    elif not passage.verdict.true and reason(passage.verdict) not in passage.reason:
+        yield f"because {reason(passage.verdict)}"
+
+
+def _outcome(road: Road) -> Iterator[tuple[str, str]]:
+    """Whether the road arrives, and what is printed otherwise than found."""
+    if not road.arrives:
+        yield f"stops at step {len(road.passages)}", "bold red"
+        return
+    different = road.differences
+    yield "arrives", "green"
+    if not different:
+        yield "; all that is found is as printed", ""
+    for comparison in different:
+        yield f"; {number_in_words(comparison.statement.number, comparison.statement.part)}: {comparison.words}", "red"
+
+
+def _record(passage: Passage) -> dict[str, Any]:
+    return {
+        "kind": passage.kind,
+        "reason": passage.reason,
+        "equations": [
+            {"text": f"{plain(left)} = {plain(right)}", "latex": f"{in_latex(left)} = {in_latex(right)}"}
+            for left, right in passage.equations
+        ],
+        "verdict": passage.verdict.name,
+        "needs": list(getattr(passage.verdict, "needs", ())),
+        "because": None if passage.verdict.true else said(passage.verdict) + f" {reason(passage.verdict)}".rstrip(),
+        "compared": _compared(passage),
+    }
+
+
+def _compared(passage: Passage) -> dict[str, Any] | None:
+    comparison = passage.comparison
+    if comparison is None:
+        return None
+    return {
+        "number": comparison.statement.number,
+        "part": comparison.statement.part,
+        "printed": comparison.printed.name,
+        "equal_to": comparison.form,
+        "chosen": {plain(symbol): plain(value) for symbol, value in comparison.chosen},
+    }
