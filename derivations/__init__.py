@@ -7,4 +7,12 @@ if __name__ != "chasles.derivations":
     )
 
 TITLE = "Fundamentals of Rigid-Body Mechanics"
-SECTIONS = ("s02_screw", "s03_fixed_point", "s04_twist")
+SECTIONS = (
+    "s02_screw",
+    "s03_fixed_point",
+    "s04_twist",
+    "s05_acceleration",
+    "s06_moving_frame",
+    "s07_statics",
+    "s08_dynamics",
+)

@@ -88,8 +88,8 @@ def objection_in_book(module: str, top: str, rest: str) -> str | None:
 
 
 def place(inner: list[str]) -> tuple[bool, list[str]]:
-    """Sorts as the book does: notation, the sections by their numbers, the exercises."""
-    return inner[:1] == ["exercises"], inner
+    """Sorts as the book does: notation, the sections by their numbers, the exercises and the roads."""
+    return inner[:1] in (["exercises"], ["roads"]), inner
 
 
 def objections(module: str, source: str, is_package: bool = False) -> list[str]:

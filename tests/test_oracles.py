@@ -164,6 +164,7 @@ def test_velocity_in_a_moving_frame() -> None:
     check("3.103", moving, moving.point.v1pt_theory(moving.origin, moving.fixed, moving.frame))
 
 
+@pytest.mark.slow
 def test_acceleration_in_a_moving_frame() -> None:
     moving = Moving(fixed_in_frame=False)
     check("3.105", moving, moving.point.a1pt_theory(moving.origin, moving.fixed, moving.frame))

@@ -27,6 +27,8 @@ def without_underbraces(text: str) -> str:
         end = middle + 1
         if text[end : end + 2] == "_{":
             end = closing(text, end + 2) + 1
+        elif text[end : end + 1] == "_":
+            end += 2
         text = text[:start] + text[inner:middle] + text[end:]
     return text
 

@@ -210,6 +210,7 @@ def flipped_signs(node: Node) -> Iterator[Node]:
             yield Sum((*node.terms[:place], turned, *node.terms[place + 1 :]))
 
 
+@pytest.mark.slow
 def test_a_turned_sign_is_seen() -> None:
     tried = 0
     claims = [entry for entry in CHAPTER if type(entry.statement) is Claim and not entry.statement.fault]

@@ -1,6 +1,6 @@
 """(3.91) to (3.97): the rates of the matrices, by differentiation."""
 
-from chasles.derivations.notation import E, Omega, e, omega, one
+from chasles.derivations.notation import D, E, Omega, R_er, U_lin, e, omega, one, r_0, r_er, u, u_0
 from chasles.derivations.s02_screw import phi_is_not_zero
 from chasles.derivations.s04_twist import (
     euler_rodrigues_rate_matrix,
@@ -15,6 +15,10 @@ from chasles.derivations.s04_twist import (
 from chasles.derivations.s05_acceleration import (
     B_is_the_upper_block,
     axis_angle_rates,
+    euler_rodrigues_parameters_scalar,
+    euler_rodrigues_parameters_vector,
+    linear_invariants_scalar,
+    linear_invariants_vector,
     natural_rates_by_blocks,
     pose_rate_by_twist,
     rate_of_euler_rodrigues_rate_matrix,
@@ -26,6 +30,7 @@ from chasles.derivations.s05_acceleration import (
     rate_of_natural_velocity_matrix,
     rate_of_pose_rate_matrix,
     rate_of_twist_matrix,
+    scalar_of_linear_rate,
     second_rate_of_pose,
     twist_by_pose_rate,
     twist_rate_from_pose,
@@ -35,7 +40,7 @@ from chasles.derivations.s05_acceleration import (
 
 from chasles.statements import unit
 from chasles.statements.derivation import Compare, Derivation, Differentiate, Factor, Substitute, Take
-from chasles.vocabulary import dot
+from chasles.vocabulary import dot, rate, row
 
 second_rates_of_the_pose = Derivation(
     "3.94",
@@ -127,6 +132,13 @@ rate_of_L_tilde = Derivation(
     steps=(
         Take(linear_velocity_matrix),
         Differentiate(),
+        Factor(
+            rate(U_lin) / D,
+            rate(u_0) / D**2 * U_lin,
+            rate(u) / D,
+            rate(u_0) / D**2 * u,
+            using=(linear_invariants_vector, linear_invariants_scalar, scalar_of_linear_rate),
+        ),
         Compare(rate_of_linear_velocity_matrix),
     ),
 )
@@ -139,6 +151,10 @@ rate_of_H_tilde = Derivation(
     steps=(
         Take(euler_rodrigues_velocity_matrix),
         Differentiate(),
+        Factor(
+            row(rate(r_0) * one + rate(R_er), -rate(r_er)),
+            using=(euler_rodrigues_parameters_vector, euler_rodrigues_parameters_scalar),
+        ),
         Compare(rate_of_euler_rodrigues_velocity_matrix),
     ),
 )

@@ -48,8 +48,8 @@ from chasles.vocabulary import cross, dot, norm
 axis_of_a_wrench = Derivation(
     "3.111",
     to=wrench_point,
-    says="Two systems of force and moment are equivalent if they have the same moment about any point; where that moment "
-    "is parallel to the force, a point is sought.",
+    says="Two systems of force and moment are equivalent if they have the same moment about any point; where that "
+    "moment is parallel to the force, a point is sought.",
     assuming=(force_is_not_zero,),
     steps=(
         Take(systems_are_equivalent),

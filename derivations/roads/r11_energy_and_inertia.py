@@ -46,9 +46,10 @@ from chasles.vocabulary import cross, norm, rate
 _mass = (radius, center_of_mass, first_moment, mass)
 
 energy_of_a_body = Derivation(
-    "3.130",
+    "3.144",
     to=energy_by_inertia,
-    says="The velocity of an element, from that of the center of mass, is put into the integral; the mixed term vanishes.",
+    says="The velocity of an element, from that of the center of mass, is put into the integral; the mixed term "
+    "vanishes.",
     assuming=(density_is_positive, mass_is_positive),
     steps=(
         Take(velocity_of_point),
@@ -85,7 +86,7 @@ energy_of_a_body = Derivation(
 )
 
 theorem_of_steiner = Derivation(
-    "3.133a",
+    "3.133b",
     to=inertia_about_point_by_matrices,
     says="The position from A is put into the moment of inertia; the first moments about the center of mass vanish.",
     assuming=(density_is_positive, mass_is_positive),

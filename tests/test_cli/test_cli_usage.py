@@ -48,7 +48,7 @@ def test_version(run) -> None:
         (["decide", "--section", "4.1"], "the book has no section '4.1'"),
         (["decide", "--section"], "requires an argument"),
         (["list", "--section", "3.2.9"], "near it: 3.2"),
-        (["decied"], "there is no command 'decied'; near it: decide; see `chasles --help`"),
+        (["decied"], "there is no command 'decied'; near it: decide, derive; see `chasles --help`"),
         (["emit", "--what"], "No such option '--what'; see `chasles emit --help`"),
         (["emit", "--out", __file__], "is a file"),
         (["verify", "screw_axis"], "there is no kernel 'screw_axis'; near it: screw_axis_point"),

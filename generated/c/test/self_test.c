@@ -2668,6 +2668,1176 @@ static void twist_transfer_vector_2f(void)
     comparef("chasles_twist_transferf, vector 2: t_P", 6, t_P, t_P_expected, 8.0 * FLT_EPSILON);
 }
 
+static void angular_acceleration_matrix_vector_1(void)
+{
+    const double omega[3] = {1.25, 0.5, -0.75};
+    const double omega_dot[3] = {2.0, -1.5, 0.25};
+    const double W_expected[9] = {
+        -0.8125,
+        0.375,
+        -2.4375,
+        0.875,
+        -2.125,
+        -2.375,
+        0.5625,
+        1.625,
+        -1.8125,
+    };
+    double W[9];
+    chasles_angular_acceleration_matrix(omega, omega_dot, W);
+    compare("chasles_angular_acceleration_matrix, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void angular_acceleration_matrix_vector_2(void)
+{
+    const double omega[3] = {2.0, -1.5, 0.25};
+    const double omega_dot[3] = {1.75, -0.5, 0.75};
+    const double W_expected[9] = {-2.3125, -3.75, 0.0, -2.25, -4.0625, -2.125, 1.0, 1.375, -6.25};
+    double W[9];
+    chasles_angular_acceleration_matrix(omega, omega_dot, W);
+    compare("chasles_angular_acceleration_matrix, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void angular_acceleration_matrix_vector_1f(void)
+{
+    const float omega[3] = {1.25f, 0.5f, -0.75f};
+    const float omega_dot[3] = {2.0f, -1.5f, 0.25f};
+    const double W_expected[9] = {
+        -0.8125,
+        0.375,
+        -2.4375,
+        0.875,
+        -2.125,
+        -2.375,
+        0.5625,
+        1.625,
+        -1.8125,
+    };
+    float W[9];
+    chasles_angular_acceleration_matrixf(omega, omega_dot, W);
+    comparef("chasles_angular_acceleration_matrixf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void angular_acceleration_matrix_vector_2f(void)
+{
+    const float omega[3] = {2.0f, -1.5f, 0.25f};
+    const float omega_dot[3] = {1.75f, -0.5f, 0.75f};
+    const double W_expected[9] = {-2.3125, -3.75, 0.0, -2.25, -4.0625, -2.125, 1.0, 1.375, -6.25};
+    float W[9];
+    chasles_angular_acceleration_matrixf(omega, omega_dot, W);
+    comparef("chasles_angular_acceleration_matrixf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void acceleration_of_point_vector_1(void)
+{
+    const double omega[3] = {1.25, 0.5, -0.75};
+    const double omega_dot[3] = {2.0, -1.5, 0.25};
+    const double a_ddot[3] = {1.75, -0.5, 0.75};
+    const double a[3] = {-1.25, 1.5, 1.25};
+    const double p[3] = {0.5, -0.75, 2.0};
+    const double p_ddot_expected[3] = {-2.34375, 4.03125, -3.28125};
+    double p_ddot[3];
+    chasles_acceleration_of_point(omega, omega_dot, a_ddot, a, p, p_ddot);
+    compare("chasles_acceleration_of_point, vector 1: p_ddot", 3, p_ddot, p_ddot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void acceleration_of_point_vector_2(void)
+{
+    const double omega[3] = {2.0, -1.5, 0.25};
+    const double omega_dot[3] = {1.75, -0.5, 0.75};
+    const double a_ddot[3] = {-1.25, 1.5, 1.25};
+    const double a[3] = {0.5, -0.75, 2.0};
+    const double p[3] = {-1.5, 0.25, 1.75};
+    const double p_ddot_expected[3] = {-0.375, 2.46875, 2.1875};
+    double p_ddot[3];
+    chasles_acceleration_of_point(omega, omega_dot, a_ddot, a, p, p_ddot);
+    compare("chasles_acceleration_of_point, vector 2: p_ddot", 3, p_ddot, p_ddot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void acceleration_of_point_vector_1f(void)
+{
+    const float omega[3] = {1.25f, 0.5f, -0.75f};
+    const float omega_dot[3] = {2.0f, -1.5f, 0.25f};
+    const float a_ddot[3] = {1.75f, -0.5f, 0.75f};
+    const float a[3] = {-1.25f, 1.5f, 1.25f};
+    const float p[3] = {0.5f, -0.75f, 2.0f};
+    const double p_ddot_expected[3] = {-2.34375, 4.03125, -3.28125};
+    float p_ddot[3];
+    chasles_acceleration_of_pointf(omega, omega_dot, a_ddot, a, p, p_ddot);
+    comparef("chasles_acceleration_of_pointf, vector 1: p_ddot", 3, p_ddot, p_ddot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void acceleration_of_point_vector_2f(void)
+{
+    const float omega[3] = {2.0f, -1.5f, 0.25f};
+    const float omega_dot[3] = {1.75f, -0.5f, 0.75f};
+    const float a_ddot[3] = {-1.25f, 1.5f, 1.25f};
+    const float a[3] = {0.5f, -0.75f, 2.0f};
+    const float p[3] = {-1.5f, 0.25f, 1.75f};
+    const double p_ddot_expected[3] = {-0.375, 2.46875, 2.1875};
+    float p_ddot[3];
+    chasles_acceleration_of_pointf(omega, omega_dot, a_ddot, a, p, p_ddot);
+    comparef("chasles_acceleration_of_pointf, vector 2: p_ddot", 3, p_ddot, p_ddot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void moving_frame_velocity_vector_1(void)
+{
+    const double o_dot[3] = {1.25, 0.5, -0.75};
+    const double Q[9] = {0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0};
+    const double omega[3] = {2.0, -1.5, 0.25};
+    const double rho[3] = {1.75, -0.5, 0.75};
+    const double rho_dot[3] = {-1.25, 1.5, 1.25};
+    const double p_dot_expected[3] = {-2.1, -0.7375, 4.875};
+    double p_dot[3];
+    chasles_moving_frame_velocity(o_dot, Q, omega, rho, rho_dot, p_dot);
+    compare("chasles_moving_frame_velocity, vector 1: p_dot", 3, p_dot, p_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void moving_frame_velocity_vector_2(void)
+{
+    const double o_dot[3] = {2.0, -1.5, 0.25};
+    const double Q[9] = {
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+    };
+    const double omega[3] = {1.75, -0.5, 0.75};
+    const double rho[3] = {-1.25, 1.5, 1.25};
+    const double rho_dot[3] = {0.5, -0.75, 2.0};
+    const double p_dot_expected[3] = {
+        2.9791666666666666667,
+        -6.6458333333333333333,
+        0.22916666666666666667,
+    };
+    double p_dot[3];
+    chasles_moving_frame_velocity(o_dot, Q, omega, rho, rho_dot, p_dot);
+    compare("chasles_moving_frame_velocity, vector 2: p_dot", 3, p_dot, p_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void moving_frame_velocity_vector_1f(void)
+{
+    const float o_dot[3] = {1.25f, 0.5f, -0.75f};
+    const float Q[9] = {0.6f, -0.8f, 0.0f, 0.8f, 0.6f, 0.0f, 0.0f, 0.0f, 1.0f};
+    const float omega[3] = {2.0f, -1.5f, 0.25f};
+    const float rho[3] = {1.75f, -0.5f, 0.75f};
+    const float rho_dot[3] = {-1.25f, 1.5f, 1.25f};
+    const double p_dot_expected[3] = {-2.1, -0.7375, 4.875};
+    float p_dot[3];
+    chasles_moving_frame_velocityf(o_dot, Q, omega, rho, rho_dot, p_dot);
+    comparef("chasles_moving_frame_velocityf, vector 1: p_dot", 3, p_dot, p_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void moving_frame_velocity_vector_2f(void)
+{
+    const float o_dot[3] = {2.0f, -1.5f, 0.25f};
+    const float Q[9] = {
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+    };
+    const float omega[3] = {1.75f, -0.5f, 0.75f};
+    const float rho[3] = {-1.25f, 1.5f, 1.25f};
+    const float rho_dot[3] = {0.5f, -0.75f, 2.0f};
+    const double p_dot_expected[3] = {
+        2.9791666666666666667,
+        -6.6458333333333333333,
+        0.22916666666666666667,
+    };
+    float p_dot[3];
+    chasles_moving_frame_velocityf(o_dot, Q, omega, rho, rho_dot, p_dot);
+    comparef("chasles_moving_frame_velocityf, vector 2: p_dot", 3, p_dot, p_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void moving_frame_acceleration_vector_1(void)
+{
+    const double o_ddot[3] = {1.25, 0.5, -0.75};
+    const double Q[9] = {0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0};
+    const double omega[3] = {2.0, -1.5, 0.25};
+    const double omega_dot[3] = {1.75, -0.5, 0.75};
+    const double rho[3] = {-1.25, 1.5, 1.25};
+    const double rho_dot[3] = {0.5, -0.75, 2.0};
+    const double rho_ddot[3] = {-1.5, 0.25, 1.75};
+    const double p_ddot_expected[3] = {-0.940625, -5.9625, -6.4};
+    double p_ddot[3];
+    chasles_moving_frame_acceleration(o_ddot, Q, omega, omega_dot, rho, rho_dot, rho_ddot, p_ddot);
+    compare("chasles_moving_frame_acceleration, vector 1: p_ddot", 3, p_ddot, p_ddot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void moving_frame_acceleration_vector_2(void)
+{
+    const double o_ddot[3] = {2.0, -1.5, 0.25};
+    const double Q[9] = {
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+    };
+    const double omega[3] = {1.75, -0.5, 0.75};
+    const double omega_dot[3] = {-1.25, 1.5, 1.25};
+    const double rho[3] = {0.5, -0.75, 2.0};
+    const double rho_dot[3] = {-1.5, 0.25, 1.75};
+    const double rho_ddot[3] = {-0.5, 0.75, -1.25};
+    const double p_ddot_expected[3] = {
+        2.9635416666666666667,
+        -2.8854166666666666667,
+        -6.0052083333333333333,
+    };
+    double p_ddot[3];
+    chasles_moving_frame_acceleration(o_ddot, Q, omega, omega_dot, rho, rho_dot, rho_ddot, p_ddot);
+    compare("chasles_moving_frame_acceleration, vector 2: p_ddot", 3, p_ddot, p_ddot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void moving_frame_acceleration_vector_1f(void)
+{
+    const float o_ddot[3] = {1.25f, 0.5f, -0.75f};
+    const float Q[9] = {0.6f, -0.8f, 0.0f, 0.8f, 0.6f, 0.0f, 0.0f, 0.0f, 1.0f};
+    const float omega[3] = {2.0f, -1.5f, 0.25f};
+    const float omega_dot[3] = {1.75f, -0.5f, 0.75f};
+    const float rho[3] = {-1.25f, 1.5f, 1.25f};
+    const float rho_dot[3] = {0.5f, -0.75f, 2.0f};
+    const float rho_ddot[3] = {-1.5f, 0.25f, 1.75f};
+    const double p_ddot_expected[3] = {-0.940625, -5.9625, -6.4};
+    float p_ddot[3];
+    chasles_moving_frame_accelerationf(o_ddot, Q, omega, omega_dot, rho, rho_dot, rho_ddot, p_ddot);
+    comparef("chasles_moving_frame_accelerationf, vector 1: p_ddot", 3, p_ddot, p_ddot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void moving_frame_acceleration_vector_2f(void)
+{
+    const float o_ddot[3] = {2.0f, -1.5f, 0.25f};
+    const float Q[9] = {
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+    };
+    const float omega[3] = {1.75f, -0.5f, 0.75f};
+    const float omega_dot[3] = {-1.25f, 1.5f, 1.25f};
+    const float rho[3] = {0.5f, -0.75f, 2.0f};
+    const float rho_dot[3] = {-1.5f, 0.25f, 1.75f};
+    const float rho_ddot[3] = {-0.5f, 0.75f, -1.25f};
+    const double p_ddot_expected[3] = {
+        2.9635416666666666667,
+        -2.8854166666666666667,
+        -6.0052083333333333333,
+    };
+    float p_ddot[3];
+    chasles_moving_frame_accelerationf(o_ddot, Q, omega, omega_dot, rho, rho_dot, rho_ddot, p_ddot);
+    comparef("chasles_moving_frame_accelerationf, vector 2: p_ddot", 3, p_ddot, p_ddot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void wrench_axis_vector_1(void)
+{
+    const double f[3] = {1.25, 0.5, -0.75};
+    const double n_A[3] = {2.0, -1.5, 0.25};
+    const double a[3] = {1.75, -0.5, 0.75};
+    const double axis_expected[6] = {
+        0.81110710565381269082,
+        0.32444284226152507633,
+        -0.48666426339228761449,
+        0.76414827322122353504,
+        0.27321502506233690638,
+        1.4557238054102638293,
+    };
+    double axis[6];
+    const double pitch_expected[1] = {0.65789473684210526316};
+    double pitch[1];
+    chasles_wrench_axis(f, n_A, a, axis, pitch);
+    compare("chasles_wrench_axis, vector 1: axis", 6, axis, axis_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_wrench_axis, vector 1: pitch", 1, pitch, pitch_expected, 8.0 * DBL_EPSILON);
+}
+
+static void wrench_axis_vector_2(void)
+{
+    const double f[3] = {2.0, -1.5, 0.25};
+    const double n_A[3] = {1.75, -0.5, 0.75};
+    const double a[3] = {-1.25, 1.5, 1.25};
+    const double axis_expected[6] = {
+        0.79602975216799130853,
+        -0.5970223141259934814,
+        0.099503719020998913567,
+        1.0324742330099689249,
+        1.3400983544387502196,
+        -0.21920373744725008187,
+    };
+    double axis[6];
+    const double pitch_expected[1] = {0.7029702970297029703};
+    double pitch[1];
+    chasles_wrench_axis(f, n_A, a, axis, pitch);
+    compare("chasles_wrench_axis, vector 2: axis", 6, axis, axis_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_wrench_axis, vector 2: pitch", 1, pitch, pitch_expected, 8.0 * DBL_EPSILON);
+}
+
+static void wrench_axis_vector_3(void)
+{
+    const double f[3] = {0.0, 0.0, 0.0};
+    const double n_A[3] = {0.0, 0.0, 0.0};
+    const double a[3] = {0.0, 0.0, 0.0};
+    const double axis_expected[6] = {NAN, NAN, NAN, NAN, NAN, NAN};
+    double axis[6];
+    const double pitch_expected[1] = {NAN};
+    double pitch[1];
+    chasles_wrench_axis(f, n_A, a, axis, pitch);
+    compare("chasles_wrench_axis, vector 3: axis", 6, axis, axis_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_wrench_axis, vector 3: pitch", 1, pitch, pitch_expected, 8.0 * DBL_EPSILON);
+}
+
+static void wrench_axis_vector_1f(void)
+{
+    const float f[3] = {1.25f, 0.5f, -0.75f};
+    const float n_A[3] = {2.0f, -1.5f, 0.25f};
+    const float a[3] = {1.75f, -0.5f, 0.75f};
+    const double axis_expected[6] = {
+        0.81110710565381269082,
+        0.32444284226152507633,
+        -0.48666426339228761449,
+        0.76414827322122353504,
+        0.27321502506233690638,
+        1.4557238054102638293,
+    };
+    float axis[6];
+    const double pitch_expected[1] = {0.65789473684210526316};
+    float pitch[1];
+    chasles_wrench_axisf(f, n_A, a, axis, pitch);
+    comparef("chasles_wrench_axisf, vector 1: axis", 6, axis, axis_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_wrench_axisf, vector 1: pitch", 1, pitch, pitch_expected, 8.0 * FLT_EPSILON);
+}
+
+static void wrench_axis_vector_2f(void)
+{
+    const float f[3] = {2.0f, -1.5f, 0.25f};
+    const float n_A[3] = {1.75f, -0.5f, 0.75f};
+    const float a[3] = {-1.25f, 1.5f, 1.25f};
+    const double axis_expected[6] = {
+        0.79602975216799130853,
+        -0.5970223141259934814,
+        0.099503719020998913567,
+        1.0324742330099689249,
+        1.3400983544387502196,
+        -0.21920373744725008187,
+    };
+    float axis[6];
+    const double pitch_expected[1] = {0.7029702970297029703};
+    float pitch[1];
+    chasles_wrench_axisf(f, n_A, a, axis, pitch);
+    comparef("chasles_wrench_axisf, vector 2: axis", 6, axis, axis_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_wrench_axisf, vector 2: pitch", 1, pitch, pitch_expected, 8.0 * FLT_EPSILON);
+}
+
+static void wrench_axis_vector_3f(void)
+{
+    const float f[3] = {0.0f, 0.0f, 0.0f};
+    const float n_A[3] = {0.0f, 0.0f, 0.0f};
+    const float a[3] = {0.0f, 0.0f, 0.0f};
+    const double axis_expected[6] = {NAN, NAN, NAN, NAN, NAN, NAN};
+    float axis[6];
+    const double pitch_expected[1] = {NAN};
+    float pitch[1];
+    chasles_wrench_axisf(f, n_A, a, axis, pitch);
+    comparef("chasles_wrench_axisf, vector 3: axis", 6, axis, axis_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_wrench_axisf, vector 3: pitch", 1, pitch, pitch_expected, 8.0 * FLT_EPSILON);
+}
+
+static void power_vector_1(void)
+{
+    const double t[6] = {1.25, 0.5, -0.75, 2.0, -1.5, 0.25};
+    const double w[6] = {1.75, -0.5, 0.75, -1.25, 1.5, 1.25};
+    const double Pi_expected[1] = {-3.0625};
+    double Pi[1];
+    chasles_power(t, w, Pi);
+    compare("chasles_power, vector 1: Pi", 1, Pi, Pi_expected, 8.0 * DBL_EPSILON);
+}
+
+static void power_vector_2(void)
+{
+    const double t[6] = {2.0, -1.5, 0.25, 1.75, -0.5, 0.75};
+    const double w[6] = {-1.25, 1.5, 1.25, 0.5, -0.75, 2.0};
+    const double Pi_expected[1] = {-1.6875};
+    double Pi[1];
+    chasles_power(t, w, Pi);
+    compare("chasles_power, vector 2: Pi", 1, Pi, Pi_expected, 8.0 * DBL_EPSILON);
+}
+
+static void power_vector_1f(void)
+{
+    const float t[6] = {1.25f, 0.5f, -0.75f, 2.0f, -1.5f, 0.25f};
+    const float w[6] = {1.75f, -0.5f, 0.75f, -1.25f, 1.5f, 1.25f};
+    const double Pi_expected[1] = {-3.0625};
+    float Pi[1];
+    chasles_powerf(t, w, Pi);
+    comparef("chasles_powerf, vector 1: Pi", 1, Pi, Pi_expected, 8.0 * FLT_EPSILON);
+}
+
+static void power_vector_2f(void)
+{
+    const float t[6] = {2.0f, -1.5f, 0.25f, 1.75f, -0.5f, 0.75f};
+    const float w[6] = {-1.25f, 1.5f, 1.25f, 0.5f, -0.75f, 2.0f};
+    const double Pi_expected[1] = {-1.6875};
+    float Pi[1];
+    chasles_powerf(t, w, Pi);
+    comparef("chasles_powerf, vector 2: Pi", 1, Pi, Pi_expected, 8.0 * FLT_EPSILON);
+}
+
+static void reciprocal_product_vector_1(void)
+{
+    const double s_w[6] = {1.25, 0.5, -0.75, 2.0, -1.5, 0.25};
+    const double s_t[6] = {1.75, -0.5, 0.75, -1.25, 1.5, 1.25};
+    const double product_expected[1] = {2.6875};
+    double product[1];
+    chasles_reciprocal_product(s_w, s_t, product);
+    compare("chasles_reciprocal_product, vector 1: product", 1, product, product_expected, 8.0 * DBL_EPSILON);
+}
+
+static void reciprocal_product_vector_2(void)
+{
+    const double s_w[6] = {2.0, -1.5, 0.25, 1.75, -0.5, 0.75};
+    const double s_t[6] = {-1.25, 1.5, 1.25, 0.5, -0.75, 2.0};
+    const double product_expected[1] = {0.625};
+    double product[1];
+    chasles_reciprocal_product(s_w, s_t, product);
+    compare("chasles_reciprocal_product, vector 2: product", 1, product, product_expected, 8.0 * DBL_EPSILON);
+}
+
+static void reciprocal_product_vector_1f(void)
+{
+    const float s_w[6] = {1.25f, 0.5f, -0.75f, 2.0f, -1.5f, 0.25f};
+    const float s_t[6] = {1.75f, -0.5f, 0.75f, -1.25f, 1.5f, 1.25f};
+    const double product_expected[1] = {2.6875};
+    float product[1];
+    chasles_reciprocal_productf(s_w, s_t, product);
+    comparef("chasles_reciprocal_productf, vector 1: product", 1, product, product_expected, 8.0 * FLT_EPSILON);
+}
+
+static void reciprocal_product_vector_2f(void)
+{
+    const float s_w[6] = {2.0f, -1.5f, 0.25f, 1.75f, -0.5f, 0.75f};
+    const float s_t[6] = {-1.25f, 1.5f, 1.25f, 0.5f, -0.75f, 2.0f};
+    const double product_expected[1] = {0.625};
+    float product[1];
+    chasles_reciprocal_productf(s_w, s_t, product);
+    comparef("chasles_reciprocal_productf, vector 2: product", 1, product, product_expected, 8.0 * FLT_EPSILON);
+}
+
+static void wrench_transfer_vector_1(void)
+{
+    const double w_A[6] = {1.25, 0.5, -0.75, 2.0, -1.5, 0.25};
+    const double a[3] = {1.75, -0.5, 0.75};
+    const double p[3] = {-1.25, 1.5, 1.25};
+    const double w_P_expected[6] = {0.0, -1.25, -1.25, 2.0, -1.5, 0.25};
+    double w_P[6];
+    chasles_wrench_transfer(w_A, a, p, w_P);
+    compare("chasles_wrench_transfer, vector 1: w_P", 6, w_P, w_P_expected, 8.0 * DBL_EPSILON);
+}
+
+static void wrench_transfer_vector_2(void)
+{
+    const double w_A[6] = {2.0, -1.5, 0.25, 1.75, -0.5, 0.75};
+    const double a[3] = {-1.25, 1.5, 1.25};
+    const double p[3] = {0.5, -0.75, 2.0};
+    const double w_P_expected[6] = {3.3125, -1.5, -2.8125, 1.75, -0.5, 0.75};
+    double w_P[6];
+    chasles_wrench_transfer(w_A, a, p, w_P);
+    compare("chasles_wrench_transfer, vector 2: w_P", 6, w_P, w_P_expected, 8.0 * DBL_EPSILON);
+}
+
+static void wrench_transfer_vector_1f(void)
+{
+    const float w_A[6] = {1.25f, 0.5f, -0.75f, 2.0f, -1.5f, 0.25f};
+    const float a[3] = {1.75f, -0.5f, 0.75f};
+    const float p[3] = {-1.25f, 1.5f, 1.25f};
+    const double w_P_expected[6] = {0.0, -1.25, -1.25, 2.0, -1.5, 0.25};
+    float w_P[6];
+    chasles_wrench_transferf(w_A, a, p, w_P);
+    comparef("chasles_wrench_transferf, vector 1: w_P", 6, w_P, w_P_expected, 8.0 * FLT_EPSILON);
+}
+
+static void wrench_transfer_vector_2f(void)
+{
+    const float w_A[6] = {2.0f, -1.5f, 0.25f, 1.75f, -0.5f, 0.75f};
+    const float a[3] = {-1.25f, 1.5f, 1.25f};
+    const float p[3] = {0.5f, -0.75f, 2.0f};
+    const double w_P_expected[6] = {3.3125, -1.5, -2.8125, 1.75, -0.5, 0.75};
+    float w_P[6];
+    chasles_wrench_transferf(w_A, a, p, w_P);
+    comparef("chasles_wrench_transferf, vector 2: w_P", 6, w_P, w_P_expected, 8.0 * FLT_EPSILON);
+}
+
+static void inertia_about_point_vector_1(void)
+{
+    const double I_C[9] = {
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+    };
+    const double m[1] = {1.25};
+    const double c[3] = {0.5, -0.75, 2.0};
+    const double a[3] = {-1.5, 0.25, 1.75};
+    const double I_A_expected[9] = {
+        1.9947916666666666667,
+        2.1666666666666666667,
+        0.041666666666666666667,
+        3.1666666666666666667,
+        5.7447916666666666667,
+        -0.020833333333333333333,
+        -0.95833333333333333333,
+        0.97916666666666666667,
+        6.9166666666666666667,
+    };
+    double I_A[9];
+    chasles_inertia_about_point(I_C, m[0], c, a, I_A);
+    compare("chasles_inertia_about_point, vector 1: I_A", 9, I_A, I_A_expected, 8.0 * DBL_EPSILON);
+}
+
+static void inertia_about_point_vector_2(void)
+{
+    const double I_C[9] = {0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0};
+    const double m[1] = {2.0};
+    const double c[3] = {-1.5, 0.25, 1.75};
+    const double a[3] = {-0.5, 0.75, -1.25};
+    const double I_A_expected[9] = {19.1, -1.8, 6.0, -0.2, 20.6, 3.0, 6.0, 3.0, 3.5};
+    double I_A[9];
+    chasles_inertia_about_point(I_C, m[0], c, a, I_A);
+    compare("chasles_inertia_about_point, vector 2: I_A", 9, I_A, I_A_expected, 8.0 * DBL_EPSILON);
+}
+
+static void inertia_about_point_vector_1f(void)
+{
+    const float I_C[9] = {
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+    };
+    const float m[1] = {1.25f};
+    const float c[3] = {0.5f, -0.75f, 2.0f};
+    const float a[3] = {-1.5f, 0.25f, 1.75f};
+    const double I_A_expected[9] = {
+        1.9947916666666666667,
+        2.1666666666666666667,
+        0.041666666666666666667,
+        3.1666666666666666667,
+        5.7447916666666666667,
+        -0.020833333333333333333,
+        -0.95833333333333333333,
+        0.97916666666666666667,
+        6.9166666666666666667,
+    };
+    float I_A[9];
+    chasles_inertia_about_pointf(I_C, m[0], c, a, I_A);
+    comparef("chasles_inertia_about_pointf, vector 1: I_A", 9, I_A, I_A_expected, 8.0 * FLT_EPSILON);
+}
+
+static void inertia_about_point_vector_2f(void)
+{
+    const float I_C[9] = {0.6f, -0.8f, 0.0f, 0.8f, 0.6f, 0.0f, 0.0f, 0.0f, 1.0f};
+    const float m[1] = {2.0f};
+    const float c[3] = {-1.5f, 0.25f, 1.75f};
+    const float a[3] = {-0.5f, 0.75f, -1.25f};
+    const double I_A_expected[9] = {19.1, -1.8, 6.0, -0.2, 20.6, 3.0, 6.0, 3.0, 3.5};
+    float I_A[9];
+    chasles_inertia_about_pointf(I_C, m[0], c, a, I_A);
+    comparef("chasles_inertia_about_pointf, vector 2: I_A", 9, I_A, I_A_expected, 8.0 * FLT_EPSILON);
+}
+
+static void momentum_screw_vector_1(void)
+{
+    const double I_C[9] = {
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+    };
+    const double m[1] = {1.25};
+    const double t[6] = {0.5, -0.75, 2.0, -1.5, 0.25, 1.75};
+    const double mu_expected[6] = {
+        1.9166666666666666667,
+        -0.83333333333333333333,
+        0.66666666666666666667,
+        -1.875,
+        0.3125,
+        2.1875,
+    };
+    double mu[6];
+    chasles_momentum_screw(I_C, m[0], t, mu);
+    compare("chasles_momentum_screw, vector 1: mu", 6, mu, mu_expected, 8.0 * DBL_EPSILON);
+}
+
+static void momentum_screw_vector_2(void)
+{
+    const double I_C[9] = {0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0};
+    const double m[1] = {2.0};
+    const double t[6] = {-1.5, 0.25, 1.75, -0.5, 0.75, -1.25};
+    const double mu_expected[6] = {-1.1, -1.05, 1.75, -1.0, 1.5, -2.5};
+    double mu[6];
+    chasles_momentum_screw(I_C, m[0], t, mu);
+    compare("chasles_momentum_screw, vector 2: mu", 6, mu, mu_expected, 8.0 * DBL_EPSILON);
+}
+
+static void momentum_screw_vector_1f(void)
+{
+    const float I_C[9] = {
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+    };
+    const float m[1] = {1.25f};
+    const float t[6] = {0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f};
+    const double mu_expected[6] = {
+        1.9166666666666666667,
+        -0.83333333333333333333,
+        0.66666666666666666667,
+        -1.875,
+        0.3125,
+        2.1875,
+    };
+    float mu[6];
+    chasles_momentum_screwf(I_C, m[0], t, mu);
+    comparef("chasles_momentum_screwf, vector 1: mu", 6, mu, mu_expected, 8.0 * FLT_EPSILON);
+}
+
+static void momentum_screw_vector_2f(void)
+{
+    const float I_C[9] = {0.6f, -0.8f, 0.0f, 0.8f, 0.6f, 0.0f, 0.0f, 0.0f, 1.0f};
+    const float m[1] = {2.0f};
+    const float t[6] = {-1.5f, 0.25f, 1.75f, -0.5f, 0.75f, -1.25f};
+    const double mu_expected[6] = {-1.1, -1.05, 1.75, -1.0, 1.5, -2.5};
+    float mu[6];
+    chasles_momentum_screwf(I_C, m[0], t, mu);
+    comparef("chasles_momentum_screwf, vector 2: mu", 6, mu, mu_expected, 8.0 * FLT_EPSILON);
+}
+
+static void kinetic_energy_vector_1(void)
+{
+    const double I_C[9] = {
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+    };
+    const double m[1] = {1.25};
+    const double t[6] = {0.5, -0.75, 2.0, -1.5, 0.25, 1.75};
+    const double T_expected[1] = {4.8177083333333333333};
+    double T[1];
+    chasles_kinetic_energy(I_C, m[0], t, T);
+    compare("chasles_kinetic_energy, vector 1: T", 1, T, T_expected, 8.0 * DBL_EPSILON);
+}
+
+static void kinetic_energy_vector_2(void)
+{
+    const double I_C[9] = {0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0};
+    const double m[1] = {2.0};
+    const double t[6] = {-1.5, 0.25, 1.75, -0.5, 0.75, -1.25};
+    const double T_expected[1] = {4.6};
+    double T[1];
+    chasles_kinetic_energy(I_C, m[0], t, T);
+    compare("chasles_kinetic_energy, vector 2: T", 1, T, T_expected, 8.0 * DBL_EPSILON);
+}
+
+static void kinetic_energy_vector_1f(void)
+{
+    const float I_C[9] = {
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+    };
+    const float m[1] = {1.25f};
+    const float t[6] = {0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f};
+    const double T_expected[1] = {4.8177083333333333333};
+    float T[1];
+    chasles_kinetic_energyf(I_C, m[0], t, T);
+    comparef("chasles_kinetic_energyf, vector 1: T", 1, T, T_expected, 8.0 * FLT_EPSILON);
+}
+
+static void kinetic_energy_vector_2f(void)
+{
+    const float I_C[9] = {0.6f, -0.8f, 0.0f, 0.8f, 0.6f, 0.0f, 0.0f, 0.0f, 1.0f};
+    const float m[1] = {2.0f};
+    const float t[6] = {-1.5f, 0.25f, 1.75f, -0.5f, 0.75f, -1.25f};
+    const double T_expected[1] = {4.6};
+    float T[1];
+    chasles_kinetic_energyf(I_C, m[0], t, T);
+    comparef("chasles_kinetic_energyf, vector 2: T", 1, T, T_expected, 8.0 * FLT_EPSILON);
+}
+
+static void newton_euler_wrench_vector_1(void)
+{
+    const double I_C[9] = {
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+    };
+    const double m[1] = {1.25};
+    const double t[6] = {0.5, -0.75, 2.0, -1.5, 0.25, 1.75};
+    const double t_dot[6] = {-0.5, 0.75, -1.25, 1.5, 1.25, 0.5};
+    const double w_expected[6] = {
+        -0.25,
+        4.0833333333333333333,
+        0.85416666666666666667,
+        1.875,
+        1.5625,
+        0.625,
+    };
+    double w[6];
+    chasles_newton_euler_wrench(I_C, m[0], t, t_dot, w);
+    compare("chasles_newton_euler_wrench, vector 1: w", 6, w, w_expected, 8.0 * DBL_EPSILON);
+}
+
+static void newton_euler_wrench_vector_2(void)
+{
+    const double I_C[9] = {0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0};
+    const double m[1] = {2.0};
+    const double t[6] = {-1.5, 0.25, 1.75, -0.5, 0.75, -1.25};
+    const double t_dot[6] = {1.5, 1.25, 0.5, -0.75, 2.0, -1.5};
+    const double w_expected[6] = {2.175, 2.65, 2.35, -1.5, 4.0, -3.0};
+    double w[6];
+    chasles_newton_euler_wrench(I_C, m[0], t, t_dot, w);
+    compare("chasles_newton_euler_wrench, vector 2: w", 6, w, w_expected, 8.0 * DBL_EPSILON);
+}
+
+static void newton_euler_wrench_vector_1f(void)
+{
+    const float I_C[9] = {
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+    };
+    const float m[1] = {1.25f};
+    const float t[6] = {0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f};
+    const float t_dot[6] = {-0.5f, 0.75f, -1.25f, 1.5f, 1.25f, 0.5f};
+    const double w_expected[6] = {
+        -0.25,
+        4.0833333333333333333,
+        0.85416666666666666667,
+        1.875,
+        1.5625,
+        0.625,
+    };
+    float w[6];
+    chasles_newton_euler_wrenchf(I_C, m[0], t, t_dot, w);
+    comparef("chasles_newton_euler_wrenchf, vector 1: w", 6, w, w_expected, 8.0 * FLT_EPSILON);
+}
+
+static void newton_euler_wrench_vector_2f(void)
+{
+    const float I_C[9] = {0.6f, -0.8f, 0.0f, 0.8f, 0.6f, 0.0f, 0.0f, 0.0f, 1.0f};
+    const float m[1] = {2.0f};
+    const float t[6] = {-1.5f, 0.25f, 1.75f, -0.5f, 0.75f, -1.25f};
+    const float t_dot[6] = {1.5f, 1.25f, 0.5f, -0.75f, 2.0f, -1.5f};
+    const double w_expected[6] = {2.175, 2.65, 2.35, -1.5, 4.0, -3.0};
+    float w[6];
+    chasles_newton_euler_wrenchf(I_C, m[0], t, t_dot, w);
+    comparef("chasles_newton_euler_wrenchf, vector 2: w", 6, w, w_expected, 8.0 * FLT_EPSILON);
+}
+
+static void newton_euler_twist_rate_vector_1(void)
+{
+    const double I_C[9] = {
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+    };
+    const double m[1] = {1.25};
+    const double t[6] = {0.5, -0.75, 2.0, -1.5, 0.25, 1.75};
+    const double w[6] = {-0.5, 0.75, -1.25, 1.5, 1.25, 0.5};
+    const double t_dot_expected[6] = {
+        -2.1875,
+        -2.7916666666666666667,
+        -1.7083333333333333333,
+        1.2,
+        1.0,
+        0.4,
+    };
+    double t_dot[6];
+    chasles_newton_euler_twist_rate(I_C, m[0], t, w, t_dot);
+    compare("chasles_newton_euler_twist_rate, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void newton_euler_twist_rate_vector_2(void)
+{
+    const double I_C[9] = {0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0};
+    const double m[1] = {2.0};
+    const double t[6] = {-1.5, 0.25, 1.75, -0.5, 0.75, -1.25};
+    const double w[6] = {1.5, 1.25, 0.5, -0.75, 2.0, -1.5};
+    const double t_dot_expected[6] = {-0.025, 0.95, -1.35, -0.375, 1.0, -0.75};
+    double t_dot[6];
+    chasles_newton_euler_twist_rate(I_C, m[0], t, w, t_dot);
+    compare("chasles_newton_euler_twist_rate, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void newton_euler_twist_rate_vector_3(void)
+{
+    const double I_C[9] = {
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+    };
+    const double m[1] = {0.0};
+    const double t[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    const double w[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    const double t_dot_expected[6] = {0.0, 0.0, 0.0, NAN, NAN, NAN};
+    double t_dot[6];
+    chasles_newton_euler_twist_rate(I_C, m[0], t, w, t_dot);
+    compare("chasles_newton_euler_twist_rate, vector 3: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void newton_euler_twist_rate_vector_1f(void)
+{
+    const float I_C[9] = {
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+    };
+    const float m[1] = {1.25f};
+    const float t[6] = {0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f};
+    const float w[6] = {-0.5f, 0.75f, -1.25f, 1.5f, 1.25f, 0.5f};
+    const double t_dot_expected[6] = {
+        -2.1875,
+        -2.7916666666666666667,
+        -1.7083333333333333333,
+        1.2,
+        1.0,
+        0.4,
+    };
+    float t_dot[6];
+    chasles_newton_euler_twist_ratef(I_C, m[0], t, w, t_dot);
+    comparef("chasles_newton_euler_twist_ratef, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void newton_euler_twist_rate_vector_2f(void)
+{
+    const float I_C[9] = {0.6f, -0.8f, 0.0f, 0.8f, 0.6f, 0.0f, 0.0f, 0.0f, 1.0f};
+    const float m[1] = {2.0f};
+    const float t[6] = {-1.5f, 0.25f, 1.75f, -0.5f, 0.75f, -1.25f};
+    const float w[6] = {1.5f, 1.25f, 0.5f, -0.75f, 2.0f, -1.5f};
+    const double t_dot_expected[6] = {-0.025, 0.95, -1.35, -0.375, 1.0, -0.75};
+    float t_dot[6];
+    chasles_newton_euler_twist_ratef(I_C, m[0], t, w, t_dot);
+    comparef("chasles_newton_euler_twist_ratef, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void newton_euler_twist_rate_vector_3f(void)
+{
+    const float I_C[9] = {
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+    };
+    const float m[1] = {0.0f};
+    const float t[6] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+    const float w[6] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+    const double t_dot_expected[6] = {0.0, 0.0, 0.0, NAN, NAN, NAN};
+    float t_dot[6];
+    chasles_newton_euler_twist_ratef(I_C, m[0], t, w, t_dot);
+    comparef("chasles_newton_euler_twist_ratef, vector 3: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void inertia_dyad_vector_1(void)
+{
+    const double I_C[9] = {
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+    };
+    const double m[1] = {1.25};
+    const double c[3] = {0.5, -0.75, 2.0};
+    const double a[3] = {-1.5, 0.25, 1.75};
+    const double M_A_expected[36] = {
+        1.9947916666666666667,
+        2.1666666666666666667,
+        0.041666666666666666667,
+        0.0,
+        -0.3125,
+        -1.25,
+        3.1666666666666666667,
+        5.7447916666666666667,
+        -0.020833333333333333333,
+        0.3125,
+        0.0,
+        -2.5,
+        -0.95833333333333333333,
+        0.97916666666666666667,
+        6.9166666666666666667,
+        1.25,
+        2.5,
+        0.0,
+        0.0,
+        0.3125,
+        1.25,
+        1.25,
+        0.0,
+        0.0,
+        -0.3125,
+        0.0,
+        2.5,
+        0.0,
+        1.25,
+        0.0,
+        -1.25,
+        -2.5,
+        0.0,
+        0.0,
+        0.0,
+        1.25,
+    };
+    double M_A[36];
+    chasles_inertia_dyad(I_C, m[0], c, a, M_A);
+    compare("chasles_inertia_dyad, vector 1: M_A", 36, M_A, M_A_expected, 8.0 * DBL_EPSILON);
+}
+
+static void inertia_dyad_vector_2(void)
+{
+    const double I_C[9] = {0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0};
+    const double m[1] = {2.0};
+    const double c[3] = {-1.5, 0.25, 1.75};
+    const double a[3] = {-0.5, 0.75, -1.25};
+    const double M_A_expected[36] = {
+        19.1,
+        -1.8,
+        6.0,
+        0.0,
+        -6.0,
+        -1.0,
+        -0.2,
+        20.6,
+        3.0,
+        6.0,
+        0.0,
+        2.0,
+        6.0,
+        3.0,
+        3.5,
+        1.0,
+        -2.0,
+        0.0,
+        0.0,
+        6.0,
+        1.0,
+        2.0,
+        0.0,
+        0.0,
+        -6.0,
+        0.0,
+        -2.0,
+        0.0,
+        2.0,
+        0.0,
+        -1.0,
+        2.0,
+        0.0,
+        0.0,
+        0.0,
+        2.0,
+    };
+    double M_A[36];
+    chasles_inertia_dyad(I_C, m[0], c, a, M_A);
+    compare("chasles_inertia_dyad, vector 2: M_A", 36, M_A, M_A_expected, 8.0 * DBL_EPSILON);
+}
+
+static void inertia_dyad_vector_1f(void)
+{
+    const float I_C[9] = {
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+    };
+    const float m[1] = {1.25f};
+    const float c[3] = {0.5f, -0.75f, 2.0f};
+    const float a[3] = {-1.5f, 0.25f, 1.75f};
+    const double M_A_expected[36] = {
+        1.9947916666666666667,
+        2.1666666666666666667,
+        0.041666666666666666667,
+        0.0,
+        -0.3125,
+        -1.25,
+        3.1666666666666666667,
+        5.7447916666666666667,
+        -0.020833333333333333333,
+        0.3125,
+        0.0,
+        -2.5,
+        -0.95833333333333333333,
+        0.97916666666666666667,
+        6.9166666666666666667,
+        1.25,
+        2.5,
+        0.0,
+        0.0,
+        0.3125,
+        1.25,
+        1.25,
+        0.0,
+        0.0,
+        -0.3125,
+        0.0,
+        2.5,
+        0.0,
+        1.25,
+        0.0,
+        -1.25,
+        -2.5,
+        0.0,
+        0.0,
+        0.0,
+        1.25,
+    };
+    float M_A[36];
+    chasles_inertia_dyadf(I_C, m[0], c, a, M_A);
+    comparef("chasles_inertia_dyadf, vector 1: M_A", 36, M_A, M_A_expected, 8.0 * FLT_EPSILON);
+}
+
+static void inertia_dyad_vector_2f(void)
+{
+    const float I_C[9] = {0.6f, -0.8f, 0.0f, 0.8f, 0.6f, 0.0f, 0.0f, 0.0f, 1.0f};
+    const float m[1] = {2.0f};
+    const float c[3] = {-1.5f, 0.25f, 1.75f};
+    const float a[3] = {-0.5f, 0.75f, -1.25f};
+    const double M_A_expected[36] = {
+        19.1,
+        -1.8,
+        6.0,
+        0.0,
+        -6.0,
+        -1.0,
+        -0.2,
+        20.6,
+        3.0,
+        6.0,
+        0.0,
+        2.0,
+        6.0,
+        3.0,
+        3.5,
+        1.0,
+        -2.0,
+        0.0,
+        0.0,
+        6.0,
+        1.0,
+        2.0,
+        0.0,
+        0.0,
+        -6.0,
+        0.0,
+        -2.0,
+        0.0,
+        2.0,
+        0.0,
+        -1.0,
+        2.0,
+        0.0,
+        0.0,
+        0.0,
+        2.0,
+    };
+    float M_A[36];
+    chasles_inertia_dyadf(I_C, m[0], c, a, M_A);
+    comparef("chasles_inertia_dyadf, vector 2: M_A", 36, M_A, M_A_expected, 8.0 * FLT_EPSILON);
+}
+
 int main(void)
 {
     (void)compare;
@@ -2816,6 +3986,66 @@ int main(void)
     twist_transfer_vector_2();
     twist_transfer_vector_1f();
     twist_transfer_vector_2f();
+    angular_acceleration_matrix_vector_1();
+    angular_acceleration_matrix_vector_2();
+    angular_acceleration_matrix_vector_1f();
+    angular_acceleration_matrix_vector_2f();
+    acceleration_of_point_vector_1();
+    acceleration_of_point_vector_2();
+    acceleration_of_point_vector_1f();
+    acceleration_of_point_vector_2f();
+    moving_frame_velocity_vector_1();
+    moving_frame_velocity_vector_2();
+    moving_frame_velocity_vector_1f();
+    moving_frame_velocity_vector_2f();
+    moving_frame_acceleration_vector_1();
+    moving_frame_acceleration_vector_2();
+    moving_frame_acceleration_vector_1f();
+    moving_frame_acceleration_vector_2f();
+    wrench_axis_vector_1();
+    wrench_axis_vector_2();
+    wrench_axis_vector_3();
+    wrench_axis_vector_1f();
+    wrench_axis_vector_2f();
+    wrench_axis_vector_3f();
+    power_vector_1();
+    power_vector_2();
+    power_vector_1f();
+    power_vector_2f();
+    reciprocal_product_vector_1();
+    reciprocal_product_vector_2();
+    reciprocal_product_vector_1f();
+    reciprocal_product_vector_2f();
+    wrench_transfer_vector_1();
+    wrench_transfer_vector_2();
+    wrench_transfer_vector_1f();
+    wrench_transfer_vector_2f();
+    inertia_about_point_vector_1();
+    inertia_about_point_vector_2();
+    inertia_about_point_vector_1f();
+    inertia_about_point_vector_2f();
+    momentum_screw_vector_1();
+    momentum_screw_vector_2();
+    momentum_screw_vector_1f();
+    momentum_screw_vector_2f();
+    kinetic_energy_vector_1();
+    kinetic_energy_vector_2();
+    kinetic_energy_vector_1f();
+    kinetic_energy_vector_2f();
+    newton_euler_wrench_vector_1();
+    newton_euler_wrench_vector_2();
+    newton_euler_wrench_vector_1f();
+    newton_euler_wrench_vector_2f();
+    newton_euler_twist_rate_vector_1();
+    newton_euler_twist_rate_vector_2();
+    newton_euler_twist_rate_vector_3();
+    newton_euler_twist_rate_vector_1f();
+    newton_euler_twist_rate_vector_2f();
+    newton_euler_twist_rate_vector_3f();
+    inertia_dyad_vector_1();
+    inertia_dyad_vector_2();
+    inertia_dyad_vector_1f();
+    inertia_dyad_vector_2f();
     printf("%d passed, %d failed\n", passed, failed);
     return passed > 0 && failed == 0 ? 0 : 1;
 }

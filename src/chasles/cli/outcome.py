@@ -72,7 +72,9 @@ def decide(entries: Sequence[Entry], judge: Judge | None = None, recheck: bool =
 
 
 def _stands_in_wrongly(decision: Decision) -> bool:
-    return not decision.verdict.true and decision.correction is not None and not decision.correction.verdict.true
+    """Whether what is declared to be right is not; a likely reading that fails is a finding about the print."""
+    stands_in = decision.correction
+    return not decision.verdict.true and stands_in is not None and stands_in.form == "corrected" and not stands_in.verdict.true
 
 
 def _numbers(entries: Sequence[Entry]) -> str:

@@ -6,7 +6,8 @@ from collections.abc import Iterator, Sequence
 
 from chasles.cli.failures import BAD_INPUT, Failure, nearest
 from chasles.statements import DeclarationError
-from chasles.statements.derivation import Derivation, roads
+from chasles.statements.derivation import Derivation
+from chasles.statements.roads import roads
 
 __all__ = ["all_roads", "chosen_roads"]
 

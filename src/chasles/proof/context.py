@@ -62,6 +62,7 @@ def build(problem: Problem) -> Context:
     for goal in (*problem.goals, *problem.conditions):
         scan(found, goal.left, 0, rules)
         scan(found, goal.right, 0, rules)
+    _complete_subjects(problem, found)
     active = tuple(_active(problem, found))
     for hypothesis in active:
         for node in (*hypothesis.subjects, *hypothesis.nonvanishing):
@@ -115,6 +116,18 @@ def _unfold_all(problem: Problem, unfold: Unfolder) -> None:
         for side in (goal.left, goal.right):
             with suppress(UndeclaredDivisor):
                 unfold(side)
+
+
+def _complete_subjects(problem: Problem, found: Variables) -> None:
+    """Where an equation restricts a symbol that occurs, all the symbols of which it speaks occur."""
+    rules = dict(problem.rules)
+    for _ in problem.hypotheses:
+        occurring = set(found.orders) | set(found.angles)
+        for hypothesis in problem.hypotheses:
+            symbols = {s for node in hypothesis.subjects for s in _free_symbols(node, rules)}
+            if hypothesis.equations and symbols & occurring and not symbols <= occurring:
+                for node in hypothesis.subjects:
+                    scan(found, node, 0, rules)
 
 
 def _active(problem: Problem, found: Variables) -> Iterator[Hypothesis]:

@@ -161,7 +161,10 @@ class Trial:
         return tuple(kept)
 
     def _is_function(self, scalar: Node) -> bool:
-        values = self.varied(scalar)
+        try:
+            values = self.varied(scalar)
+        except Unsampled:
+            return False
         return self.is_constant(scalar) and any(value != values[0] for value in values)
 
     def _independent(self, functions: Iterable[Function]) -> Iterator[Function]:

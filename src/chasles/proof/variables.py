@@ -78,6 +78,7 @@ class Variables:
     norms: dict[Node, None] = field(default_factory=dict)
     running: frozenset[Symbol] = frozenset()
     densities: frozenset[str] = frozenset()
+    body: str | None = None
     moments: dict[Factors, None] = field(default_factory=dict)
     sought: dict[Node, int] = field(default_factory=dict)
 
@@ -158,7 +159,10 @@ def scan(found: Variables, node: Node, order: int, rules: Mapping[Node, Node]) -
         case Integral(of):
             if found.running and found.running != node.running:
                 raise Untreatable(f"{plain(node)} is not over the same quantities as another integral beside it")
+            if found.body not in (None, node.body):
+                raise Untreatable(f"{plain(node)} is over another body than an integral beside it")
             found.running, found.densities = node.running, found.densities | {node.density.name}
+            found.body = node.body
             _require_running(node, rules)
             scan(found, of, order, rules)
         case _:

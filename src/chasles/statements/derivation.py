@@ -6,10 +6,7 @@ ends a stretch: from there on, the statement compared with is used as it was fou
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator
 from dataclasses import dataclass, fields
-from importlib import import_module
 from typing import ClassVar
 
 from chasles.statements.chapter import DeclarationError
@@ -32,7 +29,6 @@ __all__ = [
     "Substitute",
     "Take",
     "TakeVector",
-    "roads",
 ]
 
 
@@ -244,23 +240,3 @@ class Derivation:
         """The statements that the road comes to, each once, where it is compared last."""
         compared = [step.statement for step in self.steps if isinstance(step, Compare)]
         return tuple(dict.fromkeys(reversed(compared)))[::-1]
-
-
-def roads(package: str = "chasles.derivations.roads") -> dict[str, Derivation]:
-    """The derivations that a package declares, by name, in the order of its modules `ROADS`.
-
-    Raises `DeclarationError` for a name that is given twice, ModuleNotFoundError if there is no such package.
-    """
-    book = import_module(package)
-    found: dict[str, Derivation] = {}
-    for module in book.ROADS:
-        for name, road in _declared(f"{package}.{module}"):
-            if found.setdefault(name, road) is not road:
-                raise DeclarationError(f"two roads are called {name}: give one another name")
-    return found
-
-
-def _declared(module: str) -> Iterator[tuple[str, Derivation]]:
-    for name, value in vars(import_module(module)).items():
-        if isinstance(value, Derivation) and not re.match("_", name):
-            yield name, value

@@ -134,7 +134,7 @@ class _Resolver:
         left = context.field.ring.constant(Fraction(1))
         unknown: list[Polynomial] = []
         for factor, power in factors:
-            parts += [self._absolute(context, (factor, None))[0]] * (power // 2)
+            parts += [self._absolute(context, (factor, None))[0] for _ in range(power // 2)]
             if power % 2 and self._is_known(context, factor):
                 parts.append(self._word(context, factor))
             elif power % 2 and self._is_known(context, -factor):

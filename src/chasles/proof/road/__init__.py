@@ -1,4 +1,4 @@
-"""Walking a derivation: each step's result is computed, and each step is decided; the end is compared with the print."""
+"""Walking a derivation: each step's result is computed and decided; the end is compared with the print."""
 
 from chasles.proof.road.walk import Passage, Road, walk
 

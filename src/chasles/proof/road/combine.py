@@ -10,11 +10,11 @@ from dataclasses import replace as with_fields
 from fractions import Fraction
 from itertools import combinations_with_replacement
 
+from chasles.proof.ansatz import fit
 from chasles.proof.coefficients import ONE, Function, added, spelled, times
 from chasles.proof.conditions import solve_conditions
 from chasles.proof.context import build
 from chasles.proof.linear import MODULUS, Span, combination
-from chasles.proof.marks import fit
 from chasles.proof.residues import Sampled, generic_points
 from chasles.statements import Goal, Problem
 from chasles.vocabulary import Block, Call, Node, Scale, Symbol, Zero, number, walk
@@ -31,7 +31,10 @@ class NoCombination(ValueError):
 
 
 def combined(node: Node, terms: Sequence[Node], problem: Problem) -> Node:
-    """The expression written with the terms, block by block unless they fit the whole; raises `NoCombination` if it cannot be, or in several ways."""
+    """The expression written with the terms, block by block unless they fit the whole.
+
+    Raises `NoCombination` if it cannot be, or can be in several ways.
+    """
     if isinstance(node, Block) and not any(fit(node, term) for term in terms):
         return Block(tuple(tuple(combined(block, terms, problem) for block in row) for row in node.rows))
     if isinstance(node, Zero):
@@ -81,9 +84,10 @@ def _stages(node: Node, terms: list[Node], problem: Problem) -> Iterator[list[Fu
     """Numbers; functions of angles; products of two; all of these over what may be divided by."""
     sources = [node, *terms, *(side for rule in problem.rules for side in rule)]
     sources += [side for goal in problem.conditions for side in (goal.left, goal.right)]
-    calls = list(dict.fromkeys(part for source in sources for part in walk(source) if isinstance(part, Call)))
+    parts = [part for source in sources for part in walk(source)]
+    calls: list[Node] = list(dict.fromkeys(part for part in parts if isinstance(part, Call)))
     known = {symbol for call in calls for symbol in walk(call)} | set(problem.unknowns)
-    calls += list(dict.fromkeys(s for source in sources for s in walk(source) if _is_parameter(s) and s not in known))
+    calls += dict.fromkeys(part for part in parts if _is_parameter(part) and part not in known)
     yield [Function()]
     if not calls:
         return

@@ -6,7 +6,8 @@ from dataclasses import replace as with_fields
 
 from chasles.proof.coefficients import added
 from chasles.proof.road.matching import occurs
-from chasles.proof.road.products import Product, multiplied_out, products, spelled_out
+from chasles.proof.road.product import Product, spelled_out
+from chasles.proof.road.products import multiplied_out, products
 from chasles.vocabulary import Block, Cross, Dot, Negative, Node, Quotient, Scale, Skew, Sum, Transpose
 
 __all__ = ["CannotIsolate", "alone", "before"]
@@ -33,10 +34,8 @@ def alone(unknown: Node, left: Node, right: Node) -> tuple[Node, Node]:
         scalars.remove(unknown)
     else:
         raise CannotIsolate(f"{unknown} does not stand alone in {left} = {right}: say by what to multiply it")
-    rest: list[Node] = [
-        spelled_out([with_fields(p, number=-p.number / own.number)], unknown.shape) for p in terms if p != own
-    ]
-    value = added(rest) if rest else spelled_out([], unknown.shape)
+    rest = [with_fields(p, number=-p.number / own.number) for p in terms if p != own]
+    value = spelled_out(rest, unknown.shape)
     for divisor in own.divisors:
         value = Scale(divisor, value)
     for scalar in scalars:

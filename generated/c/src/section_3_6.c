@@ -1,0 +1,263 @@
+/* The kernels of section_3_6. Made by `chasles emit`; not to be edited by hand. */
+
+#include <math.h>
+#include <stddef.h>
+
+#include "chasles.h"
+
+/*
+ * (3.103) The velocity of P in the fixed frame from that in the moving frame.
+ *   given       o_dot[3]: time derivative of: position of the origin of the moving frame
+ *               Q[9]: rotation
+ *               omega[3]: angular velocity
+ *               rho[3]: position of P in the moving frame
+ *               rho_dot[3]: time derivative of: position of P in the moving frame
+ *   returns     p_dot[3]: time derivative of: position of any point P
+ *   verdict     holds
+ *   assumes     nothing
+ *   operations  45: 18 add, 3 subtract, 24 multiply
+ *   derivation  sha256 7250d2e1f78a2d6f1161bc2db7ddeb5dc0c6fc84979f0eaa84197fdb6599dd36
+ */
+void chasles_moving_frame_velocity(
+    const double o_dot[3],
+    const double Q[9],
+    const double omega[3],
+    const double rho[3],
+    const double rho_dot[3],
+    double p_dot[3])
+{
+    const double t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
+    const double t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
+    const double t3 = Q[6] * rho[0] + Q[7] * rho[1] + Q[8] * rho[2];
+    const double t4 = Q[0] * rho_dot[0] + Q[1] * rho_dot[1] + Q[2] * rho_dot[2];
+    const double p_dot0 = o_dot[0] + (omega[1] * t3 - omega[2] * t2) + t4;
+    const double t5 = Q[3] * rho_dot[0] + Q[4] * rho_dot[1] + Q[5] * rho_dot[2];
+    const double p_dot1 = o_dot[1] + (omega[2] * t1 - omega[0] * t3) + t5;
+    const double t6 = Q[6] * rho_dot[0] + Q[7] * rho_dot[1] + Q[8] * rho_dot[2];
+    const double p_dot2 = o_dot[2] + (omega[0] * t2 - omega[1] * t1) + t6;
+    p_dot[0] = p_dot0;
+    p_dot[1] = p_dot1;
+    p_dot[2] = p_dot2;
+}
+
+/*
+ * (3.103) chasles_moving_frame_velocity in single precision.
+ *   verdict: holds; assumes nothing
+ *   45 operations; derivation sha256 7250d2e1f78a2d6f1161bc2db7ddeb5dc0c6fc84979f0eaa84197fdb6599dd36
+ */
+void chasles_moving_frame_velocityf(
+    const float o_dot[3],
+    const float Q[9],
+    const float omega[3],
+    const float rho[3],
+    const float rho_dot[3],
+    float p_dot[3])
+{
+    const float t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
+    const float t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
+    const float t3 = Q[6] * rho[0] + Q[7] * rho[1] + Q[8] * rho[2];
+    const float t4 = Q[0] * rho_dot[0] + Q[1] * rho_dot[1] + Q[2] * rho_dot[2];
+    const float p_dot0 = o_dot[0] + (omega[1] * t3 - omega[2] * t2) + t4;
+    const float t5 = Q[3] * rho_dot[0] + Q[4] * rho_dot[1] + Q[5] * rho_dot[2];
+    const float p_dot1 = o_dot[1] + (omega[2] * t1 - omega[0] * t3) + t5;
+    const float t6 = Q[6] * rho_dot[0] + Q[7] * rho_dot[1] + Q[8] * rho_dot[2];
+    const float p_dot2 = o_dot[2] + (omega[0] * t2 - omega[1] * t1) + t6;
+    p_dot[0] = p_dot0;
+    p_dot[1] = p_dot1;
+    p_dot[2] = p_dot2;
+}
+
+/*
+ * (3.103) chasles_moving_frame_velocity for a batch.
+ *   verdict: holds; assumes nothing
+ *   45 operations; derivation sha256 7250d2e1f78a2d6f1161bc2db7ddeb5dc0c6fc84979f0eaa84197fdb6599dd36
+ */
+void chasles_moving_frame_velocity_batch(
+    size_t count,
+    const double *o_dot, ptrdiff_t o_dot_step,
+    const double *Q, ptrdiff_t Q_step,
+    const double *omega, ptrdiff_t omega_step,
+    const double *rho, ptrdiff_t rho_step,
+    const double *rho_dot, ptrdiff_t rho_dot_step,
+    double *p_dot, ptrdiff_t p_dot_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_moving_frame_velocity(
+            o_dot + i * o_dot_step,
+            Q + i * Q_step,
+            omega + i * omega_step,
+            rho + i * rho_step,
+            rho_dot + i * rho_dot_step,
+            p_dot + i * p_dot_step);
+    }
+}
+
+/*
+ * (3.103) chasles_moving_frame_velocityf for a batch.
+ *   verdict: holds; assumes nothing
+ *   45 operations; derivation sha256 7250d2e1f78a2d6f1161bc2db7ddeb5dc0c6fc84979f0eaa84197fdb6599dd36
+ */
+void chasles_moving_frame_velocity_batchf(
+    size_t count,
+    const float *o_dot, ptrdiff_t o_dot_step,
+    const float *Q, ptrdiff_t Q_step,
+    const float *omega, ptrdiff_t omega_step,
+    const float *rho, ptrdiff_t rho_step,
+    const float *rho_dot, ptrdiff_t rho_dot_step,
+    float *p_dot, ptrdiff_t p_dot_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_moving_frame_velocityf(
+            o_dot + i * o_dot_step,
+            Q + i * Q_step,
+            omega + i * omega_step,
+            rho + i * rho_step,
+            rho_dot + i * rho_dot_step,
+            p_dot + i * p_dot_step);
+    }
+}
+
+/*
+ * (3.105) The acceleration of P in the fixed frame: as a point of the moving frame, Coriolis, and in
+ *   the moving frame.
+ *   given       o_ddot[3]: second time derivative of: position of the origin of the moving frame
+ *               Q[9]: rotation
+ *               omega[3]: angular velocity
+ *               omega_dot[3]: time derivative of: angular velocity
+ *               rho[3]: position of P in the moving frame
+ *               rho_dot[3]: time derivative of: position of P in the moving frame
+ *               rho_ddot[3]: second time derivative of: position of P in the moving frame
+ *   returns     p_ddot[3]: second time derivative of: position of any point P
+ *   verdict     holds
+ *   assumes     nothing
+ *   operations  96: 30 add, 12 subtract, 54 multiply
+ *   derivation  sha256 fbd2b527f0f93f4cf924de6668a33e19726d1caade279c11a0d657fe9ec4e961
+ */
+void chasles_moving_frame_acceleration(
+    const double o_ddot[3],
+    const double Q[9],
+    const double omega[3],
+    const double omega_dot[3],
+    const double rho[3],
+    const double rho_dot[3],
+    const double rho_ddot[3],
+    double p_ddot[3])
+{
+    const double t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
+    const double t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
+    const double t3 = Q[6] * rho[0] + Q[7] * rho[1] + Q[8] * rho[2];
+    const double t4 = omega[1] * t3 - omega[2] * t2;
+    const double t5 = omega[2] * t1 - omega[0] * t3;
+    const double t6 = omega[0] * t2 - omega[1] * t1;
+    const double t7 = omega_dot[1] * t3 - omega_dot[2] * t2 + (omega[1] * t6 - omega[2] * t5);
+    const double t8 = omega_dot[2] * t1 - omega_dot[0] * t3 + (omega[2] * t4 - omega[0] * t6);
+    const double t9 = omega_dot[0] * t2 - omega_dot[1] * t1 + (omega[0] * t5 - omega[1] * t4);
+    const double t10 = Q[0] * rho_dot[0] + Q[1] * rho_dot[1] + Q[2] * rho_dot[2];
+    const double t11 = Q[3] * rho_dot[0] + Q[4] * rho_dot[1] + Q[5] * rho_dot[2];
+    const double t12 = Q[6] * rho_dot[0] + Q[7] * rho_dot[1] + Q[8] * rho_dot[2];
+    const double t13 = Q[0] * rho_ddot[0] + Q[1] * rho_ddot[1] + Q[2] * rho_ddot[2];
+    const double p_ddot0 = o_ddot[0] + t7 + 2.0 * (omega[1] * t12 - omega[2] * t11) + t13;
+    const double t14 = Q[3] * rho_ddot[0] + Q[4] * rho_ddot[1] + Q[5] * rho_ddot[2];
+    const double p_ddot1 = o_ddot[1] + t8 + 2.0 * (omega[2] * t10 - omega[0] * t12) + t14;
+    const double t15 = Q[6] * rho_ddot[0] + Q[7] * rho_ddot[1] + Q[8] * rho_ddot[2];
+    const double p_ddot2 = o_ddot[2] + t9 + 2.0 * (omega[0] * t11 - omega[1] * t10) + t15;
+    p_ddot[0] = p_ddot0;
+    p_ddot[1] = p_ddot1;
+    p_ddot[2] = p_ddot2;
+}
+
+/*
+ * (3.105) chasles_moving_frame_acceleration in single precision.
+ *   verdict: holds; assumes nothing
+ *   96 operations; derivation sha256 fbd2b527f0f93f4cf924de6668a33e19726d1caade279c11a0d657fe9ec4e961
+ */
+void chasles_moving_frame_accelerationf(
+    const float o_ddot[3],
+    const float Q[9],
+    const float omega[3],
+    const float omega_dot[3],
+    const float rho[3],
+    const float rho_dot[3],
+    const float rho_ddot[3],
+    float p_ddot[3])
+{
+    const float t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
+    const float t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
+    const float t3 = Q[6] * rho[0] + Q[7] * rho[1] + Q[8] * rho[2];
+    const float t4 = omega[1] * t3 - omega[2] * t2;
+    const float t5 = omega[2] * t1 - omega[0] * t3;
+    const float t6 = omega[0] * t2 - omega[1] * t1;
+    const float t7 = omega_dot[1] * t3 - omega_dot[2] * t2 + (omega[1] * t6 - omega[2] * t5);
+    const float t8 = omega_dot[2] * t1 - omega_dot[0] * t3 + (omega[2] * t4 - omega[0] * t6);
+    const float t9 = omega_dot[0] * t2 - omega_dot[1] * t1 + (omega[0] * t5 - omega[1] * t4);
+    const float t10 = Q[0] * rho_dot[0] + Q[1] * rho_dot[1] + Q[2] * rho_dot[2];
+    const float t11 = Q[3] * rho_dot[0] + Q[4] * rho_dot[1] + Q[5] * rho_dot[2];
+    const float t12 = Q[6] * rho_dot[0] + Q[7] * rho_dot[1] + Q[8] * rho_dot[2];
+    const float t13 = Q[0] * rho_ddot[0] + Q[1] * rho_ddot[1] + Q[2] * rho_ddot[2];
+    const float p_ddot0 = o_ddot[0] + t7 + 2.0f * (omega[1] * t12 - omega[2] * t11) + t13;
+    const float t14 = Q[3] * rho_ddot[0] + Q[4] * rho_ddot[1] + Q[5] * rho_ddot[2];
+    const float p_ddot1 = o_ddot[1] + t8 + 2.0f * (omega[2] * t10 - omega[0] * t12) + t14;
+    const float t15 = Q[6] * rho_ddot[0] + Q[7] * rho_ddot[1] + Q[8] * rho_ddot[2];
+    const float p_ddot2 = o_ddot[2] + t9 + 2.0f * (omega[0] * t11 - omega[1] * t10) + t15;
+    p_ddot[0] = p_ddot0;
+    p_ddot[1] = p_ddot1;
+    p_ddot[2] = p_ddot2;
+}
+
+/*
+ * (3.105) chasles_moving_frame_acceleration for a batch.
+ *   verdict: holds; assumes nothing
+ *   96 operations; derivation sha256 fbd2b527f0f93f4cf924de6668a33e19726d1caade279c11a0d657fe9ec4e961
+ */
+void chasles_moving_frame_acceleration_batch(
+    size_t count,
+    const double *o_ddot, ptrdiff_t o_ddot_step,
+    const double *Q, ptrdiff_t Q_step,
+    const double *omega, ptrdiff_t omega_step,
+    const double *omega_dot, ptrdiff_t omega_dot_step,
+    const double *rho, ptrdiff_t rho_step,
+    const double *rho_dot, ptrdiff_t rho_dot_step,
+    const double *rho_ddot, ptrdiff_t rho_ddot_step,
+    double *p_ddot, ptrdiff_t p_ddot_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_moving_frame_acceleration(
+            o_ddot + i * o_ddot_step,
+            Q + i * Q_step,
+            omega + i * omega_step,
+            omega_dot + i * omega_dot_step,
+            rho + i * rho_step,
+            rho_dot + i * rho_dot_step,
+            rho_ddot + i * rho_ddot_step,
+            p_ddot + i * p_ddot_step);
+    }
+}
+
+/*
+ * (3.105) chasles_moving_frame_accelerationf for a batch.
+ *   verdict: holds; assumes nothing
+ *   96 operations; derivation sha256 fbd2b527f0f93f4cf924de6668a33e19726d1caade279c11a0d657fe9ec4e961
+ */
+void chasles_moving_frame_acceleration_batchf(
+    size_t count,
+    const float *o_ddot, ptrdiff_t o_ddot_step,
+    const float *Q, ptrdiff_t Q_step,
+    const float *omega, ptrdiff_t omega_step,
+    const float *omega_dot, ptrdiff_t omega_dot_step,
+    const float *rho, ptrdiff_t rho_step,
+    const float *rho_dot, ptrdiff_t rho_dot_step,
+    const float *rho_ddot, ptrdiff_t rho_ddot_step,
+    float *p_ddot, ptrdiff_t p_ddot_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_moving_frame_accelerationf(
+            o_ddot + i * o_ddot_step,
+            Q + i * Q_step,
+            omega + i * omega_step,
+            omega_dot + i * omega_dot_step,
+            rho + i * rho_step,
+            rho_dot + i * rho_dot_step,
+            rho_ddot + i * rho_ddot_step,
+            p_ddot + i * p_ddot_step);
+    }
+}

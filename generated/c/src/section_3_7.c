@@ -1,0 +1,355 @@
+/* The kernels of section_3_7. Made by `chasles emit`; not to be edited by hand. */
+
+#include <math.h>
+#include <stddef.h>
+
+#include "chasles.h"
+
+/*
+ * text 3.7 d The axis and the pitch of the wrench.
+ *   given       f[3]: resultant force
+ *               n_A[3]: resultant moment about A
+ *               a[3]: position of the landmark point A
+ *   returns     axis[6]: [e''; n'']
+ *               pitch: pitch of the wrench, in metres per radian
+ *   verdict     holds under
+ *   assumes     f != 0
+ *   operations  49: 4 add, 12 subtract, 27 multiply, 5 divide, 1 square root
+ *   derivation  sha256 b1179904e05c970df60da3f9b180c2bce98c765bdb6795544ff955fce9c3d5bd
+ */
+void chasles_wrench_axis(
+    const double f[3],
+    const double n_A[3],
+    const double a[3],
+    double axis[6],
+    double *pitch)
+{
+    const double t1 = f[0] * f[0] + f[1] * f[1] + f[2] * f[2];
+    const double t2 = sqrt(t1);
+    const int t3 = t1 == 0.0;
+    const double axis0 = (t3 ? 0.0 : f[0]) / t2;
+    const double axis1 = (t3 ? 0.0 : f[1]) / t2;
+    const double axis2 = (t3 ? 0.0 : f[2]) / t2;
+    const double t4 = (t3 ? 0.0 : 1.0) / t1;
+    const double t5 = f[0] * t4;
+    const double t6 = f[1] * t4;
+    const double t7 = f[2] * t4;
+    const double t8 = n_A[0] - (f[1] * a[2] - f[2] * a[1]);
+    const double t9 = n_A[1] - (f[2] * a[0] - f[0] * a[2]);
+    const double t10 = n_A[2] - (f[0] * a[1] - f[1] * a[0]);
+    const double t11 = t6 * t10 - t7 * t9;
+    const double t12 = t7 * t8 - t5 * t10;
+    const double t13 = t5 * t9 - t6 * t8;
+    const double axis3 = axis2 * t12 - axis1 * t13;
+    const double axis4 = axis0 * t13 - axis2 * t11;
+    const double axis5 = axis1 * t11 - axis0 * t12;
+    const double pitch_value = (t3 ? 0.0 : f[0] * n_A[0] + f[1] * n_A[1] + f[2] * n_A[2]) / t1;
+    axis[0] = axis0;
+    axis[1] = axis1;
+    axis[2] = axis2;
+    axis[3] = axis3;
+    axis[4] = axis4;
+    axis[5] = axis5;
+    *pitch = pitch_value;
+}
+
+/*
+ * text 3.7 d chasles_wrench_axis in single precision.
+ *   verdict: holds under; assumes f != 0
+ *   49 operations; derivation sha256 b1179904e05c970df60da3f9b180c2bce98c765bdb6795544ff955fce9c3d5bd
+ */
+void chasles_wrench_axisf(
+    const float f[3],
+    const float n_A[3],
+    const float a[3],
+    float axis[6],
+    float *pitch)
+{
+    const float t1 = f[0] * f[0] + f[1] * f[1] + f[2] * f[2];
+    const float t2 = sqrtf(t1);
+    const int t3 = t1 == 0.0f;
+    const float axis0 = (t3 ? 0.0f : f[0]) / t2;
+    const float axis1 = (t3 ? 0.0f : f[1]) / t2;
+    const float axis2 = (t3 ? 0.0f : f[2]) / t2;
+    const float t4 = (t3 ? 0.0f : 1.0f) / t1;
+    const float t5 = f[0] * t4;
+    const float t6 = f[1] * t4;
+    const float t7 = f[2] * t4;
+    const float t8 = n_A[0] - (f[1] * a[2] - f[2] * a[1]);
+    const float t9 = n_A[1] - (f[2] * a[0] - f[0] * a[2]);
+    const float t10 = n_A[2] - (f[0] * a[1] - f[1] * a[0]);
+    const float t11 = t6 * t10 - t7 * t9;
+    const float t12 = t7 * t8 - t5 * t10;
+    const float t13 = t5 * t9 - t6 * t8;
+    const float axis3 = axis2 * t12 - axis1 * t13;
+    const float axis4 = axis0 * t13 - axis2 * t11;
+    const float axis5 = axis1 * t11 - axis0 * t12;
+    const float pitch_value = (t3 ? 0.0f : f[0] * n_A[0] + f[1] * n_A[1] + f[2] * n_A[2]) / t1;
+    axis[0] = axis0;
+    axis[1] = axis1;
+    axis[2] = axis2;
+    axis[3] = axis3;
+    axis[4] = axis4;
+    axis[5] = axis5;
+    *pitch = pitch_value;
+}
+
+/*
+ * text 3.7 d chasles_wrench_axis for a batch.
+ *   verdict: holds under; assumes f != 0
+ *   49 operations; derivation sha256 b1179904e05c970df60da3f9b180c2bce98c765bdb6795544ff955fce9c3d5bd
+ */
+void chasles_wrench_axis_batch(
+    size_t count,
+    const double *f, ptrdiff_t f_step,
+    const double *n_A, ptrdiff_t n_A_step,
+    const double *a, ptrdiff_t a_step,
+    double *axis, ptrdiff_t axis_step,
+    double *pitch, ptrdiff_t pitch_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_wrench_axis(
+            f + i * f_step,
+            n_A + i * n_A_step,
+            a + i * a_step,
+            axis + i * axis_step,
+            pitch + i * pitch_step);
+    }
+}
+
+/*
+ * text 3.7 d chasles_wrench_axisf for a batch.
+ *   verdict: holds under; assumes f != 0
+ *   49 operations; derivation sha256 b1179904e05c970df60da3f9b180c2bce98c765bdb6795544ff955fce9c3d5bd
+ */
+void chasles_wrench_axis_batchf(
+    size_t count,
+    const float *f, ptrdiff_t f_step,
+    const float *n_A, ptrdiff_t n_A_step,
+    const float *a, ptrdiff_t a_step,
+    float *axis, ptrdiff_t axis_step,
+    float *pitch, ptrdiff_t pitch_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_wrench_axisf(
+            f + i * f_step,
+            n_A + i * n_A_step,
+            a + i * a_step,
+            axis + i * axis_step,
+            pitch + i * pitch_step);
+    }
+}
+
+/*
+ * (3.114) The power developed by a wrench on a body that moves with a twist at the same point.
+ *   given       t[6]: twist: angular velocity, velocity of a landmark point
+ *               w[6]: wrench: moment, force
+ *   returns     Pi: power developed by a wrench on a moving body
+ *   verdict     holds
+ *   assumes     nothing
+ *   operations  11: 5 add, 6 multiply
+ *   derivation  sha256 f08018ccded03ad1a1392a205f144588142ee91077c0ed0b4f636ec1d31e4312
+ */
+void chasles_power(const double t[6], const double w[6], double *Pi)
+{
+    const double t1 = t[0] * w[0] + t[1] * w[1] + t[2] * w[2] + t[3] * w[3] + t[4] * w[4];
+    const double Pi_value = t1 + t[5] * w[5];
+    *Pi = Pi_value;
+}
+
+/*
+ * (3.114) chasles_power in single precision.
+ *   verdict: holds; assumes nothing
+ *   11 operations; derivation sha256 f08018ccded03ad1a1392a205f144588142ee91077c0ed0b4f636ec1d31e4312
+ */
+void chasles_powerf(const float t[6], const float w[6], float *Pi)
+{
+    const float t1 = t[0] * w[0] + t[1] * w[1] + t[2] * w[2] + t[3] * w[3] + t[4] * w[4];
+    const float Pi_value = t1 + t[5] * w[5];
+    *Pi = Pi_value;
+}
+
+/*
+ * (3.114) chasles_power for a batch.
+ *   verdict: holds; assumes nothing
+ *   11 operations; derivation sha256 f08018ccded03ad1a1392a205f144588142ee91077c0ed0b4f636ec1d31e4312
+ */
+void chasles_power_batch(
+    size_t count,
+    const double *t, ptrdiff_t t_step,
+    const double *w, ptrdiff_t w_step,
+    double *Pi, ptrdiff_t Pi_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_power(t + i * t_step, w + i * w_step, Pi + i * Pi_step);
+    }
+}
+
+/*
+ * (3.114) chasles_powerf for a batch.
+ *   verdict: holds; assumes nothing
+ *   11 operations; derivation sha256 f08018ccded03ad1a1392a205f144588142ee91077c0ed0b4f636ec1d31e4312
+ */
+void chasles_power_batchf(
+    size_t count,
+    const float *t, ptrdiff_t t_step,
+    const float *w, ptrdiff_t w_step,
+    float *Pi, ptrdiff_t Pi_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_powerf(t + i * t_step, w + i * w_step, Pi + i * Pi_step);
+    }
+}
+
+/*
+ * text 3.7 k The reciprocal product of two screws, in either order.
+ *   given       s_w[6]: screw of a wrench
+ *               s_t[6]: screw of a twist
+ *   returns     product: s_t^T Gamma s_w
+ *   verdict     holds
+ *   assumes     nothing
+ *   operations  11: 5 add, 6 multiply
+ *   derivation  sha256 b087dfb5c9785b14414c4d9ab347a0bbefd48c42f8ad121de5653c94dd3546ee
+ */
+void chasles_reciprocal_product(const double s_w[6], const double s_t[6], double *product)
+{
+    const double t1 = s_w[0] * s_t[3] + s_w[1] * s_t[4] + s_w[2] * s_t[5] + s_w[3] * s_t[0];
+    const double product_value = t1 + s_w[4] * s_t[1] + s_w[5] * s_t[2];
+    *product = product_value;
+}
+
+/*
+ * text 3.7 k chasles_reciprocal_product in single precision.
+ *   verdict: holds; assumes nothing
+ *   11 operations; derivation sha256 b087dfb5c9785b14414c4d9ab347a0bbefd48c42f8ad121de5653c94dd3546ee
+ */
+void chasles_reciprocal_productf(const float s_w[6], const float s_t[6], float *product)
+{
+    const float t1 = s_w[0] * s_t[3] + s_w[1] * s_t[4] + s_w[2] * s_t[5] + s_w[3] * s_t[0];
+    const float product_value = t1 + s_w[4] * s_t[1] + s_w[5] * s_t[2];
+    *product = product_value;
+}
+
+/*
+ * text 3.7 k chasles_reciprocal_product for a batch.
+ *   verdict: holds; assumes nothing
+ *   11 operations; derivation sha256 b087dfb5c9785b14414c4d9ab347a0bbefd48c42f8ad121de5653c94dd3546ee
+ */
+void chasles_reciprocal_product_batch(
+    size_t count,
+    const double *s_w, ptrdiff_t s_w_step,
+    const double *s_t, ptrdiff_t s_t_step,
+    double *product, ptrdiff_t product_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_reciprocal_product(s_w + i * s_w_step, s_t + i * s_t_step, product + i * product_step);
+    }
+}
+
+/*
+ * text 3.7 k chasles_reciprocal_productf for a batch.
+ *   verdict: holds; assumes nothing
+ *   11 operations; derivation sha256 b087dfb5c9785b14414c4d9ab347a0bbefd48c42f8ad121de5653c94dd3546ee
+ */
+void chasles_reciprocal_product_batchf(
+    size_t count,
+    const float *s_w, ptrdiff_t s_w_step,
+    const float *s_t, ptrdiff_t s_t_step,
+    float *product, ptrdiff_t product_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_reciprocal_productf(s_w + i * s_w_step, s_t + i * s_t_step, product + i * product_step);
+    }
+}
+
+/*
+ * (3.119a) The wrench-transfer formula.
+ *   given       w_A[6]: wrench at A
+ *               a[3]: position of the landmark point A
+ *               p[3]: position of any point P
+ *   returns     w_P[6]: wrench at P
+ *   verdict     holds
+ *   assumes     nothing
+ *   operations  15: 3 add, 6 subtract, 6 multiply
+ *   derivation  sha256 9e54b67526c12869cc182865d5846fded980a863cc3a11fe5be4e32dc500f446
+ */
+void chasles_wrench_transfer(
+    const double w_A[6],
+    const double a[3],
+    const double p[3],
+    double w_P[6])
+{
+    const double w_P3 = w_A[3];
+    const double w_P4 = w_A[4];
+    const double w_P5 = w_A[5];
+    const double t1 = a[0] - p[0];
+    const double t2 = a[1] - p[1];
+    const double t3 = a[2] - p[2];
+    const double w_P0 = w_A[0] + (w_P5 * t2 - w_P4 * t3);
+    const double w_P1 = w_A[1] + (w_P3 * t3 - w_P5 * t1);
+    const double w_P2 = w_A[2] + (w_P4 * t1 - w_P3 * t2);
+    w_P[0] = w_P0;
+    w_P[1] = w_P1;
+    w_P[2] = w_P2;
+    w_P[3] = w_P3;
+    w_P[4] = w_P4;
+    w_P[5] = w_P5;
+}
+
+/*
+ * (3.119a) chasles_wrench_transfer in single precision.
+ *   verdict: holds; assumes nothing
+ *   15 operations; derivation sha256 9e54b67526c12869cc182865d5846fded980a863cc3a11fe5be4e32dc500f446
+ */
+void chasles_wrench_transferf(const float w_A[6], const float a[3], const float p[3], float w_P[6])
+{
+    const float w_P3 = w_A[3];
+    const float w_P4 = w_A[4];
+    const float w_P5 = w_A[5];
+    const float t1 = a[0] - p[0];
+    const float t2 = a[1] - p[1];
+    const float t3 = a[2] - p[2];
+    const float w_P0 = w_A[0] + (w_P5 * t2 - w_P4 * t3);
+    const float w_P1 = w_A[1] + (w_P3 * t3 - w_P5 * t1);
+    const float w_P2 = w_A[2] + (w_P4 * t1 - w_P3 * t2);
+    w_P[0] = w_P0;
+    w_P[1] = w_P1;
+    w_P[2] = w_P2;
+    w_P[3] = w_P3;
+    w_P[4] = w_P4;
+    w_P[5] = w_P5;
+}
+
+/*
+ * (3.119a) chasles_wrench_transfer for a batch.
+ *   verdict: holds; assumes nothing
+ *   15 operations; derivation sha256 9e54b67526c12869cc182865d5846fded980a863cc3a11fe5be4e32dc500f446
+ */
+void chasles_wrench_transfer_batch(
+    size_t count,
+    const double *w_A, ptrdiff_t w_A_step,
+    const double *a, ptrdiff_t a_step,
+    const double *p, ptrdiff_t p_step,
+    double *w_P, ptrdiff_t w_P_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_wrench_transfer(w_A + i * w_A_step, a + i * a_step, p + i * p_step, w_P + i * w_P_step);
+    }
+}
+
+/*
+ * (3.119a) chasles_wrench_transferf for a batch.
+ *   verdict: holds; assumes nothing
+ *   15 operations; derivation sha256 9e54b67526c12869cc182865d5846fded980a863cc3a11fe5be4e32dc500f446
+ */
+void chasles_wrench_transfer_batchf(
+    size_t count,
+    const float *w_A, ptrdiff_t w_A_step,
+    const float *a, ptrdiff_t a_step,
+    const float *p, ptrdiff_t p_step,
+    float *w_P, ptrdiff_t w_P_step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
+        chasles_wrench_transferf(w_A + i * w_A_step, a + i * a_step, p + i * p_step, w_P + i * w_P_step);
+    }
+}

@@ -1,0 +1,31 @@
+"""The roads that a book declares, by name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from importlib import import_module
+
+from chasles.statements.chapter import DeclarationError
+from chasles.statements.derivation import Derivation
+
+__all__ = ["roads"]
+
+
+def roads(package: str = "chasles.derivations.roads") -> dict[str, Derivation]:
+    """The derivations that a package declares, by name, in the order of its modules `ROADS`.
+
+    Raises `DeclarationError` for a name that is given twice, ModuleNotFoundError if there is no such package.
+    """
+    book = import_module(package)
+    found: dict[str, Derivation] = {}
+    for module in book.ROADS:
+        for name, road in _declared(f"{package}.{module}"):
+            if found.setdefault(name, road) is not road:
+                raise DeclarationError(f"two roads are called {name}: give one another name")
+    return found
+
+
+def _declared(module: str) -> Iterator[tuple[str, Derivation]]:
+    for name, value in vars(import_module(module)).items():
+        if isinstance(value, Derivation):
+            yield name, value

@@ -1,0 +1,309 @@
+"""Every road is walked to its end, each step decided; a step that is not true stops it; `chasles derive` shows it."""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import replace
+
+import pytest
+from chasles.derivations import s02_screw, s03_fixed_point
+from chasles.derivations.notation import A_screw, E, N_tilde, Omega, Q, a, alpha, d_A, d_P, e, omega, one, p, phi
+from click.testing import CliRunner, Result
+
+from chasles.cli import main
+from chasles.proof.judge import Judge
+from chasles.proof.road import Passage, Road, steps, walk
+from chasles.proof.verdict import Fails, Undecided
+from chasles.statements import Claim, DeclarationError, Statement
+from chasles.statements.derivation import (
+    Ansatz,
+    Compare,
+    Consider,
+    Derivation,
+    Differentiate,
+    Factor,
+    Solve,
+    Step,
+    Substitute,
+    Take,
+)
+from chasles.statements.roads import roads
+from chasles.vocabulary import Negative, Node, Number, Scale, cos, inverse, plain, rate, sin
+
+ROADS = roads()
+KINDS = {
+    "take", "consider", "substitute", "expand", "ansatz", "solve", "differentiate", "factor", "multiply",
+    "take the vector of", "compare",
+}  # fmt: skip
+DIFFERENT = {
+    ("3.57", 1): "corrected",
+    ("3.77b", 1): "reading",
+    ("3.77c", 1): "reading",
+    ("3.77d", 1): "reading",
+    ("3.94", 1): "reading",
+    ("3.96a", 1): None,
+    ("3.96e", 1): None,
+    ("3.97a", 1): None,
+    ("3.97b", 1): None,
+    ("3.97c", 1): None,
+    ("3.148", 1): "corrected",
+}
+"""Where what is found is not as printed, and which form of the statement it is equal to instead."""
+OTHER_INVERSES = ("left_inverse_of_N_by_normal_equations", "left_inverse_of_L_by_normal_equations")
+"""Roads to a left inverse other than the book's: not even the reading agrees."""
+
+
+@pytest.fixture(scope="module")
+def judge() -> Judge:
+    return Judge()
+
+
+@pytest.fixture(scope="module")
+def walked(judge: Judge) -> dict[str, Road]:
+    return {name: walk(road, judge) for name, road in ROADS.items()}
+
+
+def last(road: Road) -> Passage:
+    return road.passages[-1]
+
+
+def road_of(*made: Step, to: Statement, **more: object) -> Derivation:
+    return Derivation("a road of a test", to, "", made, **more)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("name", ROADS)
+def test_a_road_arrives(walked: dict[str, Road], name: str) -> None:
+    road = walked[name]
+    assert road.arrives, f"{last(road).kind}: {last(road).reason}"
+    assert not [passage for passage in road.passages if isinstance(passage.verdict, Undecided)]
+    ends = [comparison.statement for comparison in road.comparisons]
+    assert road.derivation.to in ends
+
+
+def test_what_is_found_is_printed_or_the_difference_is_reported(walked: dict[str, Road]) -> None:
+    for name, road in walked.items():
+        for comparison in road.comparisons:
+            key = comparison.statement.number, comparison.statement.part
+            expected = None if name in OTHER_INVERSES else DIFFERENT.get(key, "printed")
+            assert comparison.form == expected, (name, key, comparison.words)
+            if comparison.form is None:
+                assert "differs from the print in row" in comparison.words
+
+
+def test_every_kind_of_step_is_taken(walked: dict[str, Road]) -> None:
+    assert {passage.kind for road in walked.values() for passage in road.passages} == KINDS
+
+
+@pytest.mark.parametrize(
+    ("name", "found"),
+    [
+        ("point_of_the_screw_axis", "A^T A = 2 (1 - cos(phi)) 1 - (1 - 2 cos(phi)) e e^T"),
+        ("point_of_the_screw_axis", "beta = (1 - 2 cos(phi)) / [2 (1 - cos(phi))]"),
+        ("rates_of_natural_invariants", "omega = phi_dot e + sin(phi) e_dot + (1 - cos(phi)) (e x e_dot)"),
+        ("rate_of_H_tilde", "H~_dot = 2 [r_0_dot 1 + R_dot, -r_dot]"),
+        ("left_inverse_of_N_by_normal_equations", "N^T N N~ = N^T"),
+        ("left_inverses_of_H", "H^T H H~ = H^T"),
+    ],
+)
+def test_unknowns_are_found(walked: dict[str, Road], name: str, found: str) -> None:
+    equations = [f"{plain(left)} = {plain(right)}" for p in walked[name].passages for left, right in p.equations]
+    assert found in equations
+
+
+@pytest.mark.parametrize(
+    ("name", "chosen"),
+    [
+        ("left_inverses_of_N", "y = sin(phi)"),
+        ("left_inverses_of_L", "y = sin(phi) / (1 + cos(phi))"),
+        ("left_inverses_of_H", "y = 0"),
+    ],
+)
+def test_the_left_inverse_of_the_book_is_one_of_many(walked: dict[str, Road], name: str, chosen: str) -> None:
+    (comparison,) = walked[name].comparisons
+    assert [f"{plain(symbol)} = {plain(value)}" for symbol, value in comparison.chosen] == [chosen]
+
+
+def _wrong(node: Node) -> Node:
+    """The expression with its sign changed."""
+    return node.term if isinstance(node, Negative) else Negative(node)
+
+
+def test_a_wrong_expansion_stops_the_road(judge: Judge, monkeypatch: pytest.MonkeyPatch) -> None:
+    right = steps.multiplied_out
+    monkeypatch.setattr(steps, "multiplied_out", lambda node: _wrong(right(node)))
+    road = walk(ROADS["point_of_the_screw_axis"], judge)
+    assert not road.arrives
+    assert (last(road).kind, last(road).verdict.name) == ("expand", "fails")
+
+
+def test_a_wrong_coefficient_stops_the_road(judge: Judge, monkeypatch: pytest.MonkeyPatch) -> None:
+    right = steps.combined
+    monkeypatch.setattr(steps, "combined", lambda *given: Scale(Number(2), right(*given)))  # type: ignore[arg-type]
+    road = walk(ROADS["velocities_of_a_rigid_body"], judge)
+    assert (last(road).kind, last(road).verdict.name) == ("factor", "fails")
+
+
+def test_a_wrong_rate_stops_the_road(judge: Judge, monkeypatch: pytest.MonkeyPatch) -> None:
+    right = steps.rate_of
+    monkeypatch.setattr(steps, "rate_of", lambda node: _wrong(right(node)))
+    road = walk(ROADS["accelerations_in_a_moving_frame"], judge)
+    assert (last(road).kind, last(road).verdict.name) == ("differentiate", "fails")
+
+
+def test_a_wrong_substitution_stops_the_road(judge: Judge, monkeypatch: pytest.MonkeyPatch) -> None:
+    right = steps.put_for
+    monkeypatch.setattr(steps, "put_for", lambda node, pattern, value: right(node, pattern, _wrong(value)))
+    road = walk(ROADS["least_displacements"], judge)
+    assert (last(road).kind, last(road).verdict.name) == ("substitute", "fails")
+
+
+def test_a_wrong_solution_stops_the_road(judge: Judge, monkeypatch: pytest.MonkeyPatch) -> None:
+    from chasles.proof.road import solving
+
+    right = solving.alone
+    monkeypatch.setattr(solving, "alone", lambda *given: (_wrong(right(*given)[0]), right(*given)[1]))
+    road = walk(ROADS["least_displacements"], judge)
+    assert (last(road).kind, last(road).verdict.name) == ("solve", "fails")
+
+
+def test_an_ansatz_that_is_too_narrow_has_no_solution(judge: Judge) -> None:
+    narrow = road_of(
+        Ansatz(inverse(A_screw.T @ A_screw), alpha * one),
+        Substitute(s02_screw.screw_axis_matrix, both=True),
+        Solve(alpha, using=(s02_screw.rotation_from_axis_angle,)),
+        Compare(s02_screw.coefficient_of_identity),
+        to=s02_screw.coefficient_of_identity,
+        assuming=(s02_screw.phi_is_not_zero,),
+    )
+    road = walk(narrow, judge)
+    assert not road.arrives
+    assert last(road).kind == "solve"
+
+
+@pytest.mark.parametrize("terms", [(d_A,), (d_A, (Q - one) @ (p + a)), (d_A, (Q - one) @ p, (Q - one) @ a, d_P)])
+def test_terms_that_do_not_suffice_or_are_too_many_stop_the_road(judge: Judge, terms: tuple[Node, ...]) -> None:
+    made = road_of(
+        Take(s02_screw.displacement_by_positions),
+        Factor(*terms, using=(s02_screw.displacement_of_landmark, s02_screw.displacement_of_a_point)),
+        Compare(s02_screw.displacement_rearranged),
+        to=s02_screw.displacement_rearranged,
+    )
+    road = walk(made, judge)
+    assert (last(road).kind, last(road).verdict.name) == ("factor", "undecided")
+    assert "combination" in last(road).reason
+
+
+def test_a_wrong_print_is_reported_and_not_used(judge: Judge) -> None:
+    right = s03_fixed_point.angular_velocity_matrix_of_vector
+    wrong = replace(right, right=_wrong(right.right))
+    made = road_of(
+        Take(s03_fixed_point.angular_velocity_matrix),
+        Factor(right.right, using=(s03_fixed_point.angular_velocity, s03_fixed_point.angular_velocity_matrix)),
+        Compare(wrong),
+        Consider(Omega @ e),
+        Substitute(wrong),
+        to=wrong,
+        assuming=right.assuming,
+    )
+    road = walk(made, judge)
+    assert road.arrives
+    (comparison,) = road.comparisons
+    assert isinstance(comparison.printed, Fails)
+    assert plain(last(road).equations[0][1]) == "CPM(omega) e"
+
+
+def test_a_claim_that_fails_is_not_taken_nor_used(judge: Judge) -> None:
+    true = s02_screw.axis_is_not_turned
+    wrong = Claim("wrong", omega, -omega)
+    for first in (Take(wrong), Factor(e, using=(wrong,))):
+        made = road_of(Consider(Q @ e), first, Compare(true), to=true)
+        road = walk(made, judge)
+        assert len(road.passages) == 2
+        assert not road.arrives
+
+
+def test_what_is_not_there_cannot_be_replaced(judge: Judge) -> None:
+    true = s02_screw.axis_is_not_turned
+    road = walk(road_of(Consider(E @ e), Substitute(s02_screw.displacement), Compare(true), to=true), judge)
+    assert "does not occur" in last(road).reason
+
+
+def test_two_identities_are_not_the_same_equation(judge: Judge) -> None:
+    true = s02_screw.axis_is_not_turned
+    using = (s02_screw.rotation_from_axis_angle,)
+    other = road_of(Consider(cos(phi) * e), Compare(true, using=using), to=true)
+    road = walk(other, judge)
+    assert road.comparisons[0].form is None
+
+
+def test_roads_that_are_none_are_refused() -> None:
+    true = s02_screw.axis_is_not_turned
+    form = sin(phi) * N_tilde
+    with pytest.raises(DeclarationError, match="must begin with"):
+        road_of(Differentiate(), Compare(true), to=true)
+    with pytest.raises(DeclarationError, match="last"):
+        road_of(Consider(rate(e)), to=true)
+    with pytest.raises(DeclarationError, match="before it comes there"):
+        road_of(Take(true), Compare(true), to=true)
+    with pytest.raises(DeclarationError, match="before it comes there"):
+        road_of(Consider(e), Factor(e, using=(true,)), Compare(true), to=true)
+    with pytest.raises(DeclarationError, match="no later Solve"):
+        road_of(Ansatz(N_tilde, form), Compare(true), to=true)
+    with pytest.raises(DeclarationError, match="a condition"):
+        road_of(Consider(e), Compare(true), to=true, given=(s02_screw.inverse_is_sought_as,))
+    with pytest.raises(DeclarationError, match="before it comes there"):
+        road_of(Consider(e), Solve(e, by=true), Compare(true), to=true)
+
+
+def test_every_statement_on_a_road_comes_from_the_book() -> None:
+    from chasles.statements import load
+
+    known = {id(entry.statement) for entry in load()}
+    moved = {("3.83b", 1)}
+    for name, road in ROADS.items():
+        for statement in [cited for step in road.steps for cited in step.cited]:
+            assert id(statement) in known or (statement.number, statement.part) in moved, (name, statement.number)
+
+
+def call(*words: str) -> Result:
+    return CliRunner().invoke(main, list(words), prog_name="chasles")
+
+
+def test_derive_prints_a_road() -> None:
+    done = call("derive", "3.18")
+    assert done.exit_code == 0, done.stderr
+    assert done.stdout.startswith("(3.18)  ")
+    assert re.search(r"^ +9 ansatz \(A\^T A\)\^-1 is sought as alpha 1 \+ beta e e\^T", done.stdout, re.MULTILINE)
+    assert "compare (3.18): equal to the print" in done.stdout
+    assert "arrives; all that is found is as printed" in done.stdout
+    assert r"\mathbf{A}^T \mathbf{A}" in call("derive", "3.18", "--latex").stdout
+
+
+def test_derive_finds_the_roads_that_come_past_a_number() -> None:
+    found = json.loads(call("derive", "--json", "3.13").stdout)["roads"]
+    assert [road["name"] for road in found] == ["point_of_the_screw_axis"]
+    (by_name,) = json.loads(call("derive", "--json", "Thm", "3.2.2").stdout)["roads"]
+    assert by_name["arrives"]
+    assert {step["kind"] for step in by_name["steps"]} <= KINDS
+    assert all(set(e) == {"text", "latex"} for step in by_name["steps"] for e in step["equations"])
+
+
+def test_derive_without_a_number_names_all_roads() -> None:
+    lines = call("derive").stdout.splitlines()
+    assert len(lines) == len(ROADS)
+    assert all("arrives" in line for line in lines)
+
+
+def test_derive_speaks_to_the_person() -> None:
+    done = call("derive", "3.999")
+    assert done.exit_code == 2
+    assert "no road leads to '3.999'" in done.stderr
+
+
+def test_derive_fails_where_a_step_does(monkeypatch: pytest.MonkeyPatch) -> None:
+    right = steps.multiplied_out
+    monkeypatch.setattr(steps, "multiplied_out", lambda node: _wrong(right(node)))
+    done = call("derive", "3.18")
+    assert done.exit_code == 1
+    assert "point_of_the_screw_axis stops at step 6, expand" in done.stderr
