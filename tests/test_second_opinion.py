@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from itertools import islice
@@ -15,7 +16,7 @@ import sympy
 from chasles.numerics.enclosures import plain_context
 from chasles.numerics.instants import DIGITS, Instant, World
 from chasles.numerics.motions import Motion
-from chasles.numerics.second_opinion import AGREEMENT, NoMotion, Opinion, opinion_on, rooted
+from chasles.numerics.second_opinion import AGREEMENT, NoMotion, Opinion, opinion_on, rooted, second_opinion
 from chasles.proof.judge import Judge
 from chasles.proof.repair import repair
 from chasles.proof.trial import changed
@@ -208,6 +209,21 @@ def flipped_signs(node: Node) -> Iterator[Node]:
         for place, term in enumerate(node.terms):
             turned = term.term if isinstance(term, Negative) else Negative(term)
             yield Sum((*node.terms[:place], turned, *node.terms[place + 1 :]))
+
+
+@pytest.mark.parametrize("section", SECTIONS)
+def test_without_a_hypothesis_that_it_needs_a_claim_is_violated(section: str) -> None:
+    for entry, form, verdict in decided(section):
+        if not isinstance(verdict, HoldsUnder) or isinstance(entry.statement, Inverse):
+            continue
+        problem = problem_of(entry.statement, form, JUDGE.standing)
+        for hypothesis in problem.hypotheses:
+            # That a matrix is definite is needed for its squares to be squares, not for an equation.
+            if hypothesis.text in verdict.needs and hypothesis.equations and hypothesis.kind != "definite":
+                others = tuple(h for h in problem.hypotheses if h != hypothesis)
+                with suppress(NoMotion):
+                    opinion = second_opinion(replace(problem, hypotheses=others), motions=2)
+                    assert opinion.differs, (entry.number, hypothesis.text, opinion)
 
 
 @pytest.mark.slow

@@ -70,12 +70,15 @@ class Ratio:
         return _times(self.numerator, self.field.power_product(missing)) if any(missing) else self.numerator
 
     def divided(self, constant: Fraction, exponents: tuple[int, ...]) -> Ratio:
-        """The fraction divided by a constant times a product of powers of atoms; powers below the line go above it."""
+        """The fraction divided by a constant times a product of powers of atoms.
+
+        An atom that comes to stand above the line stays below it too, so that it is seen to have been divided by.
+        """
         numerator = self.numerator if constant == 1 else self.numerator * self.field.ring.constant(1 / constant)
         total = _product(self.denominator, exponents)
         if any(exponent < 0 for exponent in total):
-            numerator = numerator * self.field.power_product(tuple(max(-exponent, 0) for exponent in total))
-            total = tuple(max(exponent, 0) for exponent in total)
+            numerator = numerator * self.field.power_product(tuple(1 - e if e < 0 else 0 for e in total))
+            total = tuple(1 if exponent < 0 else exponent for exponent in total)
         return Ratio(self.field, numerator, total)
 
     @property

@@ -12,14 +12,18 @@ from random import Random
 
 from chasles.proof.search.stage import Angle, Stage
 from chasles.proof.search.values import Values
-from chasles.proof.surds import Exact
+from chasles.proof.surds import Exact, square_root
 from chasles.vocabulary import Symbol
 
 __all__ = ["Turning", "turning"]
 
 NO_TURN = 0.2
 """How often the angle is zero, the only one that is rational together with its cosine and sine."""
-QUARTERS = ((1, 0), (0, 1), (-1, 0), (0, -1))
+QUARTERS = tuple(Fraction(k, 2) for k in (1, 2, -1, 0))
+TURNS = QUARTERS + tuple(Fraction(k, n) for k, n in ((1, 3), (-2, 3), (1, 4), (3, 4), (1, 6), (-5, 6)))
+"""Angles in units of pi; all but the quarter turns have irrational cosines or sines."""
+SINES = {Fraction(0): 0, Fraction(1, 6): 1, Fraction(1, 4): 2, Fraction(1, 3): 3, Fraction(1, 2): 4}
+"""The square of twice the sine, by the angle in units of pi."""
 Products = Mapping[Symbol, Mapping[Symbol, int]]
 
 
@@ -56,22 +60,24 @@ class Turning:
             if factor.name in self.stage.place
         ]
 
-    def draw(self, values: Values, number: Callable[[int], Fraction], random: Random) -> bool:
-        """Give the fixed angles their values; False if that does not work out this time."""
+    def draw(self, values: Values, number: Callable[[int], Fraction], random: Random, plain: bool) -> bool:
+        """Give the fixed angles their values, rational ones if `plain`; False if that does not work out this time."""
         if self.stage.pi is not None:
             values[self.stage.pi] = Exact.theta()
-        return all(self._draw(angle, values, number, random) for angle in self.fixed)
+        return all(self._draw(angle, values, number, random, plain) for angle in self.fixed)
 
-    def _draw(self, angle: Angle, values: Values, number: Callable[[int], Fraction], random: Random) -> bool:
+    def _draw(
+        self, angle: Angle, values: Values, number: Callable[[int], Fraction], random: Random, plain: bool
+    ) -> bool:
         if self.by_quarters:
-            quarters = random.choice((1, 2, -1, 0, 3, -2, 4, 6, 5, -4, 8))
-            cosine, sine = (Fraction(x) for x in QUARTERS[quarters % 4])
-            size = Exact.theta() * Exact.rational(Fraction(quarters, 2) / angle.unit)
+            turns = random.choice(QUARTERS if plain else TURNS) + 2 * random.choice((0, 0, 1, -1, 2))
+            cosine, sine = _at_turn(turns)
+            size = Exact.theta() * Exact.rational(turns / angle.unit)
         elif random.random() < NO_TURN:
-            cosine, sine, size = Fraction(1), Fraction(0), Exact({})
+            cosine, sine, size = Exact.rational(1), Exact({}), Exact({})
         else:
             t = random.choice((Fraction(1), Fraction(1, 2), Fraction(2), Fraction(1, 3), Fraction(-1, 2)))
-            cosine, sine = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
+            cosine, sine = Exact.rational((1 - t * t) / (1 + t * t)), Exact.rational(2 * t / (1 + t * t))
             size = Exact.theta()
         values[angle.cosine], values[angle.sine] = cosine, sine
         if angle.bare is not None:
@@ -108,3 +114,17 @@ class Turning:
             return False
         values[self.stage.place[last.name]] = value
         return True
+
+
+def _at_turn(turns: Fraction) -> tuple[Exact, Exact]:
+    """Cosine and sine of an angle in units of pi."""
+    return _sine(turns + Fraction(1, 2)), _sine(turns)
+
+
+def _sine(turns: Fraction) -> Exact:
+    turns %= 2
+    sign = -1 if turns > 1 else 1
+    turns %= 1
+    root = square_root(Fraction(SINES[min(turns, 1 - turns)], 4))
+    assert root is not None
+    return root * Exact.rational(sign)

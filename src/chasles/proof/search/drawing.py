@@ -18,6 +18,7 @@ __all__ = ["Drawing", "Frame"]
 
 PLAIN_ATTEMPTS = 12
 TRIES = 12
+ORDINARY = 0.9
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,14 +47,14 @@ class Drawing:
         self.values = Values()
         for frame in self.frames:
             self._draw_frame(frame)
-        drawn = self.turning.draw(self.values, self._number, random)
+        drawn = self.turning.draw(self.values, self._number, random, self.plain)
         if not (drawn and self._solve() and self._draw_rest() and self._holds()):
             return None
         return self.values
 
     def _number(self, place: int) -> Fraction:
         """A small number that the variable may be."""
-        reach = 2 if self.plain else 5
+        reach = 2 if self.plain else 5 if self.random.random() < ORDINARY else 10 ** self.random.randint(1, 3)
         for _ in range(TRIES):
             below = 1 if self.plain else self.random.choice((1, 1, 1, 2, 3))
             value = Fraction(self.random.randint(-reach, reach), below)
