@@ -120,7 +120,7 @@ def test_unknowns_are_found(walked: dict[str, Road], name: str, found: str) -> N
     ],
 )
 def test_the_left_inverse_of_the_book_is_one_of_many(walked: dict[str, Road], name: str, chosen: str) -> None:
-    (comparison,) = walked[name].comparisons
+    comparison = walked[name].comparisons[0]
     assert [f"{plain(symbol)} = {plain(value)}" for symbol, value in comparison.chosen] == [chosen]
 
 

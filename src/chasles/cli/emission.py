@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from chasles.cli.failures import Failure
 from chasles.proof.judge import Judge
@@ -28,9 +28,12 @@ def commissioned(entries: Iterable[Entry], judge: Judge) -> tuple[Kernel, ...]:
     return tuple(kernels)
 
 
-def emitted(kernels: tuple[Kernel, ...]) -> dict[str, str]:
-    """The text of each file by its path. Raises Failure where a language cannot spell a kernel."""
+def emitted(kernels: tuple[Kernel, ...], beside: Mapping[str, str]) -> dict[str, str]:
+    """The text of each file by its path, pages `beside` the kernels among them.
+
+    Raises Failure where a language cannot spell a kernel.
+    """
     try:
-        return render(kernels, discover())
+        return render(kernels, discover(), beside)
     except EmissionError as error:
         raise Failure(f"nothing was emitted: {error}") from error

@@ -104,19 +104,18 @@ class Palette:
                     yield Scale(weight, tensor)
 
     def _weights_of(self, dimension: Dimension) -> list[Node]:
-        """Invariants of a dimension; of no dimension, the number one alone: other factors are coefficients."""
+        """Invariants of a dimension."""
         if not self._weights:
+            self._weights[NO_DIMENSION] = [ONE]
             for weight in self._invariants():
                 self._weights.setdefault(measured(weight).grid[0][0] or NO_DIMENSION, []).append(weight)
-            self._weights[NO_DIMENSION] = [ONE]
         return self._weights.get(dimension, [])
 
     def _invariants(self) -> Iterator[Node]:
         scalars = [node for node in self.scalars if dimension_of(node) != NO_DIMENSION]
         yield from scalars
         for one, other in combinations_with_replacement(self.vectors, 2):
-            if one != other or dimension_of(one) != NO_DIMENSION:
-                yield from _fitting(Dot, one, other)
+            yield from _fitting(Dot, one, other)
         for one, other in combinations_with_replacement(scalars, 2):
             yield Power(one, 2) if one == other else Scale(one, other)
 
@@ -130,6 +129,8 @@ class Palette:
                 yield from self._matrices()
             case (1, 1):
                 yield ONE
+                for one, square, other in product(self.vectors, self.squares, self.vectors):
+                    yield from _fitting(_contracted, Transpose(one), Contract((square, other)))
 
     def _columns(self) -> Iterator[Node]:
         yield from self.vectors
@@ -156,12 +157,14 @@ class Palette:
             yield from _fitting(_contracted, one, other)
 
     def _products(self, shape: Shape) -> Iterator[Node]:
-        """Arrays of a shape, and products of two."""
+        """Arrays of a shape, and products of two and of three."""
         everything = [*self.arrays, *self.squares, *self.vectors]
         yield from (node for node in everything if node.shape == shape)
-        for one, other in product(everything, everything):
-            if (one.shape[0], other.shape[1]) == shape:
-                yield from _fitting(_contracted, one, other)
+        pairs = [made for one, other in product(everything, everything) for made in _fitting(_contracted, one, other)]
+        yield from (node for node in pairs if node.shape == shape)
+        for one, pair in product(self.arrays, pairs):
+            if (one.shape[0], pair.shape[1]) == shape:
+                yield from _fitting(_contracted, one, pair)
 
 
 def palette_of(nodes: Iterable[Node], without: frozenset[Node] = frozenset(), order: int = 0) -> Palette:
@@ -221,7 +224,8 @@ def _enter(palette: Palette, node: Node) -> None:
 
 
 def _contracted(left: Node, right: Node) -> Node:
-    return Contract((left, right))
+    factors = (part.factors if isinstance(part, Contract) else (part,) for part in (left, right))
+    return Contract(tuple(factor for each in factors for factor in each))
 
 
 def _fitting(make: Callable[[Node, Node], Node], left: Node, right: Node) -> Iterator[Node]:

@@ -15,8 +15,8 @@ from chasles.proof.verdict import Fails
 from chasles.report.details import number_in_words
 from chasles.report.screen import Screen
 from chasles.report.words import labelled, point_in_words, reason, said
+from chasles.vocabulary import Node, plain
 from chasles.vocabulary import latex as in_latex
-from chasles.vocabulary import plain
 
 __all__ = ["road_line", "road_page", "road_record"]
 
@@ -63,13 +63,23 @@ def _step(screen: Screen, number: int, passage: Passage, latex: bool) -> Iterato
     if passage.comparison is None:
         shown.append_text(verdict).append(f" {needs}" if needs else "")
     grid.add_row(str(number), shown)
-    for left, right in passage.equations:
-        grid.add_row("", Text(f"    {plain(left)} = {plain(right)}"))
+    for label, left, right in _equations(passage):
+        grid.add_row("", Text(f"    {label}{plain(left)} = {plain(right)}"))
         if latex:
-            grid.add_row("", Text(f"    {in_latex(left)} = {in_latex(right)}", "dim"))
+            grid.add_row("", Text(f"    {label}{in_latex(left)} = {in_latex(right)}", "dim"))
     for line in _objections(passage):
         grid.add_row("", Text(f"    {line}"))
     yield Padding(grid, (0, 0, 0, 1))
+
+
+def _equations(passage: Passage) -> Iterator[tuple[str, Node, Node]]:
+    """What comes of the step; of a comparison, what was found and what is printed, where they are not the same."""
+    comparison = passage.comparison
+    if comparison is None:
+        yield from (("", left, right) for left, right in passage.equations)
+    elif comparison.form != "printed" or comparison.chosen:
+        yield "found:   ", *comparison.found
+        yield "printed: ", *comparison.statement.printed
 
 
 def _objections(passage: Passage) -> Iterator[str]:
@@ -116,6 +126,7 @@ def _compared(passage: Passage) -> dict[str, Any] | None:
     return {
         "number": comparison.statement.number,
         "part": comparison.statement.part,
+        "text": " = ".join(map(plain, comparison.statement.printed)),
         "printed": comparison.printed.name,
         "equal_to": comparison.form,
         "chosen": {plain(symbol): plain(value) for symbol, value in comparison.chosen},

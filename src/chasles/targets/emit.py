@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path, PurePosixPath
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, TemplateError
@@ -20,8 +20,12 @@ MANIFEST = "MANIFEST.toml"
 _INDEX = Path(__file__).parent / "templates"
 
 
-def render(kernels: Iterable[Kernel], targets: Iterable[Target]) -> dict[str, str]:
+def render(
+    kernels: Iterable[Kernel], targets: Iterable[Target], beside: Mapping[str, str] | None = None
+) -> dict[str, str]:
     """The text of every file, by its path below generated/ with forward slashes; the manifest is the last.
+
+    Pages that are to stand `beside` the kernels are listed in the manifest with them.
 
     The same kernels in the same order give the same bytes. Raises EmissionError where two kernels share a name, two
     files a path, or a target cannot spell a kernel.
@@ -36,6 +40,7 @@ def render(kernels: Iterable[Kernel], targets: Iterable[Target]) -> dict[str, st
             raise EmissionError(f"target {target.name}: {error}") from error
         _require_distinct([*pages, *(path for path, _ in made)], "files are to be written to")
         pages |= made
+    pages |= beside or {}
     pages |= _index(kernels, [*pages])
     return pages
 
@@ -43,7 +48,7 @@ def render(kernels: Iterable[Kernel], targets: Iterable[Target]) -> dict[str, st
 def _index(kernels: tuple[Kernel, ...], paths: list[str]) -> dict[str, str]:
     """The files at the top of generated/."""
     files = [*paths, "README.md", "__init__.py"]
-    folders = sorted({path.split("/")[0] for path in paths})
+    folders = sorted({path.split("/")[0] for path in paths if "/" in path})
     values = {
         "command": COMMAND,
         "files": [_quoted(path) for path in sorted(files)],

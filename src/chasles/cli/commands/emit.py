@@ -34,13 +34,15 @@ def command(check: bool, out: Path | None, json: bool) -> int:
     """
     from chasles.cli.emission import commissioned, emitted
     from chasles.proof.judge import Judge
+    from chasles.report.pages import pages
     from chasles.report.words import seconds
     from chasles.targets import EmissionError
 
     folder = out or generated_folder(Path.cwd())
     started = perf_counter()
-    kernels = commissioned(chapter().entries, Judge())
-    texts = emitted(kernels)
+    book, judge = chapter(), Judge()
+    kernels = commissioned(book.entries, judge)
+    texts = emitted(kernels, pages(book, judge))
     head = f"{len(kernels)} kernels, each proved equal to its statement"
     try:
         if check:

@@ -95,17 +95,32 @@ class Question:
     def _point(self, point: Mapping[str, Any]) -> dict[str, Any]:
         """A point by SymPy's names, irrational coordinates as SymPy numbers; roots follow from the others."""
         origins = {word.name: origin for word, origin in self.reader.atoms.origins.items()}
+        angle = self._angle(point, origins)
         found: dict[str, Any] = {}
         for name, value in sorted(point.items()):
-            unnamed = isinstance(value, Exact) and not value.is_algebraic and self.search.theta is not None
-            # An angle that stands beside its rational cosine and sine has no other name.
-            if name in self.roots or name == PI.name or unnamed:
+            if name in self.roots or name == PI.name:
                 continue
             spelled = _spelled(name, origins)
             # A symbol may be called as a cosine is written.
             spelled = spelled if spelled not in found else sympy.srepr(origins.get(name, spelled))
-            found[spelled] = sympy.sympify(value.text("pi")) if isinstance(value, Exact) else value
+            found[spelled] = _number(value, angle) if isinstance(value, Exact) else value
         return found
+
+    def _angle(self, point: Mapping[str, Any], origins: Mapping[str, Any]) -> Any:
+        """What the transcendental number is: pi, or the positive angle that has its cosine and sine at the point."""
+        theta = self.search.theta
+        for name, cosine in point.items():
+            word, unit = _angle_of(name, origins) if name.startswith("cos(") else ("", sympy.S.One)
+            if theta is not None and word == theta.name:
+                sine = point["sin" + name.removeprefix("cos")]
+                turned = sympy.atan2(*(sympy.Rational(x.numerator, x.denominator) for x in (sine, cosine)))
+                return (turned if turned.is_positive else turned + 2 * sympy.pi) / unit
+        return sympy.pi
+
+
+def _number(value: Exact, angle: Any) -> Any:
+    """An exact number as SymPy's, the transcendental number being an angle."""
+    return sympy.sympify(value.text("theta"), locals={"theta": sympy.Symbol("theta")}).subs("theta", angle)
 
 
 def _written(value: Fraction | Exact) -> str:
@@ -118,13 +133,17 @@ def _written(value: Fraction | Exact) -> str:
 
 def _spelled(name: str, origins: Mapping[str, Any]) -> str:
     """A variable in SymPy's spelling: x, Derivative(f(t), t), cos(phi/2)."""
-    function, bracket, rest = name.partition("(")
-    if not bracket:
+    if not name.startswith(("cos(", "sin(")):
         return str(origins[name])
-    above, _, below = rest.removesuffix(")").partition("/")
-    word = next(word for word in origins if above.endswith(word) and above.removesuffix(word).isdigit() | (above == word))
-    unit = sympy.Rational(int(above.removesuffix(word) or 1), int(below or 1))
-    return str(getattr(sympy, function)(unit * origins[word], evaluate=False))
+    word, unit = _angle_of(name, origins)
+    return str(getattr(sympy, name[:3])(unit * origins[word], evaluate=False))
+
+
+def _angle_of(name: str, origins: Mapping[str, Any]) -> tuple[str, Any]:
+    """The word and the multiple of it of which a variable such as cos(3phi/2) is the cosine."""
+    above, _, below = name[4:].removesuffix(")").partition("/")
+    word = next(word for word in origins if above.endswith(word) and (above.removesuffix(word) or "1").isdigit())
+    return word, sympy.Rational(int(above.removesuffix(word) or 1), int(below or 1))
 
 
 def ask(lhs: Any, rhs: Any, given: Iterable[Any], nonzero: Iterable[Any]) -> Question | IllFormed:

@@ -63,6 +63,7 @@ class _Resolver:
         self.nested: dict[Exact, Symbol] = {}
         self.composite: list[tuple[Node, list[Size]]] = []
         self.known: set[Key] = set()
+        self.symbols = set(reader.atoms.words.values())
         self.positive = {word.name for atom, word in reader.atoms.words.items() if atom.is_nonnegative}
 
     def resolved(self) -> Roots:
@@ -87,8 +88,12 @@ class _Resolver:
     def _context(self) -> Context:
         nothing = Number(Fraction(0))
         goals = tuple(Goal("", root.radicand, nothing) for root in self.reader.roots.values())
-        hypotheses = (*reversed(self.hypotheses), *self.divisors)
-        return build(Problem(goals, tuple(self.rules), (), words_of(self.hypotheses), hypotheses))
+        words = words_of(self.hypotheses)
+        # A symbol ranks above its own root, so that it is replaced by the root's square and more squares are seen.
+        symbols = tuple(h.subjects[1] for h in self.hypotheses if h.kind == "root" and h.subjects[1] in self.symbols)
+        first = Hypothesis("equation", symbols, free=True)
+        hypotheses = (first, *reversed(self.hypotheses), *self.divisors)
+        return build(Problem(goals, tuple(self.rules), (), (*symbols, *words), hypotheses))
 
     def _radicand(self, context: Context, node: Node) -> tuple[Polynomial, list[tuple[Polynomial, Node]]]:
         """N d for a radicand N / d, and the factors of d, by whose absolute values the root is to be divided."""

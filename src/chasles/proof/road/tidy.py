@@ -35,9 +35,20 @@ def tidied(node: Node) -> Node:
         case Negative(term) if _zero(term):
             return _nothing(node)
         case Sum(terms):
-            kept = [term for term in terms if not _zero(term)]
+            kept = _without_opposites([term for term in terms if not _zero(term)])
             return added(kept) if kept else _nothing(node)
     return node
+
+
+def _without_opposites(terms: list[Node]) -> list[Node]:
+    kept: list[Node] = []
+    for term in terms:
+        opposite = term.term if isinstance(term, Negative) else Negative(term)
+        if opposite in kept:
+            kept.remove(opposite)
+        else:
+            kept.append(term)
+    return kept
 
 
 def _zero(node: Node) -> bool:

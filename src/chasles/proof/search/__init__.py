@@ -26,7 +26,7 @@ __all__ = ["Frame", "Motion", "Search", "entry_of"]
 
 ATTEMPTS = (150, 600)
 ENOUGH = 10
-VANISHING = 12
+VANISHING = 30
 REPEATED = 25
 SHARE = 0.3
 
