@@ -26,6 +26,7 @@ ORDER = (
     "numerics",
     "report",
     "cli",
+    "__main__",
 )
 # SymPy and floating point come in behind the door of `proof`.
 SYMBOLS_ONLY = ("vocabulary", "statements")

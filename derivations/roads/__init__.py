@@ -13,4 +13,5 @@ ROADS = (
     "r10_statics",
     "r11_energy_and_inertia",
     "r12_newton_euler",
+    "r13_euler_angles",
 )

@@ -43,7 +43,7 @@ def _leading_to(cited: str, known: dict[str, Derivation]) -> dict[str, Derivatio
 
 
 def _ends(road: Derivation) -> tuple[str, ...]:
-    return road.number.casefold(), road.to.number.casefold()
+    return (road.number.casefold(), *(() if road.to is None else (road.to.number.casefold(),)))
 
 
 def _numbers(road: Derivation) -> tuple[str, ...]:

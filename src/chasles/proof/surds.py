@@ -1,8 +1,8 @@
 """Exact real numbers: rational multiples of square roots, and of the powers of one transcendental number.
 
 Square roots of different squarefree integers are linearly independent over the rationals; so are, over these, products
-of roots of numbers none of whose products is a square there; and a transcendental number is so over all of them. Such a
-sum vanishes only if every coefficient does: the test for zero is exact.
+of roots of numbers none of whose products is a square there; and the rational powers of a transcendental number are so
+over all of them. Such a sum vanishes only if every coefficient does: the test for zero is exact.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ __all__ = ["Exact", "root_of", "square_root", "squarefree"]
 LARGEST_DIVISOR = 10_000
 MOST_NESTED = 3
 Nested = frozenset["Exact"]
-Key = tuple[int, int, Nested]
+Key = tuple[Fraction | int, int, Nested]
 NONE: Nested = frozenset()
 ONE: Key = (0, 1, NONE)
 
@@ -143,7 +143,7 @@ class Exact:
         for (power, radicand, nested), c in sorted(self.terms.items(), key=lambda term: (term[0][:2], len(term[0][2]))):
             factors = [f"sqrt({radicand})"] if radicand != 1 else []
             factors += sorted(f"sqrt({inside.text()})" for inside in nested)
-            exponent = f"({power})" if power < 0 else str(power)
+            exponent = str(power) if power > 0 and power == int(power) else f"({power})"
             factors += [theta if power == 1 else f"{theta}**{exponent}"] if power else []
             size = abs(c)
             if size.numerator != 1 or not factors:
@@ -181,9 +181,9 @@ def root_of(value: Exact, beside: Iterable[Exact] = ()) -> Exact | None:
     """
     if len(value.terms) == 1:
         (((power, radicand, nested), coefficient),) = value.terms.items()
-        root = square_root(coefficient) if power % 2 == 0 and radicand == 1 and not nested else None
+        root = square_root(coefficient) if power and radicand == 1 and not nested else None
         if root is not None:
-            return root * Exact({(power // 2, 1, NONE): Fraction(1)})
+            return root * Exact({(Fraction(power) / 2, 1, NONE): Fraction(1)})
     rational = value.as_rational
     if rational is not None:
         return square_root(rational)

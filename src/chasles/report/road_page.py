@@ -24,7 +24,8 @@ __all__ = ["road_line", "road_page", "road_record"]
 def road_page(screen: Screen, name: str, road: Road, latex: bool = False) -> Iterator[RenderableType]:
     """The whole road."""
     derivation = road.derivation
-    yield Text.assemble((number_in_words(derivation.number), "bold"), "  ", derivation.to.says)
+    what = derivation.says if derivation.to is None else derivation.to.says
+    yield Text.assemble((number_in_words(derivation.number), "bold"), "  ", what)
     yield Text(f"  {name}: {derivation.says}", "dim")
     if derivation.assuming:
         yield Text(f"  assuming {', '.join(h.text for h in derivation.assuming)}", "dim")
@@ -45,7 +46,7 @@ def road_record(name: str, road: Road) -> dict[str, Any]:
     return {
         "name": name,
         "number": derivation.number,
-        "to": {"number": derivation.to.number, "part": derivation.to.part},
+        "to": None if derivation.to is None else {"number": derivation.to.number, "part": derivation.to.part},
         "says": derivation.says,
         "assuming": [hypothesis.text for hypothesis in derivation.assuming],
         "arrives": road.arrives,
@@ -98,7 +99,7 @@ def _outcome(road: Road) -> Iterator[tuple[str, str]]:
         return
     different = road.differences
     yield "arrives", "green"
-    if not different:
+    if not different and road.comparisons:
         yield "; all that is found is as printed", ""
     for comparison in different:
         yield f"; {number_in_words(comparison.statement.number, comparison.statement.part)}: {comparison.words}", "red"

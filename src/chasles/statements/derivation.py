@@ -112,7 +112,7 @@ class Factor(Step):
 
 @dataclass(frozen=True, slots=True)
 class FactorOut(Step):
-    """The right side as something times `factor`; if that is `named`, it is what the road goes on with."""
+    """The right side as something times `factor`; if that is `named`, it is what was found."""
 
     kind: ClassVar[str] = "factor"
     factor: Node
@@ -197,7 +197,7 @@ class Compare(Step):
 
 @dataclass(frozen=True, eq=False)
 class Derivation:
-    """The road to the statement `to`, which is its end.
+    """The road to the statement `to`, which is its end; None where the book asks for what is found, and prints nothing.
 
     `given` may be used at every step; what is `assuming` holds all along. Raises `DeclarationError` for a road that
     begins with a step that has nothing to work on, is not compared with `to` last, uses `to` before it comes there,
@@ -205,7 +205,7 @@ class Derivation:
     """
 
     number: str
-    to: Statement
+    to: Statement | None
     says: str
     steps: tuple[Step, ...]
     given: tuple[Statement, ...] = ()
@@ -214,14 +214,14 @@ class Derivation:
     def __post_init__(self) -> None:
         if not self.steps or not isinstance(self.steps[0], Take | Consider | Ansatz):
             raise DeclarationError(f"the road to ({self.number}) must begin with Take, Consider or Ansatz")
-        if not self.stops or self.stops[-1] is not self.to:
+        if self.to is not None and (not self.stops or self.stops[-1] is not self.to):
             raise DeclarationError(
                 f"the last comparison of the road to ({self.number}) must be with ({self.to.number})"
             )
         kinds = [type(step) for step in self.steps]
         if Ansatz in kinds and Solve not in kinds[len(kinds) - kinds[::-1].index(Ansatz) :]:
             raise DeclarationError(f"the road to ({self.number}) makes an ansatz that no later Solve justifies")
-        for step in self.steps[: self._arrival]:
+        for step in () if self.to is None else self.steps[: self._arrival]:
             if any(statement is self.to for statement in step.cited):
                 raise DeclarationError(f"the road to ({self.number}) uses ({self.to.number}) before it comes there")
         for given in self.given:

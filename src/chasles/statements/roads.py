@@ -27,5 +27,8 @@ def roads(package: str = "chasles.derivations.roads") -> dict[str, Derivation]:
 
 def _declared(module: str) -> Iterator[tuple[str, Derivation]]:
     for name, value in vars(import_module(module)).items():
-        if isinstance(value, Derivation):
-            yield name, value
+        match value:
+            case Derivation():
+                yield name, value
+            case dict():
+                yield from ((key, road) for key, road in value.items() if isinstance(road, Derivation))

@@ -56,7 +56,22 @@ def without_brackets(node: Node) -> Node:
 
 def multiplied_out(node: Node) -> Node:
     """The expression as a sum of products, equal ones put together, in the order in which they arise."""
-    return spelled_out(collected(products(node)), node.shape)
+    return spelled_out(_merged(collected(products(node))), node.shape)
+
+
+def _merged(terms: list[Product]) -> list[Product]:
+    """The terms, matrices of blocks added entry by entry where all of them are such, with blocks of the same sizes."""
+    blocks = [p.factors[0] for p in terms if len(p.factors) == 1 and isinstance(p.factors[0], Block)]
+    sizes = {tuple(tuple(part.shape for part in row) for row in block.rows) for block in blocks}
+    if len(terms) < 2 or len(blocks) < len(terms) or len(sizes) != 1:
+        return terms
+    weights = [spelled_out([with_fields(p, factors=(), shape=(1, 1))], (1, 1)) for p in terms]
+    rows, columns = len(blocks[0].rows), len(blocks[0].rows[0])
+
+    def entry(i: int, j: int) -> Node:
+        return multiplied_out(added([Scale(w, block.rows[i][j]) for w, block in zip(weights, blocks, strict=True)]))
+
+    return [_atom(Block(tuple(tuple(entry(i, j) for j in range(columns)) for i in range(rows))))]
 
 
 def products(node: Node) -> list[Product]:

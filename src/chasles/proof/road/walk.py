@@ -15,8 +15,17 @@ from chasles.proof.unfold import UndeclaredDivisor
 from chasles.proof.variables import Untreatable
 from chasles.proof.verdict import IllFormed, Undecided, Verdict
 from chasles.statements import Statement
-from chasles.statements.derivation import Ansatz, Compare, Consider, Derivation, Solve, Step, Take
-from chasles.vocabulary import Misfit
+from chasles.statements.derivation import (
+    Ansatz,
+    Compare,
+    Consider,
+    Derivation,
+    FactorOut,
+    Solve,
+    Step,
+    Take,
+)
+from chasles.vocabulary import Misfit, Symbol
 
 __all__ = ["Passage", "Road", "walk"]
 
@@ -95,7 +104,7 @@ def _move_on(step: Step, state: State, outcome: Outcome) -> None:
     match step:
         case Ansatz():
             state.ansatz = step
-        case Solve():
+        case Solve() | FactorOut(named=Symbol()):
             state.solved = outcome.equations
         case Take() | Consider():
             state.ansatz = None

@@ -89,7 +89,7 @@ class Search:
             if not values.irrational:
                 return _coordinates(stage, values)
             fallback = fallback or values
-            if count > ENOUGH:
+            if count == VANISHING:
                 break
         return _coordinates(stage, fallback) if fallback else None
 

@@ -1,0 +1,61 @@
+"""Ex 3.10: the angular velocity from the rates of Euler angles, for all twelve sequences of axes, in both frames."""
+
+from chasles.derivations.notation import Q, one, unit_columns
+from chasles.statements import Definition
+from chasles.statements.derivation import Consider, Derivation, Expand, Factor, FactorOut, Substitute
+from chasles.vocabulary import (
+    CPM,
+    FREQUENCY,
+    Node,
+    Symbol,
+    column,
+    cos,
+    det,
+    rate,
+    scalar,
+    sin,
+    square,
+    vect,
+    vector,
+)
+
+angles = tuple(scalar(f"theta_{k}", rf"\theta_{k}", f"Euler angle {k}") for k in (1, 2, 3))
+rates = vector("theta_dot", r"\dot{\boldsymbol{\theta}}", "rates of the Euler angles", FREQUENCY)
+W = square("W", "W", "angular velocity from the rates of the Euler angles")
+
+rates_of_the_angles = Definition("Ex 3.10", rates, column(*map(rate, angles)), says="The rates of the Euler angles.")
+
+SEQUENCES = tuple(f"{i}{j}{k}" for i in "xyz" for j in "xyz" for k in "xyz" if i != j != k)
+_dyads = tuple(one_axis @ another.T @ rates for one_axis in unit_columns for another in unit_columns)
+
+
+def _about(axis: str, angle: Symbol) -> Node:
+    """The rotation about a coordinate axis."""
+    u = unit_columns["xyz".index(axis)]
+    return u @ u.T + cos(angle) * (one - u @ u.T) + sin(angle) * CPM(u)
+
+
+def _road(sequence: str, frame: str) -> Derivation:
+    turned = _about(sequence[0], angles[0])
+    for axis, angle in zip(sequence[1:], angles[1:], strict=True):
+        turned = turned @ _about(axis, angle)
+    rotation = Definition("Ex 3.10", Q, turned, says=f"The rotation by Euler angles {sequence}.")
+    return Derivation(
+        "Ex 3.10",
+        to=None,
+        says=f"The angular velocity in the {frame} frame from the rates of the angles about {', '.join(sequence)}, "
+        "and the determinant that must not vanish.",
+        steps=(
+            Consider(vect(rate(Q) @ Q.T if frame == "fixed" else Q.T @ rate(Q))),
+            Substitute(rotation),
+            Factor(*_dyads, using=(rates_of_the_angles,)),
+            FactorOut(rates, named=W),
+            Expand(),
+            Consider(det(W)),
+            Substitute(),
+            Factor(),
+        ),
+    )
+
+
+euler_angles = {f"euler_{s}_{frame}": _road(s, frame) for s in SEQUENCES for frame in ("fixed", "body")}
