@@ -45,7 +45,7 @@ def test_every_label_so_far_is_declared(chapter: Chapter) -> None:
 
 
 def test_every_theorem_so_far_is_declared(chapter: Chapter) -> None:
-    theorems = {entry.number for entry in chapter if isinstance(entry.statement, Theorem)}
+    theorems = {e.number for e in chapter if isinstance(e.statement, Theorem) and not e.number.startswith("text")}
     reached = THEOREMS.index(LAST_THEOREM) + 1
     assert [number for number in THEOREMS[:reached] if number not in theorems] == []
     assert theorems <= {*THEOREMS}

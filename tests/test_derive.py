@@ -38,6 +38,7 @@ KINDS = {
 }  # fmt: skip
 DIFFERENT = {
     ("3.57", 1): "corrected",
+    ("3.77a", 1): "reading",
     ("3.77b", 1): "reading",
     ("3.77c", 1): "reading",
     ("3.77d", 1): "reading",
@@ -78,7 +79,7 @@ def test_a_road_arrives(walked: dict[str, Road], name: str) -> None:
     assert road.arrives, f"{last(road).kind}: {last(road).reason}"
     assert not [passage for passage in road.passages if isinstance(passage.verdict, Undecided)]
     ends = [comparison.statement for comparison in road.comparisons]
-    assert road.derivation.to in ends
+    assert road.derivation.to in (None, *ends)
 
 
 def test_what_is_found_is_printed_or_the_difference_is_reported(walked: dict[str, Road]) -> None:
@@ -122,6 +123,19 @@ def test_unknowns_are_found(walked: dict[str, Road], name: str, found: str) -> N
 def test_the_left_inverse_of_the_book_is_one_of_many(walked: dict[str, Road], name: str, chosen: str) -> None:
     comparison = walked[name].comparisons[0]
     assert [f"{plain(symbol)} = {plain(value)}" for symbol, value in comparison.chosen] == [chosen]
+
+
+@pytest.mark.parametrize("frame", ["fixed", "body"])
+def test_euler_angles_are_singular_at_a_zero_of_what_is_found(walked: dict[str, Road], frame: str) -> None:
+    determinants = {
+        name.split("_")[1]: plain(last(road).equations[0][1])
+        for name, road in walked.items()
+        if name.startswith("euler_") and name.endswith(frame)
+    }
+    assert len(determinants) == 12
+    for sequence, found in determinants.items():
+        kind = "sin" if sequence[0] == sequence[2] else "cos"
+        assert found.removeprefix("-") == f"{kind}(theta_2)", sequence
 
 
 def _wrong(node: Node) -> Node:
@@ -260,7 +274,7 @@ def test_every_statement_on_a_road_comes_from_the_book() -> None:
     from chasles.statements import load
 
     known = {id(entry.statement) for entry in load()}
-    moved = {("3.83b", 1)}
+    moved = {("3.83b", 1), *(("Ex 3.10", part) for part in range(1, 6))}
     for name, road in ROADS.items():
         for statement in [cited for step in road.steps for cited in step.cited]:
             assert id(statement) in known or (statement.number, statement.part) in moved, (name, statement.number)

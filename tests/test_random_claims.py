@@ -11,7 +11,17 @@ import pytest
 
 from chasles.proof.decide import decide_problem
 from chasles.proof.verdict import Fails, Holds, HoldsUnder, IllFormed
-from chasles.statements import Claim, Hypothesis, Problem, nonzero, orthonormal, perpendicular, problem_of, rotation, unit
+from chasles.statements import (
+    Claim,
+    Hypothesis,
+    Problem,
+    nonzero,
+    orthonormal,
+    perpendicular,
+    problem_of,
+    rotation,
+    unit,
+)
 from chasles.vocabulary import (
     CPM,
     Identity,
@@ -41,7 +51,14 @@ a, b, e, u, v, w = (vector(name, name, "a vector") for name in "abeuvw")
 x, y, phi = (scalar(name, name, "a scalar") for name in ("x", "y", "phi"))
 Q, M = (square(name, name, "a matrix") for name in "QM")
 one, zero = Identity(3), Zero(3, 1)
-ASSUMED = (unit(e), rotation(Q), perpendicular(a, b), orthonormal(u, v, w), nonzero(x), nonzero(1 - cos(phi), "phi != 0"))
+ASSUMED = (
+    unit(e),
+    rotation(Q),
+    perpendicular(a, b),
+    orthonormal(u, v, w),
+    nonzero(x),
+    nonzero(1 - cos(phi), "phi != 0"),
+)
 
 # Each line is the same thing twice, where the hypotheses hold.
 TWINS: tuple[tuple[Node, Node], ...] = (
@@ -230,7 +247,9 @@ def test_what_is_said_of_random_claims_is_so(seed: int) -> None:
 def test_the_values_would_notice_a_wrong_verdict() -> None:
     draw = Random(1)
     problem = problem_of(Claim("1", dot(e, e), Number(Fraction(1)), assuming=(unit(e),)))
-    assert all(Words(problem, p).value(dot(e, e)) == [[1]] for _, p in zip(range(5), points(problem, draw), strict=False))
+    assert all(
+        Words(problem, p).value(dot(e, e)) == [[1]] for _, p in zip(range(5), points(problem, draw), strict=False)
+    )
     bare = problem_with(problem, ())
     assert isinstance(decide_problem(bare), Fails)
     with pytest.raises(Broken, match="not satisfied"):

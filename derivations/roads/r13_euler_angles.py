@@ -1,6 +1,7 @@
 """Ex 3.10: the angular velocity from the rates of Euler angles, for all twelve sequences of axes, in both frames."""
 
 from chasles.derivations.notation import Q, one, unit_columns
+
 from chasles.statements import Definition
 from chasles.statements.derivation import Consider, Derivation, Expand, Factor, FactorOut, Substitute
 from chasles.vocabulary import (
@@ -23,15 +24,25 @@ angles = tuple(scalar(f"theta_{k}", rf"\theta_{k}", f"Euler angle {k}") for k in
 rates = vector("theta_dot", r"\dot{\boldsymbol{\theta}}", "rates of the Euler angles", FREQUENCY)
 W = square("W", "W", "angular velocity from the rates of the Euler angles")
 
-rates_of_the_angles = Definition("Ex 3.10", rates, column(*map(rate, angles)), says="The rates of the Euler angles.")
+rates_of_the_angles = Definition(
+    "Ex 3.10", rates, column(*map(rate, angles)), says="The rates of the Euler angles.", part=2
+)
 
+axes = tuple(
+    vector(letter, letter, f"unit vector along axis {axis}", constant=True)
+    for letter, axis in zip("ijk", "xyz", strict=True)
+)
+axes_by_components = tuple(
+    Definition("Ex 3.10", axis, components, says="A unit vector along a coordinate axis.", part=part)
+    for part, (axis, components) in enumerate(zip(axes, unit_columns, strict=True), start=3)
+)
 SEQUENCES = tuple(f"{i}{j}{k}" for i in "xyz" for j in "xyz" for k in "xyz" if i != j != k)
-_dyads = tuple(one_axis @ another.T @ rates for one_axis in unit_columns for another in unit_columns)
+_dyads = tuple(one_axis @ another.T @ rates for one_axis in axes for another in axes)
 
 
 def _about(axis: str, angle: Symbol) -> Node:
     """The rotation about a coordinate axis."""
-    u = unit_columns["xyz".index(axis)]
+    u = axes["xyz".index(axis)]
     return u @ u.T + cos(angle) * (one - u @ u.T) + sin(angle) * CPM(u)
 
 
@@ -47,9 +58,10 @@ def _road(sequence: str, frame: str) -> Derivation:
         "and the determinant that must not vanish.",
         steps=(
             Consider(vect(rate(Q) @ Q.T if frame == "fixed" else Q.T @ rate(Q))),
-            Substitute(rotation),
-            Factor(*_dyads, using=(rates_of_the_angles,)),
+            Substitute(rotation, using=axes_by_components),
+            Factor(*_dyads, using=(rates_of_the_angles, *axes_by_components)),
             FactorOut(rates, named=W),
+            Substitute(*axes_by_components),
             Expand(),
             Consider(det(W)),
             Substitute(),

@@ -67,7 +67,7 @@ def dimension_of(node: Node) -> Dimension | None:
 
 @dataclass(slots=True)
 class Palette:
-    """What terms are made of: vectors, scalars, 3 x 3 matrices and other arrays, those that occur first among the first."""
+    """What terms are made of: vectors, scalars, 3 x 3 matrices and other arrays, in the order in which they occur."""
 
     vectors: dict[Node, None] = field(default_factory=dict)
     scalars: dict[Node, None] = field(default_factory=dict)
@@ -117,7 +117,9 @@ class Palette:
         for one, other in combinations_with_replacement(self.vectors, 2):
             yield from _fitting(Dot, one, other)
         for one, other in combinations_with_replacement(scalars, 2):
-            yield Power(one, 2) if one == other else Scale(one, other)
+            product_of_both = Power(one, 2) if one == other else Scale(one, other)
+            if dimension_of(product_of_both) != NO_DIMENSION:
+                yield product_of_both
 
     def _tensors(self, shape: Shape) -> Iterator[Node]:
         match shape:
@@ -176,10 +178,11 @@ def palette_of(nodes: Iterable[Node], without: frozenset[Node] = frozenset(), or
     for node in nodes:
         _collect(palette, node, without, factor=False)
     for node in palette.nodes:
-        for _ in range(order if isinstance(node, Symbol | Rate) and not getattr(node, "constant", False) else 0):
-            node = Rate(node)
-            if node not in without:
-                _enter(palette, node)
+        rate = node
+        for _ in range(order if isinstance(node, Rate) or (isinstance(node, Symbol) and not node.constant) else 0):
+            rate = Rate(rate)
+            if rate not in without:
+                _enter(palette, rate)
     for square in list(palette.squares):
         if isinstance(square, Symbol) and isinstance(square.stands_for, Skew):
             vector = square.stands_for.of

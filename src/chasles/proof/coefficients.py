@@ -68,7 +68,7 @@ def split(node: Node, constant: Callable[[Node], bool]) -> Term:
 
 
 def product(factor: Node, term: Node | None) -> Node:
-    """factor * term, a factor of one left out."""
+    """The product, a factor of one left out."""
     if term is None or term == ONE:
         return factor
     return term if factor == ONE else Scale(factor, term)
@@ -109,7 +109,7 @@ def spelled(parts: Iterable[tuple[Fraction, Function]]) -> Node | None:
 
 
 def times(coefficient: Node, core: Node | None) -> Node:
-    """coefficient * core, a sign in front of it all."""
+    """The product of a coefficient and a core, its sign in front of it all."""
     if isinstance(coefficient, Negative):
         return Negative(product(coefficient.term, core))
     return product(coefficient, core)

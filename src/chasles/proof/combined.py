@@ -1,7 +1,7 @@
 """Several changes at once: the fewest terms that must be changed, left out or added, block by block.
 
-Where all angles are fixed, coefficients are mere numbers. There it is seen quickly which sets of terms can close the gap
-between the sides; for these few, the coefficients are then found as functions of the angles.
+Where all angles are fixed, coefficients are mere numbers. There it is seen quickly which sets of terms can close the
+gap between the sides; for these few, the coefficients are then found as functions of the angles.
 """
 
 from __future__ import annotations
@@ -11,14 +11,12 @@ from dataclasses import dataclass
 from itertools import combinations, product
 
 from chasles.proof.ansatz import Palette
-from chasles.proof.coefficients import added as added_up
-from chasles.proof.coefficients import spelled, times
+from chasles.proof.coefficients import ONE, added, spelled, times
 from chasles.proof.deadline import check
 from chasles.proof.linear import Column, Span, multiple, plus
-from chasles.proof.places import Place, put, separate_sums, with_term
+from chasles.proof.places import Place, put, separate_sums
 from chasles.proof.residues import Sampled
 from chasles.proof.single import (
-    LEFT_OUT,
     Change,
     Coefficient,
     distinct_terms,
@@ -36,6 +34,8 @@ __all__ = ["combined_changes"]
 MOST_CHANGES = 6
 MOST_SETS, MOST_IN_ALL = 3000, 60000
 """So many sets of new terms are looked at for one choice of terms to change, and so many in all."""
+MOST_FORMS = 6
+"""So many forms of one block are given, those of the least effort."""
 
 
 @dataclass(slots=True)
@@ -44,16 +44,13 @@ class _Sum:
 
     place: Place
     terms: tuple[Place, ...]
-    cores: tuple[Node | None, ...]
+    cores: tuple[Node, ...]
     new: tuple[Node, ...]
 
     def columns(self, trial: Trial, at: Sampled) -> tuple[list[Column], list[Column], list[Column]]:
         """What the terms, their cores and the new terms contribute."""
         shares = [trial.share(at, term) for term in self.terms]
-        cores = [
-            share if core is None else trial.share(at, term, core)
-            for term, core, share in zip(self.terms, self.cores, shares, strict=True)
-        ]
+        cores = [trial.share(at, term, core) for term, core in zip(self.terms, self.cores, strict=True)]
         return shares, cores, [trial.share(at, self.place, term) for term in self.new]
 
 
@@ -67,12 +64,12 @@ def combined_changes(trial: Trial, palette: Palette) -> Iterator[Change]:
             return
         choices.append(found)
     for edits in product(*choices):
-        right, words = trial.right, []
-        for each, edit in sorted(zip(sums, edits, strict=True), key=lambda pair: pair[0].place.path, reverse=True):
+        right = trial.right
+        for each, edit in zip(sums, edits, strict=True):
             right = put(right, each.place.path, edit.node)
-            words[:0] = edit.words
+        words = tuple(word for edit in edits for word in edit.words)
         if words:
-            yield Change(trial.left, right, tuple(words), sum(edit.effort for edit in edits))
+            yield Change(trial.left, right, words, sum(edit.effort for edit in edits))
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +80,7 @@ class _Edits:
 
 
 def _sum(trial: Trial, place: Place, terms: tuple[Place, ...], palette: Palette) -> _Sum:
-    cores = tuple(trial.split(term.node).core for term in terms)
+    cores = tuple(ONE if (core := trial.split(term.node).core) is None else core for term in terms)
     return _Sum(place, terms, cores, distinct_terms(trial, palette.terms(place.node), cores))
 
 
@@ -97,15 +94,14 @@ def _fewest(trial: Trial, each: _Sum) -> list[_Edits] | None:
     whole = Span([*cores, *new])
     if any(whole.reduced(gap)):
         return None
-    brief = lambda column: [column[pivot] for pivot in whole.pivots]  # noqa: E731
-    found: list[_Edits] = []
-    for sets in _sets(brief(gap), [*map(brief, shares)], [*map(brief, cores)], [*map(brief, new)]):
-        for kept, added in sets:
-            edits = _edited(trial, each, kept, added)
-            if edits is not None:
-                found.append(edits)
-        if found:
-            return found
+
+    def brief(columns: list[Column]) -> list[Column]:
+        return [[column[pivot] for pivot in whole.pivots] for column in columns]
+
+    for sets in _sets(*brief([gap]), brief(shares), brief(cores), brief(new)):
+        forms = [form for chosen, extra in sets if (form := _edited(trial, each, chosen, extra)) is not None]
+        if forms:
+            return sorted(forms, key=lambda form: form.effort)[:MOST_FORMS]
     return None
 
 
@@ -135,11 +131,11 @@ def _sets(gap: Column, shares: list[Column], cores: list[Column], new: list[Colu
                 for k in chosen:
                     rest = plus(rest, shares[k])
                 reduced = [span.reduced(column) for column in new]
-                sets += [(chosen, added) for added in _covers(span.reduced(rest), reduced, total - size)]
+                sets += [(chosen, extra) for extra in _covers(span.reduced(rest), reduced, total - size)]
         yield sets
 
 
-def _covers(gap: Column, columns: list[Column], size: int, first: int = 0) -> Iterator[tuple[int, ...]]:
+def _covers(gap: Column, columns: list[Column], size: int) -> Iterator[tuple[int, ...]]:
     """The sets of so many columns of which every one is needed to make up the gap."""
     if size == 0:
         if not any(gap):
@@ -148,40 +144,35 @@ def _covers(gap: Column, columns: list[Column], size: int, first: int = 0) -> It
     check()
     if not any(gap):
         return
-    for k in range(first, len(columns)):
-        if not any(columns[k]):
+    for k, column in enumerate(columns):
+        if not any(column):
             continue
         if size == 1:
-            if multiple(gap, columns[k]) is not None:
+            if multiple(gap, column) is not None:
                 yield (k,)
             continue
-        span = Span([columns[k]])
+        span = Span([column])
         rest = [span.reduced(column) for column in columns[k + 1 :]]
         yield from ((k, *(k + 1 + j for j in more)) for more in _covers(span.reduced(gap), rest, size - 1))
 
 
-def _kept(found: list[Coefficient], chosen: tuple[int, ...], term: int) -> Iterator[bool]:
-    """Whether a printed term stays: with everything printed left out there is nothing that was repaired."""
-    if term not in chosen:
-        yield True
-    else:
-        yield from (value != 0 for value, _ in found[chosen.index(term)])
+def _edited(trial: Trial, each: _Sum, chosen: tuple[int, ...], extra: tuple[int, ...]) -> _Edits | None:
+    """The sum with the coefficients that close the gap; None if these are no functions that occur.
 
-
-def _edited(trial: Trial, each: _Sum, chosen: tuple[int, ...], added: tuple[int, ...]) -> _Edits | None:
-    """The sum with the coefficients that close the gap; None if these are no functions that occur."""
+    None too if nothing that is printed stays: then nothing was repaired.
+    """
     at = trial.varied
-    places = [each.terms[k] for k in chosen]
-    cores = [trial.share(at, place, each.cores[k]) for k, place in zip(chosen, places, strict=True)]
-    new = [trial.share(at, each.place, each.new[k]) for k in added]
-    columns = [*cores, *new]
+    cores = [trial.share(at, each.terms[k], each.cores[k]) for k in chosen]
+    columns = [*cores, *(trial.share(at, each.place, each.new[k]) for k in extra)]
     wanted = trial.gap(at)
-    for place in places:
-        wanted = plus(wanted, trial.share(at, place))
+    for k in chosen:
+        wanted = plus(wanted, trial.share(at, each.terms[k]))
     found = fitted(trial, columns, _within(wanted, [any(entries) for entries in zip(*columns, strict=True)]))
-    if found is None or not any(value for k in range(len(each.terms)) for value in _kept(found, chosen, k)):
+    if found is None:
         return None
-    return _written(each, dict(zip(chosen, found, strict=False)), dict(zip(added, found[len(chosen) :], strict=True)))
+    changed = dict(zip(chosen, found, strict=False))
+    stays = len(changed) < len(each.terms) or any(value for parts in changed.values() for value, _ in parts)
+    return _written(each, changed, dict(zip(extra, found[len(chosen) :], strict=True))) if stays else None
 
 
 def _written(each: _Sum, changed: dict[int, Coefficient], new: dict[int, Coefficient]) -> _Edits | None:
@@ -203,6 +194,5 @@ def _written(each: _Sum, changed: dict[int, Coefficient], new: dict[int, Coeffic
             return None
         nodes.append(times(coefficient, each.new[k]))
         words.append(missing(nodes[-1]))
-    left_out = sum(LEFT_OUT for parts in changed.values() if not any(value for value, _ in parts))
-    effort = sum(map(other_coefficient, changed.values())) + sum(map(new_term, new.values())) + left_out
-    return _Edits(added_up(nodes), tuple(words), effort)
+    effort = sum(map(other_coefficient, changed.values())) + sum(map(new_term, new.values()))
+    return _Edits(added(nodes), tuple(words), effort)

@@ -24,7 +24,9 @@ class Span:
 
     def __init__(self, columns: Iterable[Column] = ()) -> None:
         self.rows: list[tuple[int, Column]] = []
-        self.independent = all([self.add(column) for column in columns])
+        self.independent = True
+        for column in columns:
+            self.independent &= self.add(column)
 
     @property
     def pivots(self) -> list[int]:

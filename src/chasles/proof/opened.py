@@ -7,6 +7,7 @@ times, as P does in P P^T, is put in wherever the array occurs.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace as with_fields
 
 from chasles.proof.ansatz import Palette, fit
 from chasles.proof.places import everywhere
@@ -24,15 +25,18 @@ def opened_changes(trial: Trial, palette: Palette) -> Iterator[Change]:
     if right == trial.right:
         return
     names = {_opened(letter, rules): f"{plain(letter)} = " for letter in reversed(rules)}
-    found = False
-    for change in new_coefficients(trial.of(right)):
-        found = True
-        yield change
-    for array, other in () if found else _completed(right, palette):
-        new = printed(lambda array=array, other=other: replace(right, {array: other}))  # type: ignore[misc]
+    one_block = list(new_coefficients(trial.of(right)))
+    yield from one_block
+    for array, other in () if one_block else _completed(right, palette):
+        new = _replaced(right, array, other)
+        words = names.get(array, "") + instead(other, array)
         if fit(trial.left, new):
             for change in new_coefficients(trial.of(new)):
-                yield Change(change.left, change.right, (names.get(array, "") + instead(other, array), *change.words), change.effort + 3)
+                yield with_fields(change, words=(words, *change.words))
+
+
+def _replaced(node: Node, old: Node, new: Node) -> Node:
+    return printed(lambda: replace(node, {old: new}))
 
 
 def _opened(node: Node, rules: Mapping[Node, Node]) -> Node:

@@ -205,14 +205,16 @@ def _coded(context: Context, polynomial: Polynomial) -> _Coded:
 def _value(polynomial: _Coded, point: Point) -> int:
     total = 0
     for coefficient, powers in polynomial:
+        term = coefficient
         for name, exponent in powers:
-            coefficient = coefficient * point[name] ** exponent % MODULUS
-        total += coefficient
+            term = term * point[name] ** exponent % MODULUS
+        total += term
     return total % MODULUS
 
 
 def _plus(left: Matrix, right: Matrix) -> Matrix:
-    return [[(a + b) % MODULUS for a, b in zip(one, other, strict=True)] for one, other in zip(left, right, strict=True)]
+    rows = zip(left, right, strict=True)
+    return [[(a + b) % MODULUS for a, b in zip(one, other, strict=True)] for one, other in rows]
 
 
 def _times(left: Matrix, right: Matrix) -> Matrix:

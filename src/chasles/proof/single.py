@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from chasles.proof.ansatz import Palette
-from chasles.proof.coefficients import Function, scaled, spelled, times
+from chasles.proof.coefficients import ONE, Function, scaled, spelled, times
 from chasles.proof.linear import Column, combination, multiple, plus, rational
 from chasles.proof.places import Place, linear_places, put, with_term
 from chasles.proof.trial import Trial
@@ -35,28 +35,30 @@ __all__ = [
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """An equation after `edits` changes, in plain words; `effort` ranks changes of the same number."""
+    """An equation after some changes, each in plain words; `effort` ranks the same number of changes.
+
+    `modulo` says why another object may stand on the left side, where one does; the first `marks` changes restore what
+    the print lost before it was an equation.
+    """
 
     left: Node
     right: Node
     words: tuple[str, ...]
     effort: int = 0
     modulo: str | None = None
-
-    @property
-    def edits(self) -> int:
-        return len(self.words)
+    marks: int = 0
 
 
 Coefficient = list[tuple[Fraction, Function]]
 """A sum of numbers times functions."""
-LEFT_OUT = 2
-"""The effort of leaving a term out, besides that of changing it."""
+LEFT_OUT = 3
+"""The effort of leaving a term out."""
 
 
 def other_coefficient(coefficient: Coefficient) -> int:
-    """The effort of changing a coefficient: it grows with the terms of the new one."""
-    return 1 + sum(1 for value, _ in coefficient if value)
+    """The effort of changing a coefficient: it grows with the terms of the new one, and zero leaves the term out."""
+    terms = sum(1 for value, _ in coefficient if value)
+    return 1 + terms if terms else LEFT_OUT
 
 
 def new_term(coefficient: Coefficient) -> int:
@@ -85,7 +87,7 @@ def new_coefficients(trial: Trial) -> Iterator[Change]:
         number = None if ratio is None else rational(ratio)
         if number is not None:
             new, words = rescaled(place.node, number + 1)
-            effort = 1 + LEFT_OUT if new is None else int(number != -2)
+            effort = LEFT_OUT if new is None else int(number != -2)
             yield Change(trial.left, put(trial.right, place.path, new), (words,), effort)
         elif not place.in_rate and not (place.node.is_scalar and place.path):
             yield from _refitted(trial, place, gap, share)
@@ -102,13 +104,15 @@ def rescaled(term: Node, number: Fraction) -> tuple[Node | None, str]:
 def _refitted(trial: Trial, place: Place, gap: Column, share: Column) -> Iterator[Change]:
     """A coefficient that depends on angles: first it is seen whether any number would do where the angles are fixed."""
     core = trial.split(place.node).core
-    if core is None or multiple(plus(gap, share), trial.share(trial.probe, place, core)) is None:
+    core = ONE if core is None else core
+    if multiple(plus(gap, share), trial.share(trial.probe, place, core)) is None:
         return
     wanted = plus(trial.gap(trial.varied), trial.share(trial.varied, place))
     found = fitted(trial, [trial.share(trial.varied, place, core)], wanted)
     if found and (coefficient := spelled(found[0])) is not None:
         new = times(coefficient, core)
-        yield Change(trial.left, put(trial.right, place.path, new), (instead(new, place.node),), other_coefficient(found[0]))
+        right, words = put(trial.right, place.path, new), (instead(new, place.node),)
+        yield Change(trial.left, right, words, other_coefficient(found[0]))
 
 
 def fitted(trial: Trial, cores: Sequence[Column], wanted: Column) -> list[Coefficient] | None:

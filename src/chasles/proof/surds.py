@@ -42,6 +42,11 @@ class Exact:
         """The transcendental number itself."""
         return cls({(1, 1, NONE): Fraction(1)})
 
+    @classmethod
+    def root_of(cls, inside: Exact) -> Exact:
+        """The root of a number, by itself."""
+        return cls({(0, 1, frozenset({inside})): Fraction(1)})
+
     def __add__(self, other: Exact) -> Exact:
         total = dict(self.terms)
         for key, coefficient in other.terms.items():
@@ -196,12 +201,12 @@ def root_of(value: Exact, beside: Iterable[Exact] = ()) -> Exact | None:
     for other in others:
         together = value * other
         root = square_root(together.as_rational) if together.as_rational is not None else _denested(together)
-        inverse = Exact({(0, 1, frozenset({other})): Fraction(1)}).inverse()
+        inverse = Exact.root_of(other).inverse()
         if root is not None and inverse is not None:
             return root * inverse
     sums = (_product((value, *some)) for size in range(len(others) + 1) for some in combinations(others, size))
     independent = len(others) < MOST_NESTED and all(_is_no_square(number) for number in sums)
-    return Exact({(0, 1, frozenset({value})): Fraction(1)}) if independent else None
+    return Exact.root_of(value) if independent else None
 
 
 def _denested(value: Exact) -> Exact | None:

@@ -49,7 +49,7 @@ def changed(statement: Statement, left: Node, right: Node) -> Statement:
 
 @dataclass(frozen=True)
 class Trial:
-    """An equation at points where its hypotheses hold: the angles differ at `varied` ones, at `fixed` ones they do not."""
+    """An equation at points where its hypotheses hold: the angles differ at the `varied`, not at the `fixed` ones."""
 
     statement: Statement
     left: Node
@@ -65,7 +65,7 @@ class Trial:
         object.__setattr__(self, "probe", Sampled(self.fixed.context, self.fixed.points[:PROBED]))
 
     def miss(self, at: Sampled, left: Node, right: Node) -> Column:
-        """left - right for other sides, less what the statement lets them differ by."""
+        """By how much other sides differ, less what the statement lets them differ by."""
         if isinstance(left, Inverse):
             return at.flat(Sum((Identity(left.shape[0]), Negative(Contract((left.of, right))))))
         gap = minus(at.flat(left), at.flat(right))
@@ -193,9 +193,9 @@ def _scalars(node: Node) -> Iterator[Node]:
 def on_trial(
     statement: Statement, left: Node, right: Node, standing: Standing, beside: Iterable[Node] = ()
 ) -> Trial | None:
-    """The equation with these sides, at points where expressions `beside` it have values too; None without such points.
+    """The equation with these sides, at points where what is `beside` it has values too; None without such points.
 
-    Raises `Misfit` or TypeError for an equation that cannot be decided, `Untreatable` for what the prover does not treat.
+    Raises `Misfit` or TypeError for an equation that cannot be posed, `Untreatable` for what the prover does not treat.
     """
     problem = problem_of(changed(statement, left, right), "printed", standing)
     context = build(with_fields(problem, goals=(*problem.goals, *(Goal("", node, node) for node in beside))))
@@ -203,7 +203,7 @@ def on_trial(
     if context.pi_measures:
         return None
     rows, columns = left.shape
-    varied, fixed = generic_points(context, solved, max(POINTS, NUMBERS // (left.shape[0] * left.shape[1])))
+    varied, fixed = generic_points(context, solved, max(POINTS, NUMBERS // (rows * columns)))
     if len(varied) < POINTS:
         return None
     return Trial(statement, left, right, problem, Sampled(context, varied), Sampled(context, fixed))

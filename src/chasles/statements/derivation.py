@@ -221,8 +221,8 @@ class Derivation:
         kinds = [type(step) for step in self.steps]
         if Ansatz in kinds and Solve not in kinds[len(kinds) - kinds[::-1].index(Ansatz) :]:
             raise DeclarationError(f"the road to ({self.number}) makes an ansatz that no later Solve justifies")
-        for step in () if self.to is None else self.steps[: self._arrival]:
-            if any(statement is self.to for statement in step.cited):
+        for step in self.steps[: self._arrival]:
+            if self.to is not None and any(statement is self.to for statement in step.cited):
                 raise DeclarationError(f"the road to ({self.number}) uses ({self.to.number}) before it comes there")
         for given in self.given:
             if isinstance(given, Condition):
@@ -232,8 +232,9 @@ class Derivation:
 
     @property
     def _arrival(self) -> int:
-        """The place of the first comparison with the end."""
-        return next(k for k, step in enumerate(self.steps) if isinstance(step, Compare) and step.statement is self.to)
+        """The place of the first comparison with the end; past all steps if the end is not printed."""
+        ends = (k for k, step in enumerate(self.steps) if isinstance(step, Compare) and step.statement is self.to)
+        return next(ends, len(self.steps))
 
     @property
     def stops(self) -> tuple[Statement, ...]:

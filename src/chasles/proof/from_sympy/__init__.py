@@ -1,5 +1,6 @@
 """From SymPy to words: a question on SymPy expressions becomes a `Problem`, or an error names what is not treated."""
 
-from chasles.proof.from_sympy.question import Question, ask
+from chasles.proof.from_sympy.asking import ask
+from chasles.proof.from_sympy.question import Question
 
 __all__ = ["Question", "ask"]

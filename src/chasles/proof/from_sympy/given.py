@@ -9,11 +9,11 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
-from chasles.proof.from_sympy.opening import excerpt, is_atom, sides
+from chasles.proof.from_sympy.opening import is_atom, sides
 from chasles.proof.from_sympy.triads import Triad, triads_of
 from chasles.proof.variables import Untreatable
 
-__all__ = ["Equations", "Given", "collected"]
+__all__ = ["Equations", "Given", "collected", "orders_of"]
 
 Pair = tuple[Any, Any]
 
@@ -27,6 +27,11 @@ class Equations:
     sources: tuple[str, ...]
     triad: Triad | None = None
     derived: bool = False
+
+    @property
+    def sides(self) -> list[Any]:
+        """Both sides of all of them."""
+        return [side for pair in self.pairs for side in pair]
 
 
 @dataclass(slots=True)
@@ -66,7 +71,7 @@ def _without_given_angles(result: Given, expressions: list[Any]) -> list[Any]:
     """Use equations between angles, such as alpha + beta + gamma = pi, to eliminate one of the angles."""
     for item in list(result.equations):
         for pair in list(item.pairs):
-            angles = _angles_in([*expressions, *(side for e in result.equations for p in e.pairs for side in p)])
+            angles = _angles_in([*expressions, *(side for other in result.equations for side in other.sides)])
             solved = _solved_for_angle(pair[0] - pair[1], angles)
             if solved is None:
                 continue
@@ -120,36 +125,30 @@ def _state_triads(result: Given) -> None:
 
 def _differentiate(result: Given, expressions: list[Any]) -> None:
     """Add the derivatives of the given equations, up to the highest order that the question asks for."""
-    with_functions = [item for item in result.equations if any(_functions(side) for p in item.pairs for side in p)]
-    variables = {v for item in with_functions for p in item.pairs for s in p for f in _functions(s) for v in f.args}
-    wanted = _orders(expressions)
-    times = 0
-    for item in with_functions:
-        own = _orders(side for pair in item.pairs for side in pair)
-        times = max(times, *(max(wanted.get(f, 0), *_others(result, item, f)) - order for f, order in own.items()))
+    moving = [(item, orders_of(item.sides)) for item in result.equations if orders_of(item.sides)]
+    variables = {argument for _, orders in moving for function in orders for argument in function.args}
+    wanted = orders_of(expressions)
+    for _, orders in moving:
+        for function, order in orders.items():
+            wanted[function] = max(wanted.get(function, 0), order)
+    times = max((wanted[f] - order for _, orders in moving for f, order in orders.items()), default=0)
     if times and len(variables) != 1:
-        raise Untreatable(f"{with_functions[0].text}: given functions of several variables are not differentiated")
-    for item in with_functions:
-        pairs, variable = item.pairs, next(iter(variables), None)
+        raise Untreatable(f"{moving[0][0].text}: given functions of several variables are not differentiated")
+    for item, _ in moving:
+        pairs, variable = item.pairs, next(iter(variables))
         for count in range(1, times + 1):
             pairs = [(sympy.diff(a, variable), sympy.diff(b, variable)) for a, b in pairs]
             text = f"d{count if count > 1 else ''}/d{variable} ({item.text})"
-            moving = [pair for pair in pairs if pair[0] != pair[1]]
-            if moving:
-                result.equations.append(Equations(text, moving, item.sources, derived=True))
-
-
-def _others(result: Given, item: Equations, function: Any) -> list[int]:
-    """The orders to which the other given equations differentiate a function."""
-    others = (side for e in result.equations if e is not item for p in e.pairs for side in p)
-    return [_orders(others).get(function, 0)]
+            changing = [pair for pair in pairs if pair[0] != pair[1]]
+            if changing:
+                result.equations.append(Equations(text, changing, item.sources, derived=True))
 
 
 def _functions(expression: Any) -> set[Any]:
     return set(expression.atoms(AppliedUndef))
 
 
-def _orders(expressions: Iterable[Any]) -> dict[Any, int]:
+def orders_of(expressions: Iterable[Any]) -> dict[Any, int]:
     """How often each function is differentiated."""
     found: dict[Any, int] = {}
     for expression in expressions:

@@ -83,7 +83,7 @@ def _evaluated(entry: Any) -> Any:
         if not isinstance(derivative.expr, AppliedUndef):
             entry = entry.xreplace({derivative: derivative.doit()})
     names = {conjugate: conjugate.args[0] for conjugate in entry.atoms(sympy.conjugate, sympy.re)}
-    names |= {part: sympy.S.Zero for part in entry.atoms(sympy.im)}
+    names |= dict.fromkeys(entry.atoms(sympy.im), sympy.S.Zero)
     return _evaluated(entry.xreplace(names)) if names else entry
 
 

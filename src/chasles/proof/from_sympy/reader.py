@@ -13,32 +13,19 @@ import sympy
 from chasles.proof.deadline import check
 from chasles.proof.from_sympy.angles import Angles
 from chasles.proof.from_sympy.atoms import Atoms
+from chasles.proof.from_sympy.divisors import CIRCULAR, Divisor, divides, divisor_of, in_sines, is_reciprocal
 from chasles.proof.from_sympy.opening import excerpt, is_atom
 from chasles.proof.surds import squarefree
 from chasles.proof.variables import Untreatable
 from chasles.vocabulary import PI, Call, Negative, Node, Number, Power, Quotient, Scale, Sum, Symbol
 
-__all__ = ["Divisor", "Reader", "Root", "multiplied"]
+__all__ = ["Reader", "Root", "multiplied"]
 
-# What each function of an angle has above and below the line: 1, the cosine or the sine.
-CIRCULAR = {
-    sympy.sin: ("sin", ""), sympy.cos: ("cos", ""), sympy.tan: ("sin", "cos"), sympy.cot: ("cos", "sin"),
-    sympy.sec: ("", "cos"), sympy.csc: ("", "sin"),
-}  # fmt: skip
 LARGEST_EXPONENT = 10_000
 TREATED = (
     "Treated are rational functions of real symbols, of sin, cos, tan, cot, sec and csc of angles, of square roots and "
     "absolute values, of functions such as f(t) and their derivatives, and of pi"
 )
-
-
-@dataclass(frozen=True, slots=True)
-class Divisor:
-    """Something that does not vanish, and how to say so; `constant` if it is a number."""
-
-    node: Node
-    text: str
-    constant: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +66,7 @@ class Reader:
             return self.atoms.word(e)
         if isinstance(e, sympy.Add):
             return Sum(tuple(map(self, e.args)))
-        if isinstance(e, sympy.Mul) or _is_reciprocal(e):
+        if isinstance(e, sympy.Mul) or is_reciprocal(e):
             return self._product(e)
         if isinstance(e, sympy.Pow):
             return self._power(e.base, e.exp, e)
@@ -91,19 +78,19 @@ class Reader:
             return self(e.args[0] * sympy.Abs(e.args[0], evaluate=False) / e.args[0] ** 2)
         raise _untreatable(e)
 
-    def declare(self, node: Node, text: str, constant: bool = False) -> None:
+    def declare(self, node: Node, divisor: Divisor) -> None:
         """Something does not vanish: a product does so where none of its factors does."""
         match node:
             case Number():
                 return
             case Negative(term) | Power(term, _):
-                self.declare(term, text, constant)
+                self.declare(term, divisor)
             case Scale(factor, term):
-                self.declare(factor, text, constant)
-                self.declare(term, text, constant)
+                self.declare(factor, divisor)
+                self.declare(term, divisor)
             case _:
                 self.met.add(node)
-                self.divisors.setdefault(node, Divisor(node, text, constant))
+                self.divisors.setdefault(node, divisor)
 
     def _product(self, e: Any) -> Node:
         """Factors above and below the line."""
@@ -111,7 +98,7 @@ class Reader:
         below: list[Node] = []
         negative = False
         for factor in sympy.Mul.make_args(e):
-            if _is_reciprocal(factor):
+            if is_reciprocal(factor):
                 self._divide(factor, above, below)
             elif factor is sympy.S.NegativeOne:
                 negative = True
@@ -135,13 +122,13 @@ class Reader:
                 above.append(self._power(base, whole - exponent, factor))
                 exponent = whole
         node, power = self(base), _limited(int(exponent), factor)
-        if _divides(base):
-            numerator, denominator = sympy.fraction(sympy.together(_in_sines(base)))
-            if _divides(numerator) or _divides(denominator):
+        if divides(base):
+            numerator, denominator = sympy.fraction(sympy.together(in_sines(base)))
+            if divides(numerator) or divides(denominator):
                 raise Untreatable(f"{excerpt(factor)} is not treated: SymPy finds no common denominator in it")
             node, other = self(numerator), self(denominator)
             above.append(_raised(other, power))
-        self.declare(node, f"{base} {'> 0' if base.is_positive else '!= 0'}", not base.free_symbols)
+        self.declare(node, divisor_of(base))
         below.append(_raised(node, power))
 
     def _power(self, base: Any, exponent: Any, whole: Any) -> Node:
@@ -187,7 +174,7 @@ class Reader:
         if not below:
             return self._of_angle(above, e.args[0])
         divisor = self._of_angle(below, e.args[0])
-        self.declare(divisor, f"{below}({e.args[0]}) != 0", not e.free_symbols)
+        self.declare(divisor, Divisor(f"{below}({e.args[0]}) != 0", not e.free_symbols))
         return Quotient(self._of_angle(above, e.args[0]), divisor)
 
     def _of_angle(self, function: str, argument: Any) -> Node:
@@ -207,32 +194,13 @@ def _addition(function: str, cosine: Any, sine: Any) -> tuple[tuple[Any, str], t
     return ((cosine, "cos"), (-sine, "sin")) if function == "cos" else ((sine, "cos"), (cosine, "sin"))
 
 
-def _is_reciprocal(e: Any) -> bool:
-    return isinstance(e, sympy.Pow) and bool(e.exp.is_Rational and e.exp.is_negative)
-
-
-def _divides(e: Any) -> bool:
-    """Whether the expression, as a rational function, divides by something."""
-    if isinstance(e, sympy.Add | sympy.Mul | sympy.Abs):
-        return any(map(_divides, e.args))
-    if isinstance(e, sympy.Pow):
-        return _is_reciprocal(e) or _divides(e.base)
-    return isinstance(e, sympy.sign) or bool(CIRCULAR.get(e.func, ("", ""))[1])
-
-
-def _in_sines(e: Any) -> Any:
-    """The expression with every other function of an angle written as a quotient of sines and cosines."""
-    named = {"": lambda _: sympy.S.One, "sin": sympy.sin, "cos": sympy.cos}
-    others = {
-        call: named[CIRCULAR[call.func][0]](*call.args) / named[CIRCULAR[call.func][1]](*call.args)
-        for call in e.atoms(*(f for f, (_, below) in CIRCULAR.items() if below))
-    }
-    return e.xreplace(others)
-
-
 def multiplied(factors: list[Node]) -> Node:
     """The product; one if there are no factors."""
-    return reduce(lambda total, factor: Scale(total, factor), factors) if factors else Number(Fraction(1))
+    return reduce(_scaled, factors) if factors else Number(Fraction(1))
+
+
+def _scaled(one: Node, other: Node) -> Node:
+    return Scale(one, other)
 
 
 def _limited(exponent: int, whole: Any) -> int:

@@ -15,12 +15,12 @@ from typing import Any
 import sympy
 
 from chasles.proof.context import Context, build
+from chasles.proof.from_sympy.numbers import Numbers, defining
 from chasles.proof.from_sympy.polynomials import Key, as_node, as_sympy, factored, key_of
 from chasles.proof.from_sympy.reader import Reader, multiplied
 from chasles.proof.rings import Polynomial
-from chasles.proof.surds import Exact, root_of
 from chasles.statements import Goal, Hypothesis, Problem
-from chasles.vocabulary import Node, Number, Power, Quotient, Sum, Symbol
+from chasles.vocabulary import Node, Number, Power, Quotient, Symbol
 
 __all__ = ["Roots", "resolve", "words_of"]
 
@@ -41,12 +41,6 @@ def resolve(reader: Reader, divisors: tuple[Hypothesis, ...]) -> Roots:
     return _Resolver(reader, divisors).resolved()
 
 
-def _defining(word: Symbol, radicand: Node, spelled: str) -> Hypothesis:
-    """The word is a root of the radicand; `text` is for certificates, it is never a need."""
-    subjects = (word, radicand)
-    return Hypothesis("root", subjects, ((Power(word, 2), radicand),), (), "", f"{word.name} = {spelled}", free=True)
-
-
 def words_of(hypotheses: Iterable[Hypothesis]) -> tuple[Symbol, ...]:
     """The words for independent roots."""
     return tuple(h.subjects[0] for h in hypotheses if h.kind == "root" and isinstance(h.subjects[0], Symbol))
@@ -57,10 +51,10 @@ class _Resolver:
         self.reader = reader
         self.divisors = divisors
         self.hypotheses: list[Hypothesis] = []
+        self.numbers = Numbers(reader, self.hypotheses)
         self.rules: list[tuple[Node, Node]] = []
         self.domains: list[str] = []
         self.words: dict[Key, Symbol] = {}
-        self.nested: dict[Exact, Symbol] = {}
         self.composite: list[tuple[Node, list[Size]]] = []
         self.known: set[Key] = set()
         self.symbols = set(reader.atoms.words.values())
@@ -68,7 +62,6 @@ class _Resolver:
 
     def resolved(self) -> Roots:
         """One root after the other: those inside a radicand come before it."""
-        self._know_primes()
         context = self._context() if self.reader.roots else None
         for root in self.reader.roots.values():
             assert context is not None
@@ -134,8 +127,7 @@ class _Resolver:
         if polynomial == 0:
             return Number(Fraction(0))
         sign, size, factors = factored(context, polynomial)
-        parts: list[Node] = [] if size == 1 else [self.reader.numeric_root(size)]
-        self._know_primes()
+        parts: list[Node] = [] if size == 1 else [self.numbers.root(size)]
         left = context.field.ring.constant(Fraction(1))
         unknown: list[Polynomial] = []
         for factor, power in factors:
@@ -156,13 +148,6 @@ class _Resolver:
             sizes = [self._size(context, factor) for factor in unknown]
             self.composite.append((as_node(context, left), sizes if len(sizes) > 1 else []))
         return multiplied(parts)
-
-    def _know_primes(self) -> None:
-        """State the roots of primes that have come up since."""
-        for number, word in self.reader.primes.items():
-            if word.name not in self.positive:
-                self.positive.add(word.name)
-                self.hypotheses.append(_defining(word, Number(Fraction(number)), f"sqrt({number})"))
 
     def _absolute(self, context: Context, factor: tuple[Polynomial, Node | None]) -> tuple[Node, Node]:
         """The absolute value of a polynomial, and the polynomial, as words."""
@@ -205,7 +190,7 @@ class _Resolver:
         reserve, swing = Fraction(0), Fraction(0)
         for exponents, coefficient in context.field.ring.terms(polynomial):
             odd = [context.variables[k] for k, e in enumerate(exponents) if e % 2]
-            if coefficient > 0 and all(v.name in self.positive for v in odd):
+            if coefficient > 0 and all(v.name in self.positive | self.numbers.names for v in odd):
                 reserve += coefficient if not any(exponents) else 0
             elif all(v.kind in ("cos", "sin") for v in odd) and all(
                 v.kind in ("cos", "sin") for k, v in enumerate(context.variables) if exponents[k]
@@ -217,10 +202,9 @@ class _Resolver:
 
     def _word(self, context: Context, polynomial: Polynomial) -> Node:
         """The root of a polynomial as an independent one."""
-        constant = self._constant(context, polynomial)
-        root = None if constant is None else root_of(constant, self.nested)
-        if root is not None:
-            return self._exact(root)
+        number = self.numbers.root_of_constant(context, polynomial)
+        if number is not None:
+            return number
         key = key_of(context, polynomial)
         expression = as_sympy(self.reader.atoms.origins, context, polynomial)
         if not self._is_nonnegative(context, polynomial):
@@ -228,41 +212,10 @@ class _Resolver:
         self._define(key, as_node(context, polynomial), sympy.sqrt(expression))
         return self.words[key]
 
-    def _constant(self, context: Context, polynomial: Polynomial) -> Exact | None:
-        """The value of a polynomial in nothing but roots of numbers."""
-        numbers = {word.name: root_of(Exact.rational(p)) for p, word in self.reader.primes.items()}
-        numbers |= {word.name: Exact({(0, 1, frozenset({inside})): Fraction(1)}) for inside, word in self.nested.items()}
-        total = Exact({})
-        for exponents, coefficient in context.field.ring.terms(polynomial):
-            term = Exact.rational(coefficient)
-            for variable, exponent in zip(context.variables, exponents, strict=True):
-                value = numbers.get(variable.name) if exponent else Exact.rational(1)
-                if value is None:
-                    return None
-                term = term * value**exponent
-            total = total + term
-        return total
-
-    def _exact(self, value: Exact) -> Node:
-        """A number in words; the root of a sum of roots gets one of its own."""
-        terms: list[Node] = []
-        for (_, radicand, nested), coefficient in value.terms.items():
-            factors = [self.reader.numeric_root(Fraction(radicand))] if radicand != 1 else []
-            self._know_primes()
-            for inside in sorted(nested, key=str):
-                if inside not in self.nested:
-                    self.nested[inside] = self.reader.atoms.fresh(f"u_{len(self.nested) + 1}", sympy.sqrt(sympy.sympify(inside.text())))
-                    word, radicand_node = self.nested[inside], self._exact(inside)
-                    self.positive.add(word.name)
-                    self.hypotheses.append(_defining(word, radicand_node, f"sqrt({inside})"))
-                factors.append(self.nested[inside])
-            terms.append(multiplied([Number(coefficient), *factors]))
-        return terms[0] if len(terms) == 1 else Sum(tuple(terms)) if terms else Number(Fraction(0))
-
     def _define(self, key: Key, radicand: Node, origin: Any) -> None:
         if key in self.words:
             return
         word = self.reader.atoms.fresh(f"w_{len(self.words) + 1}", origin)
         self.words[key] = word
         self.positive.add(word.name)
-        self.hypotheses.append(_defining(word, radicand, str(origin)))
+        self.hypotheses.append(defining(word, radicand, str(origin)))

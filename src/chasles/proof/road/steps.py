@@ -158,7 +158,9 @@ def _factor(step: Factor, state: State) -> Outcome:
     problem = state.environment(step.using)
     terms = tuple(map(without_brackets, step.terms))
     after = tuple((left, combined(right, terms, problem)) for left, right in state.equations)
-    said = f"in {', '.join(map(str, step.terms))}" if step.terms else "nothing is left"
+    zero = all(str(right) == "0" for _, right in after)
+    alone = "nothing is left" if zero else "a function of angles"
+    said = f"in {', '.join(map(str, step.terms))}" if step.terms else alone
     by = ", ".join(map(cited, step.using))
     return Outcome(after, state.decide(_unchanged(state.equations, after), problem), f"{said}, by {by}" if by else said)
 

@@ -101,6 +101,8 @@ def _passage(step: Step, state: State) -> Passage:
 
 def _move_on(step: Step, state: State, outcome: Outcome) -> None:
     state.equations = outcome.equations
+    if state.solved and [left for left, _ in outcome.equations] == [left for left, _ in state.solved]:
+        state.solved = outcome.equations
     match step:
         case Ansatz():
             state.ansatz = step

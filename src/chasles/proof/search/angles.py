@@ -6,7 +6,7 @@ the transcendental number of `surds`. Where several do, or pi does, they are mul
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from random import Random
 
@@ -15,11 +15,12 @@ from chasles.proof.search.values import Values
 from chasles.proof.surds import Exact, square_root
 from chasles.vocabulary import Symbol
 
-__all__ = ["Turning", "turning"]
+__all__ = ["NO_TURNS", "QUARTERS", "Turning"]
 
 NO_TURN = 0.2
 """How often the angle is zero, the only one that is rational together with its cosine and sine."""
 QUARTERS = tuple(Fraction(k, 2) for k in (1, 2, -1, 0))
+NO_TURNS = (Fraction(0),)
 TURNS = QUARTERS + tuple(Fraction(k, n) for k, n in ((1, 3), (-2, 3), (1, 4), (3, 4), (1, 6), (-5, 6)))
 """Angles in units of pi; all but the quarter turns have irrational cosines or sines."""
 SINES = {Fraction(0): 0, Fraction(1, 6): 1, Fraction(1, 4): 2, Fraction(1, 3): 3, Fraction(1, 2): 4}
@@ -60,19 +61,30 @@ class Turning:
             if factor.name in self.stage.place
         ]
 
-    def draw(self, values: Values, number: Callable[[int], Fraction], random: Random, plain: bool) -> bool:
-        """Give the fixed angles their values, rational ones if `plain`; False if that does not work out this time."""
+    def draw(
+        self, values: Values, number: Callable[[int], Fraction], random: Random, turns: Sequence[Fraction] | None
+    ) -> bool:
+        """Give the fixed angles their values; False if that does not work out this time.
+
+        `turns` are what to choose from, in units of pi, if only some will do.
+        """
         if self.stage.pi is not None:
             values[self.stage.pi] = Exact.theta()
-        return all(self._draw(angle, values, number, random, plain) for angle in self.fixed)
+        return all(self._draw(angle, values, number, random, turns) for angle in self.fixed)
 
     def _draw(
-        self, angle: Angle, values: Values, number: Callable[[int], Fraction], random: Random, plain: bool
+        self,
+        angle: Angle,
+        values: Values,
+        number: Callable[[int], Fraction],
+        random: Random,
+        turns: Sequence[Fraction] | None,
     ) -> bool:
-        if self.by_quarters:
-            turns = random.choice(QUARTERS if plain else TURNS) + 2 * random.choice((0, 0, 1, -1, 2))
-            cosine, sine = _at_turn(turns)
-            size = Exact.theta() * Exact.rational(turns / angle.unit)
+        if self.by_quarters or turns == NO_TURNS:
+            turn = random.choice(turns or TURNS)
+            turn += 2 * random.choice((0, 0, 1, -1, 2)) if turn else 0
+            cosine, sine = _at_turn(turn)
+            size = Exact.theta() * Exact.rational(turn / angle.unit)
         elif random.random() < NO_TURN:
             cosine, sine, size = Exact.rational(1), Exact({}), Exact({})
         else:

@@ -8,7 +8,7 @@ from fractions import Fraction
 from random import Random
 
 from chasles.proof.deadline import check
-from chasles.proof.search.angles import Turning
+from chasles.proof.search.angles import NO_TURNS, QUARTERS, Turning
 from chasles.proof.search.solving import solve_one, solve_together, unknowns
 from chasles.proof.search.stage import Stage
 from chasles.proof.search.values import Partial, Values, degree
@@ -47,7 +47,8 @@ class Drawing:
         self.values = Values()
         for frame in self.frames:
             self._draw_frame(frame)
-        drawn = self.turning.draw(self.values, self._number, random, self.plain)
+        turns = NO_TURNS if number == 0 else QUARTERS if self.plain else None
+        drawn = self.turning.draw(self.values, self._number, random, turns)
         if not (drawn and self._solve() and self._draw_rest() and self._holds()):
             return None
         return self.values

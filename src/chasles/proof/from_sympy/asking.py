@@ -1,0 +1,94 @@
+"""How a question is asked: both sides, the given equations and what does not vanish, read into one problem."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import sympy
+
+from chasles.proof.from_sympy.divisors import divisor_of
+from chasles.proof.from_sympy.given import Equations, Given, collected
+from chasles.proof.from_sympy.opening import Entries, opened
+from chasles.proof.from_sympy.question import Question, matrix_of
+from chasles.proof.from_sympy.reader import Reader
+from chasles.proof.from_sympy.roots import resolve, words_of
+from chasles.proof.from_sympy.searching import search_for
+from chasles.proof.variables import Untreatable
+from chasles.proof.verdict import IllFormed
+from chasles.statements import Goal, Hypothesis, Problem
+from chasles.vocabulary import Node
+
+__all__ = ["ask"]
+
+
+def ask(lhs: Any, rhs: Any, given: Iterable[Any], nonzero: Iterable[Any]) -> Question | IllFormed:
+    """The question whether two sides are equal; raises `Untreatable` for what the procedure does not treat."""
+    left, right = opened(lhs, "the left side"), opened(rhs, "the right side")
+    if left.shape != right.shape:
+        return IllFormed(f"cannot equate {left.size} (the left side) and {right.size} (the right side)")
+    declared = [entry for place, item in enumerate(nonzero) for entry in _nonzero(item, place)]
+    spoken_of = [*declared, *_flat(left), *_flat(right)]
+    conditions, expressions = collected(given, spoken_of)
+    return _Asking(conditions, expressions, len(declared), left.shape).question()
+
+
+def _flat(entries: Entries) -> list[Any]:
+    return [entry for row in entries.rows for entry in row]
+
+
+def _nonzero(item: Any, place: int) -> Iterator[Any]:
+    what = f"nonzero[{place}]"
+    if isinstance(item, sympy.Unequality):
+        item = item.lhs - item.rhs
+    entries = opened(item, what)
+    if entries.shape != (1, 1):
+        raise Untreatable(f"{what} is {entries.size}: a scalar is expected, such as the square of a vector's length")
+    yield entries.rows[0][0]
+
+
+class _Asking:
+    """Reads everything that belongs to a question in one go, and puts it together."""
+
+    def __init__(self, given: Given, expressions: list[Any], declared: int, shape: tuple[int, int]) -> None:
+        self.reader = reader = Reader()
+        self.given = given
+        for expression in expressions[:declared]:
+            reader.declare(reader(expression), divisor_of(expression))
+        self.declared = set(reader.divisors)
+        reader.met.clear()
+        nodes = [reader(expression) for expression in expressions[declared:]]
+        self.met = set(reader.met)
+        self.goal = Goal("", matrix_of(nodes[: len(nodes) // 2], shape), matrix_of(nodes[len(nodes) // 2 :], shape))
+        self.equations = [self._hypothesis(item) for item in given.equations]
+
+    def question(self) -> Question:
+        """All that was read, as a problem, with what to say of it."""
+        reader = self.reader
+        roots = resolve(reader, tuple(map(self._divisor, reader.divisors)))
+        divisors = {node: self._divisor(node) for node in reader.divisors}
+        words = words_of(roots.hypotheses)
+        # Variables rank as they are met: a root above what is under it, so that its square is what leads.
+        hypotheses = dict.fromkeys((*reversed(roots.hypotheses), *self.equations, *divisors.values()))
+        evident = [divisor.text for divisor in reader.divisors.values() if divisor.evident]
+        met = [divisor.text for node, divisor in reader.divisors.items() if node in self.met]
+        return Question(
+            problem=Problem((self.goal,), roots.rules, (), words, tuple(hypotheses)),
+            own=(*self.equations, *(divisors[node] for node in divisors if node in self.declared)),
+            search=search_for(reader, self.given),
+            needs=(*(text for text, _, _ in self.given.substitutions), *met, *roots.domains),
+            hidden=frozenset((*evident, *(h.text for h in roots.hypotheses))),
+            sources={item.text: item.sources for item in self.given.equations},
+            origins=reader.atoms.origins,
+            roots=frozenset((*words, *(root.word for root in reader.roots.values()))),
+        )
+
+    def _divisor(self, node: Node) -> Hypothesis:
+        text = self.reader.divisors[node].text
+        return Hypothesis("nonzero", (node,), (), (node,), "", text, free=True)
+
+    def _hypothesis(self, item: Equations) -> Hypothesis:
+        pairs = tuple((self.reader(a), self.reader(b)) for a, b in item.pairs)
+        kind = "rotation" if item.triad and item.triad.proper and len(item.pairs) > 6 else "equation"
+        subjects = tuple(dict.fromkeys(side for pair in pairs for side in pair))
+        return Hypothesis(kind, subjects, pairs, (), "", item.text, free=True)

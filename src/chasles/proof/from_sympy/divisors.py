@@ -1,0 +1,56 @@
+"""What is divided by, and which expressions divide: functions of angles are quotients of sines and cosines."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+
+from chasles.proof.from_sympy.opening import is_atom
+
+__all__ = ["CIRCULAR", "Divisor", "divides", "divisor_of", "in_sines", "is_reciprocal"]
+
+# What each function of an angle has above and below the line: 1, the cosine or the sine.
+CIRCULAR = {
+    sympy.sin: ("sin", ""), sympy.cos: ("cos", ""), sympy.tan: ("sin", "cos"), sympy.cot: ("cos", "sin"),
+    sympy.sec: ("", "cos"), sympy.csc: ("", "sin"),
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Divisor:
+    """How to say that something does not vanish; `evident` if it need not be said."""
+
+    text: str
+    evident: bool
+
+
+def divisor_of(expression: Any) -> Divisor:
+    """What is said of a divisor: of a positive symbol that it is positive; nothing of a number."""
+    evident = not expression.free_symbols or bool(expression.is_nonzero and not is_atom(expression))
+    return Divisor(f"{expression} {'> 0' if expression.is_positive else '!= 0'}", evident)
+
+
+def is_reciprocal(e: Any) -> bool:
+    """Whether the expression is a power with a negative exponent."""
+    return isinstance(e, sympy.Pow) and bool(e.exp.is_Rational and e.exp.is_negative)
+
+
+def divides(e: Any) -> bool:
+    """Whether the expression, as a rational function, divides by something."""
+    if isinstance(e, sympy.Add | sympy.Mul | sympy.Abs):
+        return any(map(divides, e.args))
+    if isinstance(e, sympy.Pow):
+        return is_reciprocal(e) or divides(e.base)
+    return isinstance(e, sympy.sign) or bool(CIRCULAR.get(e.func, ("", ""))[1])
+
+
+def in_sines(e: Any) -> Any:
+    """The expression with every other function of an angle written as a quotient of sines and cosines."""
+    named = {"": lambda _: sympy.S.One, "sin": sympy.sin, "cos": sympy.cos}
+    others = {
+        call: named[CIRCULAR[call.func][0]](*call.args) / named[CIRCULAR[call.func][1]](*call.args)
+        for call in e.atoms(*(f for f, (_, below) in CIRCULAR.items() if below))
+    }
+    return e.xreplace(others)
