@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
+from functools import partial
 from random import Random
 
 import pytest
@@ -26,6 +27,7 @@ from chasles.vocabulary import (
     CPM,
     Identity,
     Misfit,
+    Negative,
     Node,
     Number,
     Zero,
@@ -109,23 +111,30 @@ def shuffled(node: Node, draw: Random) -> Node:
     node = rebuilt(node, parts) if parts else node
     if node.shape == (3, 1) and draw.random() < 0.15:
         other = draw.choice(VECTORS[:6])
-        return draw.choice((one @ node, node + zero, -(-node), node + other - other))
+        return draw.choice((one @ node, node + zero, Negative(-node), node + other - other))
     return node
 
 
 def embedded(left: Node, right: Node, draw: Random) -> tuple[Node, Node]:
     """Both sides within the same larger expression."""
     for _ in range(draw.randint(0, 2)):
-        other, factor = draw.choice(VECTORS), draw.choice(SCALARS)
-        if left.is_scalar:
-            wraps = (lambda s: s * factor, lambda s: s + s * factor, lambda s: s * other)
-        elif left.shape == (3, 1):
-            wraps = (lambda s: cross(s, other), lambda s: dot(s, other), lambda s: factor * s - other, lambda s: Q @ s)
-        else:
-            wraps = (lambda s: s @ other, lambda s: s.T, lambda s: tr(s), lambda s: M @ s)
-        wrap = draw.choice(wraps)
+        wrap = partial(draw.choice(wraps(left)), draw.choice(VECTORS), draw.choice(SCALARS))
         left, right = wrap(left), wrap(right)
     return left, right
+
+
+def wraps(node: Node) -> tuple[Callable[[Node, Node, Node], Node], ...]:
+    """Larger expressions that contain another vector, another scalar, and then the expression itself."""
+    if node.is_scalar:
+        return (lambda v, s, x: x * s, lambda v, s, x: x + x * s, lambda v, s, x: x * v)
+    if node.shape == (3, 1):
+        return (
+            lambda v, s, x: cross(x, v),
+            lambda v, s, x: dot(x, v),
+            lambda v, s, x: s * x - v,
+            lambda v, s, x: Q @ x,
+        )
+    return (lambda v, s, x: x @ v, lambda v, s, x: x.T, lambda v, s, x: tr(x), lambda v, s, x: M @ x)
 
 
 def made_up(draw: Random) -> Claim:
@@ -143,14 +152,14 @@ def made_up(draw: Random) -> Claim:
 
 
 def points(problem: Problem, draw: Random) -> Iterator[dict[str, Fraction]]:
-    """Points of our own that satisfy the hypotheses: vectors, triads and rotations that turn with spins of their own."""
+    """Points of our own that satisfy the hypotheses: vectors, triads and rotations turn with spins of their own."""
     while True:
         values: dict[str, list[list[Fraction]]] = {}
         for symbol in (a, b, e, u, v, w, x, y, phi, Q, M):
             rows, columns = symbol.shape
             values[symbol.name] = [[number(draw) for _ in range(columns)] for _ in range(rows)]
             values[f"{symbol.name}_dot"] = [[number(draw) for _ in range(columns)] for _ in range(rows)]
-        for names, count in ((("Q",), 9), (("u", "v", "w"), 9), (("e",), 3)):
+        for names in (("Q",), ("u", "v", "w"), ("e",)):
             turned, spun = turning(draw)
             for k, name in enumerate(names):
                 take = slice(0, 3) if name == "Q" else slice(k, k + 1)

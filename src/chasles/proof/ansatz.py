@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
-from itertools import combinations, combinations_with_replacement, product
+from itertools import combinations, combinations_with_replacement, islice, product
 
 from chasles.proof.coefficients import ONE
+from chasles.proof.coefficients import product as product_of
 from chasles.vocabulary import (
     NO_DIMENSION,
     At,
@@ -42,6 +43,8 @@ from chasles.vocabulary.nodes import measured
 
 __all__ = ["Palette", "dimension_of", "fit", "palette_of"]
 
+MOST_TERMS = 100
+"""So many terms of one kind are tried, the simpler first."""
 VECTOR, SQUARE, SCALAR = (3, 1), (3, 3), (1, 1)
 Shape = tuple[int, int]
 
@@ -86,22 +89,21 @@ class Palette:
         if like.measure not in self._terms:
             dimension = dimension_of(like)
             if dimension is None or like.shape[0] not in (1, 3) or like.shape[1] not in (1, 3):
-                found = tuple(node for node in self._products(like.shape) if fit(node, like))
+                found = (node for node in self._products(like.shape) if fit(node, like))
             else:
-                found = tuple(self.of_dimension(like.shape, dimension))
-            self._terms[like.measure] = found
+                found = self.of_dimension(like.shape, dimension)
+            self._terms[like.measure] = tuple(islice(found, MOST_TERMS))
         return self._terms[like.measure]
 
     def of_dimension(self, shape: Shape, dimension: Dimension) -> Iterator[Node]:
         """The terms of a shape, a dimension common to all their entries."""
         if shape not in self._shaped:
             self._shaped[shape] = [(node, dimension_of(node)) for node in self._tensors(shape)]
-        for tensor, own in self._shaped[shape]:
-            for weight in [] if own is None else self._weights_of(dimension / own):
-                if tensor == ONE or weight == ONE:
-                    yield weight if tensor == ONE else tensor
-                else:
-                    yield Scale(weight, tensor)
+        weighted = [(node, self._weights_of(dimension / own)) for node, own in self._shaped[shape] if own is not None]
+        for rank in range(max((len(weights) for _, weights in weighted), default=0)):
+            for tensor, weights in weighted:
+                if rank < len(weights):
+                    yield product_of(weights[rank], tensor)
 
     def _weights_of(self, dimension: Dimension) -> list[Node]:
         """Invariants of a dimension."""
@@ -117,9 +119,9 @@ class Palette:
         for one, other in combinations_with_replacement(self.vectors, 2):
             yield from _fitting(Dot, one, other)
         for one, other in combinations_with_replacement(scalars, 2):
-            product_of_both = Power(one, 2) if one == other else Scale(one, other)
-            if dimension_of(product_of_both) != NO_DIMENSION:
-                yield product_of_both
+            both = Power(one, 2) if one == other else Scale(one, other)
+            if dimension_of(both) != NO_DIMENSION:
+                yield both
 
     def _tensors(self, shape: Shape) -> Iterator[Node]:
         match shape:
@@ -200,11 +202,12 @@ def _collect(palette: Palette, node: Node, without: frozenset[Node], *, factor: 
             node = of
         case _:
             pass
-    if node in without or node.measure is None:
+    if node.measure is None:
         return
     match node:
         case Symbol() | Rate(Symbol()) | Rate(Rate(Symbol())):
-            _enter(palette, node)
+            if node not in without:
+                _enter(palette, node)
             if isinstance(node, Rate):
                 _collect(palette, node.of, without, factor=factor)
             return

@@ -95,10 +95,10 @@ def _fewest(trial: Trial, each: _Sum) -> list[_Edits] | None:
     if any(whole.reduced(gap)):
         return None
 
-    def brief(columns: list[Column]) -> list[Column]:
+    def brief(*columns: Column) -> list[Column]:
         return [[column[pivot] for pivot in whole.pivots] for column in columns]
 
-    for sets in _sets(*brief([gap]), brief(shares), brief(cores), brief(new)):
+    for sets in _sets(brief(gap)[0], brief(*shares), brief(*cores), brief(*new)):
         forms = [form for chosen, extra in sets if (form := _edited(trial, each, chosen, extra)) is not None]
         if forms:
             return sorted(forms, key=lambda form: form.effort)[:MOST_FORMS]

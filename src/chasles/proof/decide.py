@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import islice
@@ -209,7 +209,7 @@ def _certified(
     solved: tuple[Solved, ...],
     done: list[_Entry],
     own: tuple[Hypothesis, ...],
-    witness: points.Point,
+    witness: Mapping[str, Any],
 ) -> Verdict:
     unused = _drop_unneeded(context, solved, done, own)
     used = _used_hypotheses(context, solved, done)
@@ -261,7 +261,7 @@ def _certificate(
     conditions: tuple[Generator, ...],
     solved: tuple[Solved, ...],
     done: list[_Entry],
-    witness: points.Point,
+    witness: Mapping[str, Any],
 ) -> dict[str, Any]:
     """What a checker needs, as text: cofactors on the stated hypotheses by name, and a point that satisfies them.
 

@@ -43,11 +43,11 @@ class Freedom:
         return f"({self.claim.number}) says the same of {plain(self.symbol)} + c {plain(self.row)}^T for every vector c"
 
 
-def freedom_of(left: Node, beside: Iterable[Statement], standing: Standing) -> Iterator[Freedom]:
+def freedom_of(left: Node, beside: Iterable[Claim], standing: Standing) -> Iterator[Freedom]:
     """What claims `beside` leave free of the symbol that the left side is, or is the rate of."""
     symbol = left.of if isinstance(left, Rate) else left
     for claim in beside:
-        if not isinstance(symbol, Symbol) or not isinstance(claim, Claim) or claim.restates or claim.solves:
+        if not isinstance(symbol, Symbol) or claim.restates is not None or claim.solves is not None:
             continue
         one, other = claim.form(default_form(claim))
         match other:

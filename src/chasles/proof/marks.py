@@ -6,14 +6,14 @@ scalar is set equal to one, or an invariant of the dimension that is missing.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from chasles.proof.ansatz import Palette, dimension_of, fit
 from chasles.proof.coefficients import added
-from chasles.proof.places import everywhere, put
-from chasles.proof.slips import Undone, in_letters, undone
-from chasles.vocabulary import Block, Contract, Misfit, Negative, Node, Scale, Sum, Symbol, plain, printed, symbols_of
+from chasles.proof.places import everywhere
+from chasles.proof.slips import Undone, in_letters, placed, undone
+from chasles.vocabulary import Block, Contract, Negative, Node, Scale, Sum, Symbol, plain, printed, symbols_of
 
 __all__ = ["Fitting", "fitting"]
 
@@ -27,74 +27,86 @@ class Fitting:
     words: tuple[str, ...]
 
 
-def fitting(left: Node, right: Node, letters: Sequence[Symbol], palette: Palette) -> Iterator[list[Fitting]]:
-    """The equations that fit after one change, and then those after two."""
+def fitting(
+    left: Node, right: Node, letters: Sequence[Symbol], palette: Palette
+) -> tuple[list[Fitting], list[Fitting]]:
+    """The equations that fit after one change, and those after two."""
     marked = [letter for letter in letters if any(letter.name.startswith(s.name) for s in symbols_of(left))]
-    lefts = list(in_letters(left, marked, any_shape=True))
-    rights = list(_restored(right, letters))
-    whole = [] if right.fault else [(right, ())]
-    yield _pairs([(left, ())], [*_said(rights), *_said(_factored(left, right, palette))]) + _pairs(_said(lefts), whole)
+    lefts = _said(in_letters(left, marked, any_shape=True))
+    rights = _said((*_separated(right), *undone(right), *in_letters(right, letters, any_shape=True)))
+    unchanged = [_Said(left, ())]
+    once = _pairs(unchanged, [*rights, *_said(_factored(left, right, palette))])
+    once += _pairs(lefts, [] if right.fault else [_Said(right, ())])
     again = [
-        (other, (words, more))
-        for new, words in rights
-        for other, more in (*_separated_anywhere(new), *_factored(left, new, palette))
+        _Said(node, (*said.words, words))
+        for said in rights
+        for node, words in (*_separated(said.node), *_factored(left, said.node, palette))
     ]
-    yield _pairs(_said(lefts), _said(rights)) + _pairs([(left, ())], again)
+    return once, _pairs(lefts, rights) + _pairs(unchanged, again)
 
 
-_Said = tuple[Node, tuple[str, ...]]
+@dataclass(frozen=True, slots=True)
+class _Said:
+    """A side, and what was changed in it."""
+
+    node: Node
+    words: tuple[str, ...]
 
 
-def _said(found: Sequence[Undone] | Iterator[Undone]) -> list[_Said]:
-    return [(node, (words,)) for node, words in found]
+def _said(found: Iterable[Undone]) -> list[_Said]:
+    return [_Said(node, (words,)) for node, words in found]
 
 
 def _pairs(lefts: Sequence[_Said], rights: Sequence[_Said]) -> list[Fitting]:
     return [
-        Fitting(one, other, (*said, *more)) for other, more in rights for one, said in lefts if fit(one, other)
+        Fitting(left.node, right.node, (*left.words, *right.words))
+        for right in rights
+        for left in lefts
+        if fit(left.node, right.node)
     ]
 
 
-def _restored(node: Node, letters: Sequence[Symbol]) -> Iterator[Undone]:
-    """The expression with one mark restored, where that makes it fit together."""
-    yield from _separated_anywhere(node)
-    yield from undone(node)
-    yield from in_letters(node, letters, any_shape=True)
-
-
-def _separated_anywhere(node: Node) -> Iterator[Undone]:
-    """The expression with one more separator between the blocks of a row."""
-    for path, part in everywhere(node):
-        if isinstance(part, Block) and len(part.rows) == 1:
-            for k, block in enumerate(part.rows[0]):
-                for before, behind in _cut(block):
-                    row = (*part.rows[0][:k], before, behind, *part.rows[0][k + 1 :])
-                    whole = printed(lambda path=path, row=row: put(node, path, Block((row,))))  # type: ignore[misc]
-                    if whole.fault is None:
-                        yield whole, f"{plain(before)} and {plain(behind)} are separate blocks"
+def _separated(node: Node) -> Iterator[Undone]:
+    """The expression with one more separator between the blocks of a row, where it then fits together."""
+    rows = [(path, part.rows[0]) for path, part in everywhere(node) if isinstance(part, Block) and len(part.rows) == 1]
+    for path, blocks in rows:
+        for k, block in enumerate(blocks):
+            for before, behind in _cut(block):
+                whole = placed(node, path, _row((*blocks[:k], before, behind, *blocks[k + 1 :])))
+                if whole.fault is None:
+                    yield whole, f"{plain(before)} and {plain(behind)} are separate blocks"
 
 
 def _cut(block: Node) -> Iterator[tuple[Node, Node]]:
     """The block as two, cut between its terms or between the factors of its last term."""
     terms = block.terms if isinstance(block, Sum) else (block,)
     for k in range(1, len(terms)):
-        yield printed(lambda k=k: added(terms[:k])), printed(lambda k=k: added(terms[k:]))  # type: ignore[misc]
+        yield _sum(terms[:k]), _sum(terms[k:])
     last = terms[-1].term if isinstance(terms[-1], Negative) else terms[-1]
-    if isinstance(last, Contract):
-        for k in range(1, len(last.factors)):
-            before, behind = (printed(lambda part=part: _contracted(part)) for part in (last.factors[:k], last.factors[k:]))  # type: ignore[misc]
-            signed = Negative(before) if isinstance(terms[-1], Negative) else before
-            yield printed(lambda signed=signed: added((*terms[:-1], signed))), behind  # type: ignore[misc]
+    factors = last.factors if isinstance(last, Contract) else ()
+    for k in range(1, len(factors)):
+        before, behind = _contracted(factors[:k]), _contracted(factors[k:])
+        yield _sum((*terms[:-1], Negative(before) if last is not terms[-1] else before)), behind
+
+
+def _row(blocks: tuple[Node, ...]) -> Node:
+    return printed(lambda: Block((blocks,)))
+
+
+def _sum(terms: tuple[Node, ...]) -> Node:
+    return printed(lambda: added(terms))
 
 
 def _contracted(factors: tuple[Node, ...]) -> Node:
-    return factors[0] if len(factors) == 1 else Contract(factors)
+    return factors[0] if len(factors) == 1 else printed(lambda: Contract(factors))
 
 
 def _factored(left: Node, right: Node, palette: Palette) -> Iterator[Undone]:
     """The right side times what brings it to the left side's shape and dimension."""
-    one, other = dimension_of(left), dimension_of(right) if right.fault is None else None
-    if one is None or other is None or fit(left, right):
+    if right.fault or fit(left, right):
+        return
+    one, other = dimension_of(left), dimension_of(right)
+    if one is None or other is None:
         return
     if right.is_scalar and left.shape == (3, 1):
         for vector in palette.of_dimension((3, 1), one / other):

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
+from itertools import islice
 
 from chasles.proof.ansatz import Palette, fit, palette_of
 from chasles.proof.combined import combined_changes
@@ -38,24 +39,22 @@ class Nearest:
 
     statement: Statement
     standing: Standing
-    beside: tuple[Statement, ...] = ()
+    beside: tuple[Claim, ...] = ()
     _trials: dict[tuple[Node, Node, int], tuple[Trial | None, Palette]] = field(default_factory=dict)
 
     def changes(self, left: Node, right: Node) -> Iterator[Change]:
         """Candidates for sides that fit; one without words if they agree as they are."""
-        strays = self._strays(left, right)
-        found = False
-        for meant, words in self._introduced(right, strays[0]) if len(strays) == 1 else ():
-            true = [Change(left, meant, ())] if self.agree(left, meant) else self.single_changes(left, meant)
-            for change in true:
-                found = True
-                yield with_fields(change, words=(words, *change.words))
-        if found:
-            return
         if self.agree(left, right):
             yield Change(left, right, ())
             return
-        for stage in (self.single_changes, self._other_objects, self._several_changes, self._inner_changes):
+        stages = (
+            self._misread_letters,
+            self.single_changes,
+            self._other_objects,
+            self._several_changes,
+            self._inner_changes,
+        )
+        for stage in stages:
             found = list(stage(left, right))
             yield from found
             if found:
@@ -69,22 +68,23 @@ class Nearest:
         except REFUSED:
             return False
 
-    def single_changes(self, left: Node, right: Node) -> Iterator[Change]:
-        """One change to the right side; symbols that it does not have are tried if nothing else is found."""
-        found = False
-        for turn, (trial, palette) in enumerate(self._on_trial(left, right)):
-            old = [] if turn else [*new_coefficients(trial), *self._slips(trial)]
-            for change in (*old, *added_terms(trial, palette)):
-                if self._holds(trial, change):
-                    found = True
-                    yield change
+    def single_changes(self, left: Node, right: Node, turns: int = 2) -> Iterator[Change]:
+        """One change to the right side; in a second turn, with letters that it does not have."""
+        for turn, (trial, palette) in enumerate(islice(self._on_trial(left, right), turns)):
+            others = in_letters(right, self.letters) if turn else undone(right)
+            slips = [Change(left, other, (words,), SLIP) for other, words in others if fit(left, other)]
+            coefficients = () if turn else new_coefficients(trial)
+            changes = (*coefficients, *slips, *added_terms(trial, palette))
+            found = [change for change in changes if self._holds(trial, change)]
+            yield from found
             if found:
                 return
 
-    def _slips(self, trial: Trial) -> Iterator[Change]:
-        for right, words in (*undone(trial.right), *in_letters(trial.right, self.letters)):
-            if fit(trial.left, right):
-                yield Change(trial.left, right, (words,), SLIP)
+    def _misread_letters(self, left: Node, right: Node) -> Iterator[Change]:
+        """Another letter for one that nothing introduces, and one change more if need be."""
+        for meant, words in self.introduced(left, right):
+            true = [Change(left, meant, ())] if self.agree(left, meant) else self.single_changes(left, meant, turns=1)
+            yield from (with_fields(change, words=(words, *change.words)) for change in true)
 
     def _holds(self, trial: Trial, change: Change) -> bool:
         if bare(change.left) == bare(change.right):
@@ -103,7 +103,7 @@ class Nearest:
 
     def _several_changes(self, left: Node, right: Node) -> Iterator[Change]:
         for trial, palette in self._on_trial(left, right):
-            found = list(combined_changes(trial, palette))
+            found = [change for change in combined_changes(trial, palette) if self._holds(trial, change)]
             yield from found
             if found:
                 return
@@ -117,7 +117,7 @@ class Nearest:
         for turn, nodes in enumerate(([right], [right, left, *self.given_sides])):
             key = left, right, turn
             if key not in self._trials:
-                orders = 0 if turn == 0 else _order(left)
+                orders = max(_order(left), _order(right)) if turn else 0
                 self._trials[key] = self._tried(left, right, palette_of(nodes, self.own, orders))
             trial, palette = self._trials[key]
             if trial is not None:
@@ -151,17 +151,16 @@ class Nearest:
         left = bare(self.statement.left)
         return frozenset((left, Rate(left)))
 
-    def _introduced(self, right: Node, stray: Symbol) -> Iterator[Undone]:
-        """The right side with a letter that something introduces for one that nothing does."""
-        known = [s for s in _symbols(self.given_sides) if s in self.letters and s.shape == stray.shape]
-        return in_letters(right, known, of=[stray])
-
-    def _strays(self, left: Node, right: Node) -> list[Symbol]:
-        """Letters of the right side that nothing introduces."""
+    def introduced(self, left: Node, right: Node) -> Iterator[Undone]:
+        """The right side with letters that something introduces for the one that nothing does, if there is just one."""
         known = _symbols((left, *self.given_sides))
         subjects = [node for h in self.statement.assuming for node in h.subjects]
-        known += _symbols([s.stands_for for s in known if s.stands_for is not None]) + _symbols(subjects)
-        return [s for s in symbols_of(right) if s not in known and s.stands_for is None and not s.constant]
+        meanings = [s.stands_for for s in known if s.stands_for is not None]
+        known += [s for s in _symbols((*meanings, *subjects)) if s not in known]
+        strays = [s for s in symbols_of(right) if s not in known and s.stands_for is None and not s.constant]
+        if len(strays) == 1:
+            letters = [s for s in known if s in self.letters and s.shape == strays[0].shape]
+            yield from in_letters(right, letters, of=strays)
 
 
 def _symbol(left: Node) -> Symbol | None:

@@ -43,15 +43,14 @@ class Place:
     """A part of an expression and the way to it.
 
     `term` if it is the whole, a block or a term of a sum; `open` if a term can be added to it, and to nothing around it
-    with the same effect. `in_rate` if a rate is taken of it, so that only constant factors of it are factors of the
-    whole. `apart` if above it stand nothing but sums, blocks and common factors: changes in such places add up.
+    with the same effect. `inside` a rate or an integral, only constant factors of it are factors of the whole. `apart` if above it stand nothing but sums, blocks and common factors: changes in such places add up.
     """
 
     path: Path
     node: Node
     term: bool = True
     open: bool = True
-    in_rate: bool = False
+    inside: bool = False
     apart: bool = True
 
 
@@ -74,7 +73,7 @@ def _below(place: Place) -> Iterator[Place]:
     apart = place.apart and isinstance(node, Sum | Block | Scale | Quotient | Negative | Group)
     for k in _linear(node):
         leads_down = apart and not (isinstance(node, Scale) and k == 0)
-        inside = place.in_rate or isinstance(node, Rate)
+        inside = place.inside or isinstance(node, Rate | Integral)
         yield from _below(Place((*place.path, k), parts[k], term, is_open, inside, leads_down))
 
 

@@ -35,8 +35,9 @@ MORE_EFFORT, MOST = 1, 8
 class Repair:
     """A true equation near the printed one: its sides, what was changed in words, and the verdict on it.
 
-    `modulo` says why another object may stand on the left where the sides are right for that one; `by` names the claims
-    that hold with a definition, and show it to be the one that was meant.
+    The first `marks` of the `edits` changes restore what the print lost before it was an equation at all. `modulo`
+    says why another object may stand on the left where the sides are right for that one; `by` names the claims that
+    hold with a definition, and show it to be the one that was meant.
     """
 
     left: Node
@@ -46,6 +47,7 @@ class Repair:
     verdict: Verdict
     modulo: str | None = None
     by: tuple[str, ...] = ()
+    marks: int = 0
 
 
 def repair(
@@ -56,10 +58,12 @@ def repair(
 ) -> tuple[Repair, ...]:
     """The nearest true equations, that with the fewest and simplest changes first; none if none was proved in time.
 
-    The search starts from the reading if the statement has one, else from the print. `beside` are the other statements
-    of the book: claims about a symbol say which freedom it has, claims that rest on a definition say what it is.
+    `standing` says in which form given statements are used. What was changed is told from the print; where restored
+    marks alone do not make it true, the search goes on from the statement's reading if it has one. `beside` are the
+    other statements of the book: claims about a symbol say which freedom it has, claims that rest on a definition say
+    what it is.
     """
-    near = Nearest(statement, standing, tuple(beside))
+    near = Nearest(statement, standing, tuple(other for other in beside if isinstance(other, Claim)))
     found: list[Repair] = []
     try:
         with within(seconds):
@@ -73,29 +77,48 @@ def _of_claim(near: Nearest) -> Iterator[Repair]:
     statement = near.statement
     if not isinstance(statement, Claim) or statement.solves is not None or any(map(indices_of, statement.printed)):
         return
-    if statement.fault and statement.reading is None:
-        for changes in _after_marks(near):
-            found = list(_proved(near, changes))
-            yield from found
-            if found:
-                return
+    for changes in _candidates(near):
+        found = list(_proved(near, changes))
+        yield from found
+        if found:
+            return
+
+
+def _candidates(near: Nearest) -> Iterator[Iterable[Change]]:
+    """Candidates, stage by stage; what comes later is further from the print."""
+    statement = near.statement
+    once, twice = _fitting(near) if statement.fault else ([], [])
+    for group in (once, twice):
+        yield [_marked(f, Change(f.left, f.right, ())) for f in group if near.agree(f.left, f.right)]
+    if statement.reading is not None:
+        left, right = statement.form("reading")
+        words = _words_of_reading(near, left, right, [*once, *twice])
+        yield (_marked(Fitting(left, right, words), change) for change in near.changes(left, right))
+    elif not statement.fault:
+        yield near.changes(*statement.printed)
     else:
-        yield from _proved(near, near.changes(*statement.form("printed" if statement.reading is None else "reading")))
+        yield (_marked(f, change) for f in once for change in near.single_changes(f.left, f.right))
+        yield (_marked(f, change) for f in (*once, *twice) for change in near.changes(f.left, f.right))
 
 
-def _after_marks(near: Nearest) -> Iterator[Iterable[Change]]:
-    """Candidates for what does not fit together, after one mark, and after two."""
+def _fitting(near: Nearest) -> tuple[list[Fitting], list[Fitting]]:
     left, right = near.statement.printed
-    palette = palette_of((*near.given_sides, left, right), near.own)
-    once, twice = fitting(left, right, near.letters, palette)
-    yield [Change(f.left, f.right, f.words) for f in once if near.agree(f.left, f.right)]
-    yield [Change(f.left, f.right, f.words) for f in twice if near.agree(f.left, f.right)]
-    yield (_further(f, change) for f in once for change in near.single_changes(f.left, f.right))
-    yield (_further(f, change) for f in (*once, *twice) for change in near.changes(f.left, f.right))
+    return fitting(left, right, near.letters, palette_of((*near.given_sides, left, right), near.own))
 
 
-def _further(fitting: Fitting, change: Change) -> Change:
-    return with_fields(change, words=(*fitting.words, *change.words))
+def _words_of_reading(near: Nearest, left: Node, right: Node, found: Iterable[Fitting]) -> tuple[str, ...]:
+    """The marks that lead from the print to its reading."""
+    for each in found:
+        if each.left == left and each.right == right:
+            return each.words
+        for other, words in near.introduced(each.left, each.right):
+            if each.left == left and other == right:
+                return (*each.words, words)
+    return (f"it reads {plain(left)} = {plain(right)}",)
+
+
+def _marked(fitting: Fitting, change: Change) -> Change:
+    return with_fields(change, words=(*fitting.words, *change.words), marks=len(fitting.words))
 
 
 def _proved(near: Nearest, changes: Iterable[Change]) -> Iterator[Repair]:
@@ -106,13 +129,14 @@ def _proved(near: Nearest, changes: Iterable[Change]) -> Iterator[Repair]:
     for change in ranked:
         if best is not None and (len(change.words) > len(best.words) or change.effort > best.effort + MORE_EFFORT):
             return
-        if (change.left, change.right) in seen or change.left == change.right or len(seen) == MOST:
+        if not change.words or (change.left, change.right) in seen or len(seen) == MOST:
             continue
         seen.add((change.left, change.right))
         verdict = _verdict(near, changed(near.statement, change.left, change.right))
         if verdict is not None:
-            best = best or change
-            yield Repair(change.left, change.right, change.words, len(change.words), verdict, change.modulo)
+            best = change if best is None else best
+            edits = len(change.words)
+            yield Repair(change.left, change.right, change.words, edits, verdict, change.modulo, marks=change.marks)
 
 
 def _verdict(near: Nearest, claim: Statement) -> Holds | HoldsUnder | None:
@@ -127,19 +151,19 @@ def _verdict(near: Nearest, claim: Statement) -> Holds | HoldsUnder | None:
 def _of_definition(near: Nearest) -> Iterator[Repair]:
     """What a definition that does not fit together was meant to be: that with which claims that rest on it hold."""
     statement = near.statement
-    users = [user for user in near.beside if isinstance(user, Claim) and any(_same(statement, g) for g in user.given)]
+    users = [claim for claim in near.beside if any(_same(statement, given) for given in claim.given)]
     if not statement.fault or not users:
         return
-    left, right = statement.printed
     found = False
-    for group in fitting(left, right, near.letters, palette_of((*near.given_sides, left, right), near.own)):
+    for group in _fitting(near):
         for each in group:
             meant = changed(statement, each.left, each.right)
             verdicts = {user.number: verdict for user in users if (verdict := _with_meant(near, user, meant))}
             if verdicts:
                 found = True
-                verdict = next(iter(verdicts.values()))
-                yield Repair(each.left, each.right, each.words, len(each.words), verdict, by=tuple(verdicts))
+                edits, verdict = len(each.words), next(iter(verdicts.values()))
+                by = tuple(verdicts)
+                yield Repair(each.left, each.right, each.words, edits, verdict, by=by, marks=edits)
         if found:
             return
 

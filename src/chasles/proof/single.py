@@ -89,7 +89,7 @@ def new_coefficients(trial: Trial) -> Iterator[Change]:
             new, words = rescaled(place.node, number + 1)
             effort = LEFT_OUT if new is None else int(number != -2)
             yield Change(trial.left, put(trial.right, place.path, new), (words,), effort)
-        elif not place.in_rate and not (place.node.is_scalar and place.path):
+        elif not place.inside and not (place.node.is_scalar and place.path):
             yield from _refitted(trial, place, gap, share)
 
 
@@ -130,7 +130,7 @@ def added_terms(trial: Trial, palette: Palette) -> Iterator[Change]:
     """The right sides that are true with one more term somewhere."""
     gap = trial.gap(trial.probe)
     for place in linear_places(trial.right):
-        if not place.open or place.in_rate or (place.node.is_scalar and place.path):
+        if not place.open or place.inside or (place.node.is_scalar and place.path):
             continue
         terms = place.node.terms if isinstance(place.node, Sum) else (place.node,)
         for term in distinct_terms(trial, palette.terms(place.node), terms):

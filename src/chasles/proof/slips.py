@@ -5,19 +5,18 @@ None of them is a wrong coefficient or a missing term; these are found from the 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace as with_fields
 from itertools import combinations
+from typing import TypeVar
 
-from chasles.proof.places import everywhere, linear_places, put
+from chasles.proof.places import Path, everywhere, linear_places, put
 from chasles.proof.single import instead
 from chasles.vocabulary import (
     Block,
     Call,
     Contract,
     Cross,
-    Group,
-    Identity,
     Negative,
     Node,
     Power,
@@ -32,22 +31,29 @@ from chasles.vocabulary import (
     printed,
 )
 
-__all__ = ["Undone", "in_letters", "undone"]
+__all__ = ["Undone", "in_letters", "placed", "undone"]
 
+_T = TypeVar("_T")
 Undone = tuple[Node, str]
 """An expression with one slip undone, and what was changed in words."""
-Make = Callable[[], Node]
+
+
+def placed(node: Node, path: Path, new: Node) -> Node:
+    """The expression with something else in one place, whether it fits there or not."""
+    return printed(lambda: put(node, path, new))
 
 
 def undone(node: Node) -> Iterator[Undone]:
     """The expression with one slip of form undone, in every place where what comes out fits together."""
     parts, linear = dict(everywhere(node)), {place.path for place in linear_places(node)}
     for path, part in parts.items():
-        inside = isinstance(parts.get(path[:-1]) if path else None, Rate | Transpose)
-        signs = _signs(part) if isinstance(part, Sum) and path not in linear else ()
-        for make, words in (*_of_form(part, inside), *signs):
-            new = _made(make)
-            whole = _made(lambda path=path, new=new: put(node, path, new))  # type: ignore[misc]
+        changes = [*_of_form(part), *_with_factor(part)]
+        if not path or not isinstance(parts[path[:-1]], Rate | Transpose):
+            changes += _flipped(part)
+        if path not in linear:
+            changes += _signs(part)
+        for new, words in changes:
+            whole = placed(node, path, new)
             if whole.fault is None:
                 yield whole, words or instead(new, part)
 
@@ -57,94 +63,95 @@ def in_letters(
 ) -> Iterator[Undone]:
     """The expression with one of the letters for another (`of` some) of the same shape, in one place or in all."""
     found = list(everywhere(node))
-    symbols = dict.fromkeys(part for _, part in found if isinstance(part, Symbol))
+    symbols = tuple(of) or tuple(dict.fromkeys(part for _, part in found if isinstance(part, Symbol)))
     for letter in letters:
-        for symbol in tuple(of) or symbols:
+        for symbol in symbols:
             if letter == symbol or (not any_shape and letter.shape != symbol.shape):
                 continue
             places = [path for path, part in found if part == symbol]
             for chosen in [(path,) for path in places] + ([tuple(places)] if len(places) > 1 else []):
                 whole = node
                 for path in chosen:
-                    whole = _made(lambda whole=whole, path=path, letter=letter: put(whole, path, letter))  # type: ignore[misc]
+                    whole = placed(whole, path, letter)
                 if whole.fault is None:
                     yield whole, instead(letter, symbol)
 
 
-def _made(make: Make) -> Node:
-    return printed(make)
-
-
-def _of_form(node: Node, inside: bool) -> Iterator[tuple[Make, str]]:
+def _of_form(node: Node) -> Iterator[Undone]:
     match node:
         case Transpose(of):
-            yield lambda: of, ""
-        case Identity() | Zero() | Negative() | Sum() | Group():
-            return
+            yield of, ""
         case Call(function, argument):
-            yield lambda: Call({"sin": "cos", "cos": "sin"}[function], argument), ""
+            yield Call({"sin": "cos", "cos": "sin"}[function], argument), ""
         case Power(base, exponent):
-            yield lambda: Power(base, exponent + 1), ""
-            yield lambda: base if exponent == 2 else Power(base, exponent - 1), ""
+            yield _raised(base, exponent + 1), ""
+            yield _raised(base, exponent - 1), ""
         case Cross(left, right) if left != right:
-            yield lambda: Cross(right, left), ""
+            yield Cross(right, left), ""
         case Contract(factors):
-            for k in range(len(factors) - 1):
-                yield _swapped(factors, k), ""
-        case Scale(Node() as factor, Block() | Sum() as whole) if factor.is_scalar:
-            yield from _partly(whole, lambda part: scaled_by(factor, part), factor)
-        case Quotient(Block() | Sum() as whole, divisor):
-            yield from _partly(whole, lambda part: with_fields(node, numerator=part), 1 / divisor)
+            yield from ((_swapped(factors, k), "") for k in range(len(factors) - 1))
         case Block(rows):
-            yield from _exchanged(rows)
-        case _:
-            pass
-    if isinstance(node, Symbol | Rate | Contract) and node.measure is not None and max(node.shape) > 1 and not inside:
-        yield lambda: Transpose(node), ""
+            yield from ((_block(_exchanged(rows, k)), "") for k in range(len(rows) - 1))
+            for k in range(len(rows[0]) - 1):
+                yield _block(tuple(_exchanged(row, k) for row in rows)), ""
 
 
-def _signs(whole: Sum) -> Iterator[tuple[Make, str]]:
-    """A wrong sign where the whole does not depend on it linearly."""
-    for k, term in enumerate(whole.terms):
-        turned = term.term if isinstance(term, Negative) else Negative(term)
-        terms = (*whole.terms[:k], turned, *whole.terms[k + 1 :])
-        yield (lambda terms=terms: Sum(terms)), ""  # type: ignore[misc]
+def _raised(base: Node, exponent: int) -> Node:
+    return base if exponent == 1 else printed(lambda: Power(base, exponent))
 
 
-def scaled_by(factor: Node, part: Node) -> Node:
-    """The part times the factor, its sign in front."""
-    return Negative(Scale(factor, part.term)) if isinstance(part, Negative) else Scale(factor, part)
+def _swapped(factors: tuple[Node, ...], k: int) -> Node:
+    return printed(lambda: Contract(_exchanged(factors, k)))
 
 
-def _swapped(factors: tuple[Node, ...], k: int) -> Make:
-    return lambda: Contract((*factors[:k], factors[k + 1], factors[k], *factors[k + 2 :]))
+def _block(rows: tuple[tuple[Node, ...], ...]) -> Node:
+    return printed(lambda: Block(rows))
 
 
-def _exchanged(rows: tuple[tuple[Node, ...], ...]) -> Iterator[tuple[Make, str]]:
-    for k in range(len(rows) - 1):
-        yield (lambda k=k: Block((*rows[:k], rows[k + 1], rows[k], *rows[k + 2 :]))), ""  # type: ignore[misc]
-    for k in range(len(rows[0]) - 1):
-        lines = tuple((*row[:k], row[k + 1], row[k], *row[k + 2 :]) for row in rows)
-        yield (lambda lines=lines: Block(lines)), ""  # type: ignore[misc]
+def _exchanged(items: tuple[_T, ...], k: int) -> tuple[_T, ...]:
+    return (*items[:k], items[k + 1], items[k], *items[k + 2 :])
 
 
-def _partly(whole: Block | Sum, times: Callable[[Node], Node], factor: Node) -> Iterator[tuple[Make, str]]:
-    """A factor that was meant for some of the blocks or terms behind it."""
-    parts = sum(whole.rows, ()) if isinstance(whole, Block) else whole.terms
+def _flipped(node: Node) -> Iterator[Undone]:
+    """A lost transpose."""
+    if isinstance(node, Symbol | Rate | Contract) and node.measure is not None and max(node.shape) > 1:
+        yield Transpose(node), ""
+
+
+def _signs(node: Node) -> Iterator[Undone]:
+    """A wrong sign, where the whole does not depend on it linearly."""
+    if isinstance(node, Sum):
+        for k, term in enumerate(node.terms):
+            turned = term.term if isinstance(term, Negative) else Negative(term)
+            yield Sum((*node.terms[:k], turned, *node.terms[k + 1 :])), ""
+
+
+def _with_factor(node: Node) -> Iterator[Undone]:
+    """A common factor that was meant for some of the blocks or terms behind it."""
+    match node:
+        case Scale(Node() as factor, Block() | Sum() as whole) if factor.is_scalar:
+            yield from _for_some(whole, lambda part: Scale(factor, part), plain(factor))
+        case Quotient(Block() | Sum() as whole, divisor):
+            yield from _for_some(whole, lambda part: with_fields(node, numerator=part), plain(1 / divisor))
+
+
+def _for_some(whole: Block | Sum, times: Callable[[Node], Node], factor: str) -> Iterator[Undone]:
+    parts = [part for row in whole.rows for part in row] if isinstance(whole, Block) else whole.terms
     places = [k for k, part in enumerate(parts) if not isinstance(part, Zero)]
     for size in range(1, min(len(places), 4)):
         for chosen in combinations(places, size):
+            new = [_signed(part, times) if k in chosen else part for k, part in enumerate(parts)]
             names = " and ".join(plain(parts[k]) for k in chosen)
-            yield _with_factor(whole, parts, chosen, times), f"the factor {plain(factor)} is that of {names} only"
+            yield _like(whole, new), f"the factor {factor} is that of {names} only"
 
 
-def _with_factor(
-    whole: Block | Sum, parts: Sequence[Node], chosen: tuple[int, ...], times: Callable[[Node], Node]
-) -> Make:
-    def make() -> Node:
-        new = iter([times(part) if k in chosen else part for k, part in enumerate(parts)])
-        if isinstance(whole, Sum):
-            return Sum(tuple(new))
-        return Block(tuple(tuple(next(new) for _ in row) for row in whole.rows))
+def _signed(part: Node, times: Callable[[Node], Node]) -> Node:
+    """What `times` makes of the part, its sign in front."""
+    return Negative(times(part.term)) if isinstance(part, Negative) else times(part)
 
-    return make
+
+def _like(whole: Block | Sum, parts: list[Node]) -> Node:
+    if isinstance(whole, Sum):
+        return printed(lambda: Sum(tuple(parts)))
+    taken = iter(parts)
+    return _block(tuple(tuple(next(taken) for _ in row) for row in whole.rows))

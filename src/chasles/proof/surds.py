@@ -13,9 +13,10 @@ from fractions import Fraction
 from itertools import combinations
 from math import gcd, isqrt
 
-__all__ = ["Exact", "root_of", "square_root", "squarefree"]
+from chasles.proof.squarefree import primes_of, squarefree
 
-LARGEST_DIVISOR = 10_000
+__all__ = ["Exact", "root_of", "square_root"]
+
 MOST_NESTED = 3
 Nested = frozenset["Exact"]
 Key = tuple[Fraction | int, int, Nested]
@@ -116,7 +117,7 @@ class Exact:
         nested = next((one for _, _, roots in self.terms for one in roots), None)
         if nested is not None:
             return Exact({key: -c if nested in key[2] else c for key, c in self.terms.items()})
-        prime = next((_least_prime(n) for _, n, _ in self.terms if n != 1), 2)
+        prime = next((primes_of(n)[0] for _, n, _ in self.terms if n != 1), 2)
         return Exact({key: -c if key[1] % prime == 0 else c for key, c in self.terms.items()})
 
     @property
@@ -235,22 +236,3 @@ def _is_no_square(value: Exact) -> bool:
         norm = norm * norm._conjugate()
     root = square_root(norm.as_rational or Fraction(0))
     return root is None or root.as_rational is None
-
-
-def squarefree(number: int) -> tuple[int, int] | None:
-    """A positive integer as s^2 times m, m squarefree; None if it has large factors that cannot be told apart."""
-    root, rest, divisor = 1, 1, 2
-    while divisor <= LARGEST_DIVISOR and divisor * divisor <= number:
-        count = 0
-        while number % divisor == 0:
-            number, count = number // divisor, count + 1
-        root, rest = root * divisor ** (count // 2), rest * divisor ** (count % 2)
-        divisor += 1 if divisor == 2 else 2
-    whole = isqrt(number)
-    if whole * whole == number:
-        return root * whole, rest
-    return (root, rest * number) if number < LARGEST_DIVISOR**2 else None
-
-
-def _least_prime(number: int) -> int:
-    return next((d for d in range(2, isqrt(number) + 1) if number % d == 0), number)

@@ -81,6 +81,7 @@ class _Asking:
             sources={item.text: item.sources for item in self.given.equations},
             origins=reader.atoms.origins,
             roots=frozenset((*words, *(root.word for root in reader.roots.values()))),
+            substituted=tuple((atom, value) for _, atom, value in self.given.substitutions),
         )
 
     def _divisor(self, node: Node) -> Hypothesis:

@@ -63,7 +63,8 @@ def opened(value: Any, what: str) -> Entries:
         rows = tuple(tuple(_evaluated(value[i, j]) for j in range(value.cols)) for i in range(value.rows))
         return Entries(rows, is_matrix=True)
     if not isinstance(value, sympy.Expr):
-        raise Untreatable(f"{what} is {excerpt(value)}, of type {type(value).__name__}: a scalar or a matrix is expected")
+        kind = type(value).__name__
+        raise Untreatable(f"{what} is {excerpt(value)}, of type {kind}: a scalar or a matrix is expected")
     return Entries(((_evaluated(value),),), is_matrix=False)
 
 

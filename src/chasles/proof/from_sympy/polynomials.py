@@ -64,6 +64,7 @@ def factored(context: Context, polynomial: Polynomial) -> tuple[int, Fraction, F
 
 
 def as_node(context: Context, polynomial: Polynomial) -> Node:
+    """The polynomial in words."""
     terms = []
     for exponents, coefficient in sorted(context.field.ring.terms(polynomial), reverse=True):
         factors: list[Node] = [] if coefficient == 1 and any(exponents) else [Number(coefficient)]

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy
+from sympy.core.function import AppliedUndef
 
 from chasles.proof.from_sympy.naming import angle_of, number_of, spelled, written
 from chasles.proof.from_sympy.reader import multiplied
@@ -25,7 +26,7 @@ class Question:
 
     `needs` are reported whatever the proof uses: divisors, the domains of roots, substituted angles. `hidden` texts are
     true by themselves. `sources` give the texts of what the user said for that of what follows from it, `origins` what
-    each word stands for; `roots` follow from the other coordinates of a point.
+    each word stands for; `roots` follow from the other coordinates of a point, and so do the atoms `substituted`.
     """
 
     problem: Problem
@@ -36,6 +37,7 @@ class Question:
     sources: Mapping[str, tuple[str, ...]]
     origins: Mapping[Symbol, Any]
     roots: frozenset[Symbol]
+    substituted: tuple[tuple[Any, Any], ...]
 
     def variants(self) -> Iterator[Problem]:
         """Problems that say the same, and may be easier to prove.
@@ -102,6 +104,10 @@ class Question:
             # A symbol may be called as a cosine is written.
             text = text if text not in found else sympy.srepr(origins.get(name, text))
             found[text] = number_of(value, angle) if isinstance(value, Exact) else value
+        for atom, value in reversed(self.substituted):
+            known = {part: found.get(str(part)) for part in value.free_symbols | value.atoms(AppliedUndef)}
+            if all(part is not None for part in known.values()):
+                found[str(atom)] = value.xreplace({part: sympy.sympify(x) for part, x in known.items()})
         return found
 
     def _angle(self, point: Mapping[str, Any], origins: Mapping[str, Any]) -> Any:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
-from math import isqrt
 from typing import Any
 
 import sympy
@@ -15,7 +14,7 @@ from chasles.proof.from_sympy.angles import Angles
 from chasles.proof.from_sympy.atoms import Atoms
 from chasles.proof.from_sympy.divisors import CIRCULAR, Divisor, divides, divisor_of, in_sines, is_reciprocal
 from chasles.proof.from_sympy.opening import excerpt, is_atom
-from chasles.proof.surds import squarefree
+from chasles.proof.squarefree import primes_of, squarefree
 from chasles.proof.variables import Untreatable
 from chasles.vocabulary import PI, Call, Negative, Node, Number, Power, Quotient, Scale, Sum, Symbol
 
@@ -159,7 +158,7 @@ class Reader:
         if value < 0 or parts is None:
             what = "is not real" if value < 0 else "has no known factors"
             raise Untreatable(f"sqrt({value}) is not treated: it {what}")
-        primes: list[Node] = [self._prime(p) for p in _primes(parts[1])]
+        primes: list[Node] = [self._prime(p) for p in primes_of(parts[1])]
         factor = Fraction(parts[0], value.denominator)
         return multiplied(primes if primes and factor == 1 else [Number(factor), *primes])
 
@@ -211,13 +210,6 @@ def _limited(exponent: int, whole: Any) -> int:
 
 def _raised(node: Node, power: int) -> Node:
     return node if power == 1 else Power(node, power)
-
-
-def _primes(number: int) -> list[int]:
-    for divisor in range(2, isqrt(number) + 1):
-        if number % divisor == 0:
-            return [divisor, *_primes(number // divisor)]
-    return [number] if number > 1 else []
 
 
 def _untreatable(e: Any) -> Untreatable:

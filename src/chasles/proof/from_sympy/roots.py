@@ -70,7 +70,7 @@ class _Resolver:
             context = self._context()
             polynomial, absolute = self._radicand(context, root.radicand)
             value = self._square_free(context, polynomial)
-            below = [self._absolute(context, atom) for atom in absolute]
+            below = [self._absolute(context, atom, node) for atom, node in absolute]
             above = [value, *(node for node, _ in below)]
             squares: list[Node] = [Power(node, 2) for _, node in below]
             total = Quotient(multiplied(above), multiplied(squares)) if squares else multiplied(above)
@@ -119,7 +119,7 @@ class _Resolver:
             left = left * factor if power % 2 else left
         if not squares or (sign < 0 and all(power % 2 == 0 for _, power in factors)):
             return self._root(context, self._reduced(context, polynomial))
-        outside = [self._absolute(context, (factor, None))[0] for factor in squares]
+        outside = [self._absolute(context, factor)[0] for factor in squares]
         return multiplied([*outside, self._root(context, self._reduced(context, left))])
 
     def _root(self, context: Context, polynomial: Polynomial) -> Node:
@@ -131,7 +131,7 @@ class _Resolver:
         left = context.field.ring.constant(Fraction(1))
         unknown: list[Polynomial] = []
         for factor, power in factors:
-            parts += [self._absolute(context, (factor, None))[0] for _ in range(power // 2)]
+            parts += [self._absolute(context, factor)[0] for _ in range(power // 2)]
             if power % 2 and self._is_known(context, factor):
                 parts.append(self._word(context, factor))
             elif power % 2 and self._is_known(context, -factor):
@@ -149,10 +149,9 @@ class _Resolver:
             self.composite.append((as_node(context, left), sizes if len(sizes) > 1 else []))
         return multiplied(parts)
 
-    def _absolute(self, context: Context, factor: tuple[Polynomial, Node | None]) -> tuple[Node, Node]:
-        """The absolute value of a polynomial, and the polynomial, as words."""
-        polynomial = factor[0]
-        plain = factor[1] if factor[1] is not None else as_node(context, polynomial)
+    def _absolute(self, context: Context, polynomial: Polynomial, plain: Node | None = None) -> tuple[Node, Node]:
+        """The absolute value of a polynomial, and the polynomial, as words; `plain` if it has some already."""
+        plain = as_node(context, polynomial) if plain is None else plain
         if self._is_known(context, polynomial):
             return plain, plain
         if self._is_known(context, -polynomial):

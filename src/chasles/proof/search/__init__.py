@@ -85,7 +85,7 @@ class Search:
         """A point that satisfies every hypothesis, with rational coordinates if such a one is found."""
         stage = staged(context)
         fallback: Values | None = None
-        for count, values in enumerate(self._points(context, stage, ATTEMPTS[-1], keep_some_time=False)):
+        for count, values in enumerate(self._points(context, stage, ATTEMPTS[0], keep_some_time=False)):
             if not values.irrational:
                 return _coordinates(stage, values)
             fallback = fallback or values
@@ -124,9 +124,7 @@ class Search:
             return not evaluate.values.of(sparse(context.field.ring, (one - other).numerator)).is_zero
         return not (left - right).is_zero
 
-    def _candidate(
-        self, context: Context, evaluate: Evaluation, suspect: Suspect
-    ) -> tuple[int, Counterexample] | None:
+    def _candidate(self, context: Context, evaluate: Evaluation, suspect: Suspect) -> tuple[int, Counterexample] | None:
         """The counterexample and how much work it is; None if its numbers are too long to be written."""
         name = "pi" if self.theta is None else self.spelled(self.theta)
         try:

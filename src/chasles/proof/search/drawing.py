@@ -1,4 +1,4 @@
-"""One attempt at a point: frames and fixed angles first, then equations, then the rest; roots as soon as they can be."""
+"""One attempt at a point: frames and fixed angles first, then equations, then the rest; roots as soon as possible."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from random import Random
 
 from chasles.proof.deadline import check
 from chasles.proof.search.angles import NO_TURNS, QUARTERS, Turning
-from chasles.proof.search.solving import solve_one, solve_together, unknowns
+from chasles.proof.search.solving import eliminable, solve_one, unknowns
 from chasles.proof.search.stage import Stage
-from chasles.proof.search.values import Partial, Values, degree
+from chasles.proof.search.values import Partial, Sparse, Values, degree
 from chasles.proof.surds import Exact, root_of
 
 __all__ = ["Drawing", "Frame"]
@@ -98,61 +98,74 @@ class Drawing:
         roots = dict(self.stage.roots)
         while True:
             check()
-            before = len(roots)
-            for place, radicand in list(roots.items()):
-                inside = self.values.into(radicand)
-                if place in self.values:
-                    equations.append([*radicand, (((place, 2),), Fraction(-1))])
-                    del roots[place]
-                elif not unknowns([inside]):
-                    root = self._root_of(inside)
-                    if root is None:
-                        return False
-                    self.values[place] = root
-                    del roots[place]
-            if len(roots) < before:
-                continue
-            partials = [self.values.into(terms) for terms in equations]
-            if any(partial and not unknowns([partial]) for partial in partials):
+            self.values.settle()
+            if self._find_roots(roots, equations) is None:
                 return False
-            equations = [terms for terms, partial in zip(equations, partials, strict=True) if partial]
-            partials = [partial for partial in partials if partial]
+            partials = [partial for partial in map(self.values.into, equations) if partial]
+            if any(not unknowns([partial]) for partial in partials):
+                return False
             if partials:
                 if not self._step(partials):
                     return False
             elif not roots:
                 return True
-            elif not self._draw_radicand(next(iter(roots.values()))):
+            elif not self._draw_radicand(roots, equations):
                 return False
 
-    def _step(self, partials: list[Partial]) -> bool:
-        """Satisfy the linear equations, or one of the others."""
-        linear = [partial for partial in partials if degree(partial) <= 1]
-        others = [partial for partial in partials if degree(partial) > 1]
-        if linear and (not others or self.random.random() < 0.7):
-            solution = solve_together(linear, self._number, self.random)
-        else:
-            solution = solve_one(self.random.choice(others), self._number, self.random, self.plain)
-        if solution is None:
-            return False
-        for place, value in solution.items():
-            self.values[place] = value
+    def _find_roots(self, roots: dict[int, Sparse], equations: list[Sparse]) -> bool | None:
+        """Take out the roots whose radicands have values; None if one is not real. A root that is known is an equation.
+
+        So is one that what is under it has come to depend on.
+        """
+        for place, radicand in list(roots.items()):
+            inside = self.values.into(radicand)
+            if place in self.values or place in self.values.forms or place in unknowns([inside]):
+                equations.append([*radicand, (((place, 2),), Fraction(-1))])
+            elif not unknowns([inside]):
+                root = self._root_of(inside)
+                if root is None:
+                    return None
+                self.values[place] = root
+            else:
+                continue
+            del roots[place]
+            self.values.settle()
+            return self._find_roots(roots, equations)
         return True
 
-    def _draw_radicand(self, radicand: Sequence[tuple[tuple[tuple[int, int], ...], Fraction]]) -> bool:
+    def _step(self, partials: list[Partial]) -> bool:
+        """Eliminate a variable, or satisfy an equation where none can be."""
+        candidates = eliminable(partials)
+        candidates = [(k, form) for k, form in candidates if k not in self.stage.roots] or candidates
+        if candidates:
+            lowest = min(degree(form) for _, form in candidates)
+            self.values.follow(*self.random.choice([(k, form) for k, form in candidates if degree(form) == lowest]))
+            return True
+        fewest = min(len(unknowns([partial])) for partial in partials)
+        partials = [partial for partial in partials if len(unknowns([partial])) == fewest]
+        solution = solve_one(self.random.choice(partials), self._number, self.random, self.plain)
+        for place, value in (solution or {}).items():
+            self.values[place] = value
+        return solution is not None
+
+    def _draw_radicand(self, roots: dict[int, Sparse], equations: list[Sparse]) -> bool:
         """Values of the variables under a root for which it is real, rational if that is soon found."""
-        places = [k for k in unknowns([self.values.into(radicand)]) if k not in self.stage.roots]
-        if not places:
-            inner = [k for k in unknowns([self.values.into(radicand)])]
-            return self._draw_radicand(self.stage.roots[inner[0]])
+        insides = {place: unknowns([self.values.into(radicand)]) for place, radicand in roots.items()}
+        free = [place for place, inside in insides.items() if not roots.keys() & set(inside)]
+        if not free:
+            place, radicand = roots.popitem()
+            equations.append([*radicand, (((place, 2),), Fraction(-1))])
+            return True
+        radicand, places = roots[free[0]], insides[free[0]]
         good: dict[int, Fraction] | None = None
         for _ in range(TRIES):
             point = {place: self._number(place) for place in places}
-            trial = Values()
-            trial.rational, trial.irrational = {**self.values.rational, **point}, self.values.irrational
-            inside = trial.into(radicand)
-            root = self._root_of(inside)
-            good = point if root is not None or (unknowns([inside]) and good is None) else good
+            trial = self.values.copy()
+            trial.rational |= point
+            trial.settle()
+            partial = trial.into(radicand)
+            root = self._root_of(partial)
+            good = point if root is not None else good
             if root is not None and root.as_rational is not None:
                 break
         for place, value in (good or {}).items():
@@ -167,14 +180,16 @@ class Drawing:
 
     def _draw_rest(self) -> bool:
         for place in range(len(self.stage.names)):
-            if place not in self.values:
+            if place not in self.values and place not in self.values.forms:
                 self.values[place] = self._number(place)
+        self.values.settle()
         return True
 
     def _holds(self) -> bool:
         """Whether everything holds: the last word, whatever led here."""
         values = self.values
-        squares = ((place, values[place] * values[place] - values.of(inside)) for place, inside in self.stage.roots.items())
+        roots = self.stage.roots.items()
+        squares = ((place, values[place] * values[place] - values.of(inside)) for place, inside in roots)
         vanishing = (*self.stage.equations, *self.stage.consequences, *self.stage.circles.values())
         return (
             all(values.of(terms).is_zero for terms in vanishing)

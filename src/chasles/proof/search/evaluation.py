@@ -47,8 +47,8 @@ class Evaluation:
                 return self(self.rules[node])
             case Symbol():
                 return self.values[self.stage.place[node.name]]
-            case Number(value):
-                return Exact.rational(value)
+            case Number(number):
+                return Exact.rational(number)
             case Sum(terms):
                 found = [value for value in map(self, terms) if value is not None]
                 return reduce(add, found) if len(found) == len(terms) else None

@@ -1,8 +1,8 @@
-"""Is there a motion through the point? Values of functions and their rates that satisfy equations at one instant only
-count if functions exist that satisfy them at all times.
+"""Is there a motion through the point?
 
-They do where the equations can be solved for as many of the highest rates as there are equations (implicit functions,
-then ordinary differential equations), and then everything that follows by differentiation holds at the point too.
+Values of functions and their rates that satisfy equations at one instant only count if functions exist that satisfy
+them at all times. They do where the equations can be solved for as many of the highest rates as there are equations
+(implicit functions, then ordinary differential equations), and all that follows by differentiation holds there too.
 """
 
 from __future__ import annotations
@@ -37,8 +37,8 @@ class Motion:
             rows += [self._row(context, stage, values, g.polynomial) for g in own]
             wanted += len(own) if rank is None else rank
         for root in stage.roots:
-            place = stage.names[root]
-            generator = next(g for g in context.generators if g.hypothesis and g.hypothesis.subjects[0].name == place)
+            name = stage.names[root]
+            generator = next(g for g in context.generators if g.hypothesis and str(g.hypothesis.subjects[0]) == name)
             rows.append(self._row(context, stage, values, generator.polynomial))
             wanted += 1
         return _rank(rows) == wanted

@@ -1,7 +1,7 @@
-"""Values that satisfy equations: linear ones all at once, others one at a time through a point with small coordinates.
+"""Values that satisfy equations: what is linear is eliminated, other equations are solved one at a time.
 
-A quadric is left through a second point on a line: rational coordinates stay rational. What is not found at one draw is
-tried again at another.
+From a point with small coordinates a quadric is left through a second point on a line: rational coordinates stay
+rational. What is not found at one draw is tried again at another.
 """
 
 from __future__ import annotations
@@ -13,10 +13,11 @@ from random import Random
 from chasles.proof.search.values import Partial, Values, degree
 from chasles.proof.surds import Exact, square_root
 
-__all__ = ["solve_one", "solve_together", "unknowns"]
+__all__ = ["eliminable", "solve_one", "unknowns"]
 
 Draw = Callable[[int], Fraction]
 TRIES = 60
+HALF = 0.5
 
 
 def unknowns(partials: Sequence[Partial]) -> list[int]:
@@ -24,40 +25,25 @@ def unknowns(partials: Sequence[Partial]) -> list[int]:
     return sorted({k for partial in partials for monomial in partial for k, _ in monomial})
 
 
-def solve_together(partials: Sequence[Partial], draw: Draw, random: Random) -> dict[int, Exact] | None:
-    """A solution of linear equations; what they leave free is drawn. None if they contradict each other."""
-    places = unknowns(partials)
-    random.shuffle(places)
-    rows = [[p.get(((k, 1),), Exact({})) for k in places] + [-p.get((), Exact({}))] for p in partials]
-    pivots: list[int] = []
-    for column in range(len(places)):
-        lead = len(pivots)
-        chosen = next((r for r in range(lead, len(rows)) if not rows[r][column].is_zero), None)
-        inverse = rows[chosen][column].inverse() if chosen is not None else None
-        if chosen is None or inverse is None:
-            continue
-        rows[lead], rows[chosen] = rows[chosen], rows[lead]
-        rows[lead] = [entry * inverse for entry in rows[lead]]
-        for r, row in enumerate(rows):
-            if r != lead and not row[column].is_zero:
-                factor = row[column]
-                rows[r] = [a - factor * b for a, b in zip(row, rows[lead], strict=True)]
-        pivots.append(column)
-    if any(not row[-1].is_zero for row in rows[len(pivots) :]):
-        return None
-    solution = {k: Exact.rational(draw(k)) for i, k in enumerate(places) if i not in pivots}
-    for row, column in zip(rows, pivots, strict=False):
-        value = row[-1]
-        for i, k in enumerate(places):
-            if i not in pivots:
-                value = value - row[i] * solution[k]
-        solution[places[column]] = value
-    return solution
+def eliminable(partials: Sequence[Partial]) -> list[tuple[int, Partial]]:
+    """Variables that an equation determines as polynomials in others: they occur in one of its terms, alone."""
+    found: list[tuple[int, Partial]] = []
+    for partial in partials:
+        for place in unknowns([partial]):
+            occurring = [monomial for monomial in partial if any(k == place for k, _ in monomial)]
+            inverse = partial[occurring[0]].inverse() if occurring == [((place, 1),)] else None
+            if inverse is not None:
+                rest = {m: -c * inverse for m, c in partial.items() if m != ((place, 1),)}
+                found.append((place, rest))
+    return found
 
 
 def solve_one(partial: Partial, draw: Draw, random: Random, plain: bool) -> dict[int, Exact] | None:
-    """Values of all the unknowns of one equation that satisfy it, if some are found; `plain` asks for simple ones."""
+    """Values of unknowns of one equation that satisfy it, if some are found; `plain` asks for simple ones."""
     places = unknowns([partial])
+    common = [k for k in places if all(any(place == k for place, _ in monomial) for monomial in partial)]
+    if common and (len(partial) == 1 or random.random() < HALF):
+        return {random.choice(common): Exact({})}
     linear = [k for k in places if all(e == 1 for monomial in partial for place, e in monomial if place == k)]
     if linear:
         return _for_one(partial, random.choice(linear), places, draw, random)
@@ -68,9 +54,7 @@ def solve_one(partial: Partial, draw: Draw, random: Random, plain: bool) -> dict
     return _for_one(partial, random.choice(places), places, draw, random) or _small(partial, places, random)
 
 
-def _for_one(
-    partial: Partial, target: int, places: list[int], draw: Draw, random: Random
-) -> dict[int, Exact] | None:
+def _for_one(partial: Partial, target: int, places: list[int], draw: Draw, random: Random) -> dict[int, Exact] | None:
     """Draw all unknowns but one, and solve a linear or quadratic equation for that."""
     solution = {k: Exact.rational(draw(k)) for k in places if k != target}
     values = Values()
