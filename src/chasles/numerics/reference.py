@@ -11,6 +11,7 @@ from functools import reduce
 from operator import add
 from typing import Any
 
+from chasles.lowering.rewriting import rate_of
 from chasles.numerics.enclosures import ends, exactly, interval_context, is_narrow, middle
 from chasles.numerics.small_matrices import Matrix, cofactors, determinant, flipped, plus, product
 from chasles.vocabulary import (
@@ -118,8 +119,8 @@ class _Evaluation:
                 raise NoValue(f"{node} has no value: give it one, or a statement that says what it is")
             case Rate(At(of) | Group(of)):
                 return self(Rate(of))
-            case Rate():
-                raise NoValue(f"{node} has no value: rates are not taken here, give it among the values")
+            case Rate(of):
+                return self._rate(node, of)
             case Number(value):
                 return [[exactly(value, self.context)]]
             case Identity(size):
@@ -136,6 +137,18 @@ class _Evaluation:
                 ]
             case _:
                 return self._algebra(node)
+
+    def _rate(self, node: Node, of: Node) -> Matrix:
+        """A rate that has no value of its own is made of the rates of what the symbol stands for."""
+        match of:
+            case _ if of in self.rules:
+                return self(rate_of(self.rules[of]))
+            case Symbol(stands_for=Node() as meaning):
+                return self(rate_of(meaning))
+            case Symbol() | Rate():
+                raise NoValue(f"{node} has no value: give it among the values, or a statement that says what it is")
+            case _:
+                return self(rate_of(of))
 
     def _algebra(self, node: Node) -> Matrix:
         """Sums, products and quotients."""
