@@ -39,6 +39,7 @@ from chasles.statements import (
 from chasles.vocabulary import (
     CPM,
     PI,
+    Node,
     at,
     bracket,
     column,
@@ -453,7 +454,10 @@ linear_invariants_array = Definition(
 )
 
 euler_rodrigues_array = Definition(
-    "3.75", eta, column(bracket(sin(over(phi, 2))) * e, cos(over(phi, 2))), part=3, says="The Euler-Rodrigues parameters."
+    "3.75",
+    eta, column(bracket(sin(over(phi, 2))) * e, cos(over(phi, 2))),
+    part=3,
+    says="The Euler-Rodrigues parameters.",
 )
 
 natural_rate_matrix = Definition(
@@ -555,7 +559,7 @@ linear_invariants = Claim(
 # At a half-turn Q + 1 = 2 e e^T: each column that is not zero is along the axis.
 
 
-def _fourfold(parameter):
+def _fourfold(parameter: int) -> tuple[Node, Node]:
     """4 q_k q and 4 q_k q_0: the Euler-Rodrigues parameters times four times one of them, which is linear in Q."""
     if parameter == 0:
         return 2 * vect(Q), 1 + tr(Q)
@@ -676,7 +680,12 @@ linear_velocity_matrix = Definition(
 euler_rodrigues_velocity_matrix = Definition(
     "3.77d",
     H_tilde,
-    printed(lambda: 2 * row(bracket(cos(over(phi, 2))) * one + bracket(sin(over(phi, 2))) * E - bracket(sin(over(phi, 2))) * e)),
+    printed(
+        lambda: 2
+        * row(
+            bracket(cos(over(phi, 2))) * one + bracket(sin(over(phi, 2))) * E - bracket(sin(over(phi, 2))) * e,
+        )
+    ),
     reading=2 * row(bracket(cos(over(phi, 2))) * one + bracket(sin(over(phi, 2))) * E, -bracket(sin(over(phi, 2))) * e),
     says="The matrix that gives the angular velocity from the Euler-Rodrigues parameters' rates.",
     assuming=(unit(e),),

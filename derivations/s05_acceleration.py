@@ -22,7 +22,8 @@ from chasles.derivations.s04_twist import (
     velocity_by_angular_velocity_matrix,
     velocity_of_point,
 )
-from chasles.statements import Claim, Condition, Definition, Kernel, Section, unit
+
+from chasles.statements import Claim, Definition, Kernel, Section, unit
 from chasles.vocabulary import (
     bracket,
     column,

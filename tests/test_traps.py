@@ -79,11 +79,15 @@ TRUE = {
     "the square of the norm of a multiple": claim(norm(p * a) ** 2, p**2 * dot(a, a)),
     "the rate of a norm": claim(rate(norm(a)), dot(a, rate(a)) / norm(a), assuming=(nonzero(norm(a)),)),
     "the rate of a square of a norm": claim(rate(norm(a) ** 2), 2 * dot(a, rate(a))),
+    "division by a squared norm": claim(dot(a, a) / norm(a) ** 2, number(1), assuming=(nonzero(norm(a) ** 2),)),
     "the rate of a quotient": claim(rate(p / q), (rate(p) * q - p * rate(q)) / q**2, assuming=(nonzero(q),)),
     "three times an angle": claim(sin(3 * phi), 3 * sin(phi) - 4 * sin(phi) ** 3),
     "an angle less itself": claim(cos(phi - phi), number(1)),
     "an angle that is twice another": claim(cos(phi), 1 - 2 * sin(psi) ** 2, let(phi, 2 * psi)),
+    "an angle by another name": claim(cos(half), cos(phi / 2)),
+    "an angle by another name, doubled": claim(1 - 2 * sin(half) ** 2, cos(phi)),
     "an angle printed with its argument": claim(cos(at(phi)), cos(phi)),
+    "a name with a slash": claim(cos(slash) ** 2 + sin(slash) ** 2, number(1)),
     "something constant": claim(rate(2 * fixed), zero),
     "a determinant": claim(det(Q), number(1), assuming=(rotation(Q),)),
     "a rotation's axis": claim((Q - Q.T) @ vect(Q), zero, assuming=(rotation(Q),)),
@@ -94,7 +98,11 @@ TRUE = {
     "rates of perpendicular vectors": claim(dot(rate(a), b), -dot(a, rate(b)), assuming=(perpendicular(a, b),)),
     "one vector of a triad": claim(dot(e_1, e_1), number(1), assuming=(triad,)),
     "two vectors of a triad": claim(dot(e_1, e_2), number(0), assuming=(triad,)),
+    "the rate of one vector of a triad": claim(dot(rate(e_1), e_1), number(0) * dot(rate(e_1), e_1), assuming=(triad,)),
     "rates of a triad": claim(rate(e_3), cross(rate(e_1), e_2) + cross(e_1, rate(e_2)), assuming=(triad,)),
+    "a unit vector whose rate is given": claim(
+        dot(e, turn), number(0), Definition("2", rate(e), turn), assuming=(unit(e),)
+    ),
     "a perpendicular whose rate is given": claim(
         dot(a, rate(b)), -dot(turn, b), Definition("2", rate(a), turn), assuming=(perpendicular(a, b),)
     ),
@@ -105,7 +113,10 @@ TRUE = {
     "a defined symmetric matrix": claim(M.T, M, let(Q, M), assuming=(symmetric(Q),)),
     "a determined unit vector": claim(dot(a, a), number(1), where(e, a, e), assuming=(unit(e),)),
     "a positive number and its size": claim(norm(m), m, assuming=(positive(m),)),
+    "a positive number that is defined": claim(norm(p), p, let(m, p), assuming=(positive(m),)),
+    "a positive sum that is defined": claim(norm(p + q), p + q, let(m, p + q), assuming=(positive(m),)),
     "the size of a multiple": claim(norm(2 * a), 2 * norm(a)),
+    "the size of a product": claim(norm(p * a), norm(p) * norm(a)),
     "the size of a unit vector": claim(norm(e), number(1), assuming=(unit(e),)),
     "the size of a multiple of a unit vector": claim(norm(p * e), norm(p), assuming=(unit(e),)),
     "a bare angle and its size": claim(norm(phi * e) ** 2 * cos(phi), phi**2 * cos(phi), assuming=(unit(e),)),
@@ -132,6 +143,7 @@ FALSE = {
     "the cosine of a third of pi": claim(cos(PI / 3), number(1)),
     "a norm that is a sum of others": claim(norm(a) ** 2 + norm(b) ** 2, norm(a + b) ** 2),
     "a skew matrix and its square": claim(CPM(a) @ CPM(a), CPM(dot(a, a) * a)),
+    "another instant": claim(at(a, "0"), at(a, "t")),
     "a least value that varies": Theorem(
         "1", "", (Minimum(norm(x) ** 2, norm(x) ** 2 - norm(x - a) ** 2, over=x, at=a, squares=(x - a,)),)
     ),
@@ -142,6 +154,7 @@ FALSE = {
         "1", "", (Minimum(norm(x - a) ** 2, number(0), over=x, at=a, squares=(x - a,)),), assuming=(unit(x),)
     ),
     "a witness outside": Theorem("1", "", (Exists(e, zero, cross(e, a), zero),), assuming=(unit(e),)),
+    "a step from a false claim": claim(a - b, zero, Claim("2", a, b)),
 }
 
 IMPOSSIBLE = {
@@ -155,6 +168,8 @@ IMPOSSIBLE = {
         p / (dot(a, b) - dot(b, a)), p / (dot(a, b) - dot(b, a)), assuming=(nonzero(dot(a, b) - dot(b, a)),)
     ),
     "two definitions": claim(a, b, let(u, a), let(u, b)),
+    "a definition and a condition": claim(a, b, let(u, a), where(u, b, u)),
+    "a constant that varies": claim(rate(a), rate(b), let(fixed, a)),
     "a definition by itself": claim(a, b, let(a, a + b)),
     "definitions in a circle": claim(a, b, let(a, b), let(b, a)),
     "a condition that determines nothing": claim(p, sin(phi), where(p * cos(phi), sin(phi) * cos(phi), p)),

@@ -74,7 +74,9 @@ def decide(entries: Sequence[Entry], judge: Judge | None = None, recheck: bool =
 def _stands_in_wrongly(decision: Decision) -> bool:
     """Whether what is declared to be right is not; a likely reading that fails is a finding about the print."""
     stands_in = decision.correction
-    return not decision.verdict.true and stands_in is not None and stands_in.form == "corrected" and not stands_in.verdict.true
+    if decision.verdict.true or stands_in is None:
+        return False
+    return stands_in.form == "corrected" and not stands_in.verdict.true
 
 
 def _numbers(entries: Sequence[Entry]) -> str:

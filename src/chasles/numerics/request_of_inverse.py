@@ -73,10 +73,10 @@ def _applies(branch: Branch, values: Values, rules: Mapping[Node, Node]) -> bool
 
 def _arguments(sentence: Inverse, values: Values, rules: Mapping[Node, Node], digits: int) -> dict[Node, Any]:
     """The formula's arguments, by the first branch that applies or the largest; raises `Singular` if none does."""
-    applying = (branch for branch in sentence.branches if _applies(branch, values, rules))
+    applying = [branch for branch in sentence.branches if _applies(branch, values, rules)]
     if sentence.largest:
-        applying = iter(sorted(applying, key=lambda branch: -evaluate(branch.where, values, rules)[0][0]))
-    branch = next(applying, None)
+        applying.sort(key=lambda branch: -evaluate(branch.where, values, rules)[0][0])
+    branch = next(iter(applying), None)
     if branch is None:
         raise Singular(f"no branch of ({sentence.number}) applies here")
     known: dict[Node, Any] = {key: evaluate(value, values, rules, digits) for key, value in branch.values}

@@ -14,7 +14,6 @@ from typing import Any
 from chasles.proof.recheck.quantities import squeezed
 from chasles.proof.recheck.reading import Reading
 from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected, exponents, variable
-from chasles.proof.recheck.surd import coordinate
 from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import problems_of_inverse
 from chasles.statements.problem import default_form
@@ -131,10 +130,10 @@ def point_of(reading: Reading, values: Mapping[str, Any]) -> Point:
     pi, or another such angle, in play it is given in units of pi: its cosine and sine must be those of quarter turns.
     """
     pi = {reading.places["pi"]} if "pi" in reading.places else set()
-    numbers: dict[int, Any] = dict.fromkeys(pi, Fraction(1))
+    numbers = dict.fromkeys(pi, Fraction(1))
     for name, value in values.items():
         place = reading.places.get(squeezed(name))
-        if place is not None and numbers.setdefault(place, coordinate(str(value))) != coordinate(str(value)):
+        if place is not None and numbers.setdefault(place, Fraction(str(value))) != Fraction(str(value)):
             raise Rejected(f"{name} is given two values")
     angles = [(place, *what[1:]) for place, what in enumerate(reading.variables) if what[0] == "cos"]
     bare = pi | {reading.places[symbol.name] for _, symbol, _ in angles} & numbers.keys()
@@ -147,7 +146,7 @@ def point_of(reading: Reading, values: Mapping[str, Any]) -> Point:
             if quarters.denominator != 1 or not fits:
                 raise Rejected(f"cosine and sine of {symbol} are not those of the angle given")
     for place, number in numbers.items():
-        if reading.variables[place][0] == "norm" and number < 0:
+        if number < 0 and reading.variables[place][0] == "norm":
             raise Rejected("a norm is given a negative value")
     return {place: (number, int(place in bare)) for place, number in numbers.items()}
 

@@ -6,18 +6,19 @@ at the witness and at every counterexample.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
+from typing import Any
 
 from chasles.proof.completion import Basis, stated
 from chasles.proof.ratios import Field, Ratio
 from chasles.proof.rings import Polynomial, make_ring
 from chasles.proof.unfold import Matrix, UndeclaredDivisor, Unfolder
-from chasles.proof.variables import Untreatable, Variable, Variables, scan
+from chasles.proof.variables import Untreatable, Variable, Variables, scan, undotted
 from chasles.statements import Goal, Hypothesis, Problem
-from chasles.vocabulary import PI, Norm, Rate, Symbol, plain, symbols_of
+from chasles.vocabulary import PI, Node, Norm, Rate, Symbol, plain, symbols_of
 
 __all__ = ["Context", "Generator", "build", "describe", "difference", "entries"]
 
@@ -46,6 +47,7 @@ class Context:
     pi_measures: bool
     densities: frozenset[str] = frozenset()
     conditions: tuple[Generator, ...] = ()
+    terms: dict[int, tuple[Polynomial, Any]] = field(default_factory=dict)
 
     @property
     def field(self) -> Field:
@@ -63,10 +65,7 @@ def build(problem: Problem) -> Context:
         scan(found, goal.left, 0, rules)
         scan(found, goal.right, 0, rules)
     _complete_subjects(problem, found)
-    active = tuple(_active(problem, found))
-    for hypothesis in active:
-        for node in (*hypothesis.subjects, *hypothesis.nonvanishing):
-            scan(found, node, 0, rules)
+    active = _active(problem, found)
     order = "grevlex" if any(h.kind in ("rotation", "half_turn", "orthonormal") for h in active) else "lex"
     unfold, atoms = _door(problem, found, active, order)
     variables, ring = unfold.variables, unfold.field.ring
@@ -130,15 +129,34 @@ def _complete_subjects(problem: Problem, found: Variables) -> None:
                     scan(found, node, 0, rules)
 
 
-def _active(problem: Problem, found: Variables) -> Iterator[Hypothesis]:
-    """The hypotheses on symbols that occur freely."""
-    occurring = set(found.orders) | set(found.angles)
-    ruled = {left for left, _ in problem.rules}
-    for hypothesis in problem.hypotheses:
-        symbols = {s for node in hypothesis.subjects for s in _free_symbols(node, dict(problem.rules))}
-        subjects_ruled = hypothesis.equations and any(subject in ruled for subject in hypothesis.subjects)
-        if symbols and symbols <= occurring and not subjects_ruled:
-            yield hypothesis
+def _active(problem: Problem, found: Variables) -> tuple[Hypothesis, ...]:
+    """The hypotheses on symbols that occur freely, and on what these share a hypothesis with, rates included."""
+    rules = dict(problem.rules)
+    symbols = {
+        hypothesis: {s for node in hypothesis.subjects for s in _free_symbols(node, rules)}
+        for hypothesis in problem.hypotheses
+        if not (hypothesis.equations and any(subject in rules for subject in hypothesis.subjects))
+    }
+    active: dict[Hypothesis, int] = {}
+    changed = True
+    while changed:
+        occurring = set(found.orders) | set(found.angles)
+        now = {h: _order(found, h, own, rules) for h, own in symbols.items() if own & occurring}
+        changed = now != active
+        active = now
+        for hypothesis, order in active.items():
+            for node in (*hypothesis.subjects, *hypothesis.nonvanishing):
+                scan(found, node, order, rules)
+    return tuple(h for h in problem.hypotheses if h in active)
+
+
+def _order(found: Variables, hypothesis: Hypothesis, symbols: set[Symbol], rules: Mapping[Node, Node]) -> int:
+    """Up to which rate the equations of a hypothesis say something of use: a rule for a rate asks for it too."""
+    if not hypothesis.equations:
+        return 0
+    orders = [found.reached.get(symbol, 0) for symbol in symbols]
+    orders += [order for node, order in map(undotted, rules) if node in symbols]
+    return max(orders, default=0)
 
 
 def _refuse_restrictions(
@@ -158,9 +176,9 @@ def _refuse_restrictions(
                 )
 
 
-def _free_symbols(node: object, rules: dict[object, object]) -> set[Symbol]:
+def _free_symbols(node: Node, rules: Mapping[Node, Node]) -> set[Symbol]:
     found = Variables()
-    scan(found, node, 0, rules)  # type: ignore[arg-type]
+    scan(found, node, 0, rules)
     return set(found.orders) | set(found.angles)
 
 
@@ -194,7 +212,7 @@ def _generators(
     ring = unfold.field.ring
     place = {variable.name: k for k, variable in enumerate(variables)}
     for hypothesis in active:
-        order = max((found.orders.get(s, 0) for node in hypothesis.subjects for s in symbols_of(node)), default=0)
+        order = max((found.reached.get(s, 0) for node in hypothesis.subjects for s in symbols_of(node)), default=0)
         yield from _hypothesis_generators(unfold, hypothesis, order)
     for variable in variables:
         if variable.kind == "cos":

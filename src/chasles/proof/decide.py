@@ -30,6 +30,8 @@ __all__ = ["BUDGET", "decide_problem", "determining", "pose"]
 BUDGET = 20.0
 """Seconds that a single decision may take before it gives up as undecided."""
 SAMPLES = 40
+FRUITLESS = 10
+"""So many sample points are tried in vain before the best counterexample so far is taken."""
 
 
 @dataclass(slots=True)
@@ -134,7 +136,15 @@ def _refute(context: Context, solved: tuple[Solved, ...], suspects: list[_Entry]
     """The counterexample that is easiest to evaluate by hand among those that a number of sample points give."""
     best: tuple[int, Counterexample] | None = None
     used = _used_variables(context, solved, suspects)
+    fruitless = 0
     for point in _limited(context, solved):
+        fruitless += 1
+        if best is not None and fruitless > FRUITLESS:
+            break
+        shown_point = {name: point[name] for name in used}
+        height = sum(map(_height, shown_point.values()))
+        if best is not None and height >= best[0]:
+            continue
         for entry in suspects:
             value = points.ratio_at(context, entry.ratio, point)
             if value is None or is_zero(value):
@@ -147,11 +157,10 @@ def _refute(context: Context, solved: tuple[Solved, ...], suspects: list[_Entry]
             if sides[0] is None or sides[1] is None:
                 continue
             texts = [shown(side, _transcendental_name(context)) for side in sides if side is not None]
-            shown_point = {name: point[name] for name in used}
             found = Counterexample(shown_point, entry.place, texts[0], texts[1], entry.goal.label)
-            cost = sum(_height(x) for x in shown_point.values()) + len(texts[0]) + len(texts[1])
+            cost = height + len(texts[0]) + len(texts[1])
             if best is None or cost < best[0]:
-                best = cost, found
+                best, fruitless = (cost, found), 0
             break
     return best[1] if best else None
 

@@ -64,6 +64,7 @@ class Judge:
     def __init__(self, budget: float = BUDGET) -> None:
         self.budget = budget
         self._decisions: dict[int, Decision] = {}
+        self._branches: dict[Problem, Verdict] = {}
 
     def decide_all(self, entries: Iterable[Entry]) -> Iterator[tuple[Entry, Decision]]:
         """The decisions, one at a time, in the order of the entries."""
@@ -82,13 +83,18 @@ class Judge:
         if statement.fault or not isinstance(statement, Claim):
             return default_form(statement)
         decision = self.decide(statement)
-        if decision.verdict.true or decision.correction is None:
+        if decision.verdict.true:
             return "printed"
-        return decision.correction.form
+        if decision.correction is not None and decision.correction.verdict.true:
+            return decision.correction.form
+        raise TypeError(f"it rests on ({statement.number}), which does not stand: it is {decision.verdict.name}")
 
     def _decide(self, sentence: Sentence) -> Decision:
         started = perf_counter()
-        given = {f"{g.number}/{g.part}": self.standing(g) for g in sentence.given}
+        try:
+            given = {f"{g.number}/{g.part}": self.standing(g) for g in sentence.given}
+        except TypeError as error:
+            return Decision(sentence, Undecided(str(error)), milliseconds=(perf_counter() - started) * 1000)
         verdict = self._inverse(sentence) if isinstance(sentence, Inverse) else self._form(sentence, "printed")
         correction = None if verdict.true else self._correction(sentence)
         return Decision(sentence, verdict, correction, given, (perf_counter() - started) * 1000)
@@ -138,7 +144,9 @@ class Judge:
         certificates: dict[str, Any] = {}
         verdict: Verdict | None = None
         for says, problem in problems_of_inverse(sentence, self.standing):
-            verdict = decide_problem(problem, (), self.budget)
+            if problem not in self._branches:
+                self._branches[problem] = decide_problem(problem, (), self.budget)
+            verdict = self._branches[problem]
             if not isinstance(verdict, Holds | HoldsUnder):
                 return verdict
             needs |= dict.fromkeys(h.text for h in sentence.assuming if h.text in verdict.needs)

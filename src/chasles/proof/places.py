@@ -43,7 +43,8 @@ class Place:
     """A part of an expression and the way to it.
 
     `term` if it is the whole, a block or a term of a sum; `open` if a term can be added to it, and to nothing around it
-    with the same effect. `inside` a rate or an integral, only constant factors of it are factors of the whole. `apart` if above it stand nothing but sums, blocks and common factors: changes in such places add up.
+    with the same effect. `inside` a rate or an integral, only constant factors of it are factors of the whole. `apart`
+    if above it stand nothing but sums, blocks and common factors: changes in such places add up.
     """
 
     path: Path
@@ -91,19 +92,19 @@ def _linear(node: Node) -> range:
 
 def separate_sums(root: Node) -> Iterator[tuple[Place, tuple[Place, ...]]]:
     """The sums that make up the expression block by block, each with its terms; one term is a sum of itself."""
-    for place in linear_places(root):
-        if not place.apart or any(isinstance(node, Sum) for node in _above(root, place.path)):
-            continue
-        if isinstance(place.node, Sum):
-            yield place, tuple(Place((*place.path, k), term) for k, term in enumerate(place.node.terms))
-        elif not any(inner.apart and inner.path for inner in linear_places(place.node)):
-            yield place, (place,)
+    yield from _sums(Place((), root))
 
 
-def _above(root: Node, path: Path) -> Iterator[Node]:
-    for k in path:
-        yield root
-        root = children(root)[k]
+def _sums(place: Place) -> Iterator[tuple[Place, tuple[Place, ...]]]:
+    inner = [other for other in linear_places(place.node) if other.apart]
+    below = [Place((*place.path, *other.path), other.node) for other in inner if len(other.path) == 1]
+    if isinstance(place.node, Sum):
+        yield place, tuple(below)
+    elif any(isinstance(other.node, Sum | Block) for other in inner):
+        for other in below:
+            yield from _sums(other)
+    else:
+        yield place, (place,)
 
 
 def put(root: Node, path: Path, new: Node | None) -> Node:

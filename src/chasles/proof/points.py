@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
-from math import isqrt, prod
+from functools import reduce
+from math import comb, isqrt, prod
 from random import Random
 
 from chasles.proof.context import Context
@@ -23,6 +24,7 @@ __all__ = ["Point", "evaluate", "ratio_at", "sample", "satisfies"]
 
 Point = dict[str, Fraction]
 Numbers = list[list[Fraction]]
+Term = tuple[Fraction, tuple[tuple[str, int], ...], int]
 
 ATTEMPTS = 400
 SIMPLE_ATTEMPTS = 8
@@ -63,16 +65,34 @@ PYTHAGOREAN = (
 
 def evaluate(context: Context, polynomial: Polynomial, point: Point) -> Value:
     """The polynomial's exact value; every variable that occurs in it must have a value."""
-    names = context.field.ring.names
     total: Value = {}
-    for exponents, coefficient in context.field.ring.terms(polynomial):
-        term, power = coefficient, 0
-        for place, exponent in enumerate(exponents):
-            if exponent:
-                term *= point[names[place]] ** exponent
-                power += exponent if place in context.transcendental else 0
-        total[power] = total.get(power, Fraction(0)) + term
+    for coefficient, factors, power in _terms(context, polynomial):
+        term = coefficient
+        for name, exponent in factors:
+            value = point[name]
+            if not value:
+                break
+            term = term * value if exponent == 1 else term * value**exponent
+        else:
+            total[power] = total.get(power, Fraction(0)) + term
     return {power: c for power, c in total.items() if c}
+
+
+def _terms(context: Context, polynomial: Polynomial) -> list[Term]:
+    """The polynomial's terms, read once: sampling evaluates the same few polynomials again and again."""
+    known = context.terms.get(id(polynomial))
+    if known is None:
+        names, transcendental = context.field.ring.names, context.transcendental
+        terms = [
+            (
+                coefficient,
+                tuple((names[place], exponent) for place, exponent in enumerate(exponents) if exponent),
+                sum(exponents[place] for place in transcendental),
+            )
+            for exponents, coefficient in context.field.ring.terms(polynomial)
+        ]
+        known = context.terms[id(polynomial)] = (polynomial, terms)
+    return known[1]
 
 
 def sample(
@@ -92,9 +112,17 @@ def sample(
 def satisfies(context: Context, point: Point) -> bool:
     """Whether every generator and condition vanishes at the point and no atom does."""
     vanishing = (*context.generators, *context.conditions)
-    return all(is_zero(evaluate(context, g.polynomial, point)) for g in vanishing) and all(
-        not is_zero(evaluate(context, atom, point)) for _, atom in context.atoms
+    return (
+        all(is_zero(evaluate(context, g.polynomial, point)) for g in vanishing)
+        and all(not is_zero(evaluate(context, atom, point)) for _, atom in context.atoms)
+        and all(_is_positive(context, h, point) for h in context.active if h.kind == "positive")
     )
+
+
+def _is_positive(context: Context, hypothesis: Hypothesis, point: Point) -> bool:
+    """Whether the quantity is positive, given that an angle or pi in it is."""
+    value = ratio_at(context, context.unfold(hypothesis.subjects[0])[0][0], point)
+    return value is not None and all(coefficient > 0 for coefficient in value.values())
 
 
 def _try(
@@ -188,14 +216,12 @@ def _plus(one: Numbers, other: Numbers) -> Numbers:
 
 
 def _turning(numbers: Numbers, order: int, draw: Random, rich: bool) -> list[Numbers]:
-    """The values and rates of something that turns: x, w x x, w' x x + w x (w x x)."""
+    """The values and rates of something that turns: x, w x x, w' x x + w x (w x x) and so on, by Leibniz's rule."""
     rates = [numbers]
-    spin = [row[0] for row in _free((3, 1), draw, rich)]
-    acceleration = [row[0] for row in _free((3, 1), draw, rich)]
-    if order >= 1:
-        rates.append(_spin(numbers, spin))
-    if order >= 2:
-        rates.append(_plus(_spin(numbers, acceleration), _spin(rates[1], spin)))
+    spins = [[row[0] for row in _free((3, 1), draw, rich)] for _ in range(max(order, 2))]
+    for reached in range(order):
+        parts = [_spin(rates[reached - k], [comb(reached, k) * x for x in spins[k]]) for k in range(reached + 1)]
+        rates.append(reduce(_plus, parts))
     return rates
 
 
@@ -346,6 +372,8 @@ def _move(
     context: Context, rows: Matrix, value: list[Fraction], target: list[Fraction], point: Point, bound: set[Symbol]
 ) -> bool:
     """Shift a free vector so that the expression takes the target value; False if none moves it one to one."""
+    if len(value) != 3:
+        return False
     for symbol in dict.fromkeys(v.symbol for v in context.variables if v.kind == "entry" and v.order == 0):
         if symbol is None or symbol in bound or symbol.shape != (3, 1):
             continue

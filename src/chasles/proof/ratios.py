@@ -6,7 +6,7 @@ sight, as the list of atoms.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 
 from chasles.proof.deadline import afford
@@ -21,6 +21,7 @@ class Field:
 
     ring: Ring
     atoms: list[Polynomial]
+    _products: dict[tuple[int, ...], Polynomial] = field(default_factory=dict)
 
     def ratio(self, numerator: Polynomial) -> Ratio:
         """A polynomial as a fraction."""
@@ -31,11 +32,13 @@ class Field:
 
     def power_product(self, exponents: tuple[int, ...]) -> Polynomial:
         """The product of the atoms with the given exponents."""
-        total = self.ring.constant(Fraction(1))
-        for atom, exponent in zip(self.atoms, exponents, strict=False):
-            for _ in range(exponent):
-                total = _times(total, atom)
-        return total
+        if exponents not in self._products:
+            total = self.ring.constant(Fraction(1))
+            for atom, exponent in zip(self.atoms, exponents, strict=False):
+                for _ in range(exponent):
+                    total = _times(total, atom)
+            self._products[exponents] = total
+        return self._products[exponents]
 
 
 @dataclass(frozen=True, slots=True)

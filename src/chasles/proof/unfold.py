@@ -84,7 +84,7 @@ class Unfolder:
         self._known: dict[Node, Matrix] = {}
         self._rates: dict[int, Ratio] = {}
         self._rates_sought: set[int] = set()
-        self._units = {v.symbol: Fraction(_unit_of(v)) for v in variables if v.kind == "cos" and v.symbol is not None}
+        self._units = {v.symbol: v.unit for v in variables if v.kind == "cos" and v.symbol is not None}
 
     def __call__(self, node: Node) -> Matrix:
         """The entries of the expression."""
@@ -200,6 +200,9 @@ class Unfolder:
             case Scale(factor, term):
                 (a, one), (b, other) = self._divisor(factor), self._divisor(term)
                 return a * b, _joined(one, other)
+            case Power(Norm(of), exponent) if exponent % 2 == 0 and not self._is_atom(Norm(of)):
+                constant, exponents = self._atom(Power(Norm(of), 2))
+                return constant ** (exponent // 2), tuple(e * (exponent // 2) for e in exponents)
             case Power(base, exponent):
                 constant, exponents = self._divisor(base)
                 return constant**exponent, tuple(e * exponent for e in exponents)
@@ -225,6 +228,13 @@ class Unfolder:
         if len(terms) == 1 and not any(terms[0][0]):
             return terms[0][1], tuple(-power for power in ratio.denominator)
         raise UndeclaredDivisor(node)
+
+    def _is_atom(self, node: Node) -> bool:
+        try:
+            self._atom(node)
+        except UndeclaredDivisor:
+            return False
+        return True
 
     def _norm(self, of: Node) -> Ratio:
         value = self(of)
@@ -315,13 +325,6 @@ class Unfolder:
         change = _times(_flipped(value), _each(value, self.rate))[0][0]
         constant, exponents = self._divisor(Norm(variable.node))
         return change.divided(constant, exponents)
-
-
-def _unit_of(variable: Variable) -> str:
-    name = variable.name.removeprefix("cos(").removesuffix(")")
-    assert variable.symbol is not None
-    above, _, below = name.partition("/")
-    return f"{above.removesuffix(variable.symbol.name) or 1}/{below or 1}"
 
 
 def _each(matrix: Matrix, change: Callable[[Ratio], Ratio]) -> Matrix:

@@ -12,6 +12,7 @@ from fractions import Fraction
 from math import gcd, lcm
 
 from chasles.vocabulary import (
+    At,
     Call,
     Group,
     Integral,
@@ -39,6 +40,7 @@ __all__ = [
     "entry_name",
     "moment_name",
     "scan",
+    "undotted",
 ]
 
 
@@ -66,16 +68,22 @@ class Variable:
     column: int = 0
     node: Node | None = None
     factors: Factors = ()
+    unit: Fraction = Fraction(1)
 
 
 @dataclass(slots=True)
 class Variables:
-    """What the scan of a problem finds; the moments are found later, when the integrands are unfolded."""
+    """What the scan of a problem finds; the moments are found later, when the integrands are unfolded.
+
+    `orders` says up to which rate a symbol has variables, `reached` up to which it is asked for: rules may give it.
+    """
 
     orders: dict[Symbol, int] = field(default_factory=dict)
+    reached: dict[Symbol, int] = field(default_factory=dict)
     angles: dict[Symbol, Fraction] = field(default_factory=dict)
     angle_orders: dict[Symbol, int] = field(default_factory=dict)
     norms: dict[Node, None] = field(default_factory=dict)
+    instants: set[str] = field(default_factory=set)
     running: frozenset[Symbol] = frozenset()
     densities: frozenset[str] = frozenset()
     body: str | None = None
@@ -98,8 +106,8 @@ class Variables:
                     yield from _entries(symbol, order)
         for symbol, unit in self.angles.items():
             name = angle_name(symbol, unit)
-            yield Variable("sin", f"sin({name})", symbol)
-            yield Variable("cos", f"cos({name})", symbol)
+            yield Variable("sin", f"sin({name})", symbol, unit=unit)
+            yield Variable("cos", f"cos({name})", symbol, unit=unit)
         for factors in self.moments:
             yield Variable("moment", moment_name(factors), factors=factors)
 
@@ -136,6 +144,7 @@ def _entries(symbol: Symbol, order: int) -> Iterator[Variable]:
 def scan(found: Variables, node: Node, order: int, rules: Mapping[Node, Node]) -> None:
     """Record the variables that the `order`-th rate of an expression needs, once the rules are applied."""
     if node in rules:
+        _reach(found, node, order)
         _scan_rule(found, node, order, rules)
         return
     match node:
@@ -153,6 +162,11 @@ def scan(found: Variables, node: Node, order: int, rules: Mapping[Node, Node]) -
         case Quotient(numerator, denominator):
             scan(found, numerator, order, rules)
             _scan_divisor(found, denominator, order, rules)
+        case At(of, argument):
+            found.instants.add(argument)
+            if len(found.instants) > 1:
+                raise Untreatable(f"{plain(node)}: one instant is treated, and there are {sorted(found.instants)}")
+            scan(found, of, order, rules)
         case Norm(of):
             scan(found, of, order, rules)
             found.norms[of] = None
@@ -223,6 +237,20 @@ def _scan_divisor(found: Variables, node: Node, order: int, rules: Mapping[Node,
             scan(found, node, order, rules)
 
 
+def undotted(node: Node) -> tuple[Node, int]:
+    """What a rate is the rate of, and how many times over."""
+    order = 0
+    while isinstance(node, Rate):
+        node, order = node.of, order + 1
+    return node, order
+
+
+def _reach(found: Variables, node: Node, order: int) -> None:
+    base, dots = undotted(node)
+    if isinstance(base, Symbol):
+        found.reached[base] = max(found.reached.get(base, 0), order + dots)
+
+
 def _scan_symbol(found: Variables, symbol: Symbol, order: int, rules: Mapping[Node, Node]) -> None:
     if symbol.stands_for is not None:
         scan(found, symbol.stands_for, order, rules)
@@ -230,6 +258,7 @@ def _scan_symbol(found: Variables, symbol: Symbol, order: int, rules: Mapping[No
     if symbol.constant:
         found.orders.setdefault(symbol, 0)
         return
+    _reach(found, symbol, order)
     rate, free = Rate(symbol), 0
     while free < order and rate not in rules:
         rate, free = Rate(rate), free + 1
@@ -247,6 +276,7 @@ def _scan_angle(found: Variables, symbol: Symbol, multiple: Fraction, order: int
     found.angle_orders[symbol] = max(found.angle_orders.get(symbol, 0), order)
     if order:
         found.orders[symbol] = max(found.orders.get(symbol, 0), order)
+        _reach(found, symbol, order)
 
 
 def angle_multiples(argument: Node, rules: Mapping[Node, Node]) -> dict[Symbol, Fraction]:
@@ -261,6 +291,8 @@ def _linear(node: Node, scale: Fraction, rules: Mapping[Node, Node]) -> Iterator
     match node:
         case _ if node in rules:
             yield from _linear(rules[node], scale, rules)
+        case Symbol(stands_for=Node() as of) | At(of):
+            yield from _linear(of, scale, rules)
         case Symbol():
             yield node, scale
         case Group(of):

@@ -47,9 +47,9 @@ class Cover:
 class Inverse:
     """The inverse of the formula `of`, case by case; the first branch that applies is taken.
 
-    `gives` are the results of its kernel, in terms of the formula's arguments and of symbols that `given` defines. Where
-    several branches apply they agree, up to the sign that the values in `sign` share; their first entry that is not zero
-    is made positive. A machine takes the branch where `where` is largest if `largest` says so: that is accurate.
+    `gives` are the results of its kernel, in terms of the formula's arguments and of symbols that `given` defines.
+    Where several branches apply they agree, up to the sign that the values in `sign` share; the first of their entries
+    that is not zero is made positive. With `largest` a machine takes the branch where `where` is largest, for accuracy.
     """
 
     role: ClassVar[str] = "inverse"

@@ -5,7 +5,7 @@ The prover and the checker of certificates both start here, and from nowhere els
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 
@@ -21,12 +21,14 @@ from chasles.vocabulary import (
     Misfit,
     Negative,
     Node,
+    Rate,
     Sum,
     Symbol,
     children,
     column,
     members_of,
     replace,
+    walk,
 )
 from chasles.vocabulary.families import indices_of
 from chasles.vocabulary.measure import added
@@ -101,7 +103,7 @@ def problem_of(
                 f"({statement.number}) is given ({given.number}), whose left side {left} is no symbol: "
                 "state it as a Condition on what it determines"
             )
-    _refuse_circles(statement, rules)
+    _refuse_circles(statement, rules, unknowns)
     hypotheses = tuple(dict.fromkeys(_hypotheses(statement)))
     problem = Problem((), tuple(rules), tuple(conditions), tuple(unknowns), hypotheses)
     if isinstance(statement, Theorem):
@@ -114,12 +116,14 @@ def problem_of(
     return with_fields(problem, goals=goals)
 
 
-def _refuse_circles(statement: Decidable, rules: list[tuple[Node, Node]]) -> None:
-    """Raise TypeError if two rules replace the same symbol differently, or a rule leads back to its own left side."""
+def _refuse_circles(statement: Decidable, rules: list[tuple[Node, Node]], unknowns: Collection[Symbol]) -> None:
+    """Raise TypeError if a symbol is said twice to be something, or a rule leads back to its own left side."""
     table: dict[Node, Node] = {}
     for left, right in rules:
         if table.setdefault(left, right) != right:
             raise TypeError(f"({statement.number}) is given two statements that say what {left} is: name one of them")
+    for left, right in table.items():
+        _refuse_second_rule(statement, left, right, unknowns)
     reads = {left: frozenset(_rules_read(right, table)) for left, right in table.items()}
     for start in table:
         reached: set[Node] = set()
@@ -132,6 +136,21 @@ def _refuse_circles(statement: Decidable, rules: list[tuple[Node, Node]]) -> Non
                 f"({statement.number}) is given statements that say what {start} is by {start} itself: "
                 "state one of them as a Condition"
             )
+
+
+def _refuse_second_rule(statement: Decidable, left: Node, right: Node, unknowns: Collection[Symbol]) -> None:
+    """Raise TypeError if what a rule replaces is known otherwise too: by a condition, or as a constant."""
+    base: Node = left
+    while isinstance(base, Rate):
+        base = base.of
+    if base in unknowns:
+        raise TypeError(f"({statement.number}) is given what {left} is, and a condition on {base}: name one of them")
+    if isinstance(base, Symbol) and base.constant and any(not _is_constant(part) for part in walk(right)):
+        raise TypeError(f"({statement.number}) is given that {left}, a constant, is {right}, which may vary")
+
+
+def _is_constant(part: Node) -> bool:
+    return not isinstance(part, Symbol) or part.constant
 
 
 def _rules_read(node: Node, table: Mapping[Node, Node]) -> Iterator[Node]:

@@ -102,7 +102,7 @@ class Statement:
         spoken_of += [self.reading, self.corrected] if self.fault else []  # type: ignore[list-item]
         for node in spoken_of:
             if not isinstance(node, Node) or replace(node, values) != node:
-                raise TypeError(f"({self.number}) cannot be said of other symbols: what it rests on speaks of the old ones")
+                raise TypeError(f"({self.number}) cannot be said of other symbols: it rests on the old ones")
 
 
 @dataclass(frozen=True, eq=False)

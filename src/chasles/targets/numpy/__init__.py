@@ -11,10 +11,10 @@ from pathlib import Path
 from chasles.lowering.program import Argument, Op, Result
 from chasles.targets.constants import DOUBLE, literals
 from chasles.targets.contract import contract
-from chasles.targets.dialect import ARITHMETIC, Dialect, Phrase, Shape, call
+from chasles.targets.dialect import ARITHMETIC, Dialect, Level, Phrase, Shape, call
 from chasles.targets.kernel import Kernel, signature
 from chasles.targets.layout import listed
-from chasles.targets.spelling import Level, Spelled, spelled
+from chasles.targets.spelling import Spelled, spelled
 from chasles.targets.target import COMMAND, Page, Target
 
 __all__ = ["TARGET"]
