@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Any
 
-from chasles.proof.certificate import check
+from chasles.proof.certificate import Rejected, check
 from chasles.proof.context import build
 from chasles.proof.deadline import OutOfTime, remaining, within
 from chasles.proof.decide import decide_problem
@@ -15,8 +16,9 @@ from chasles.proof.variables import Untreatable
 from chasles.proof.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
 from chasles.statements import Goal
 
-__all__ = ["Untreatable", "prove", "recheck"]
+__all__ = ["Rejected", "Untreatable", "prove", "recheck"]
 
+RATIONAL = re.compile(r"-?\d+(/\d+)?")
 BUDGET = 10.0
 """Seconds."""
 
@@ -54,12 +56,16 @@ def prove(
 def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Iterable[Any] = (), nonzero: Iterable[Any] = ()) -> None:
     """The certificate of a verdict of `prove` proves what was asked; nothing of the search is used.
 
-    Raises `chasles.proof.certificate.Rejected` with the reason if it does not.
+    Raises `Rejected` with the reason if it does not, and for a witness without rational coordinates (where the root of
+    a number occurs, no other exists), which the checker cannot follow.
     """
     if not isinstance(verdict, Holds | HoldsUnder):
         raise TypeError(f"the verdict is {verdict.name}: only what holds has a certificate")
     question = ask(lhs, rhs, given, nonzero)
     assert isinstance(question, Question)
+    for name, value in verdict.certificate["witness"].items():
+        if not RATIONAL.fullmatch(value):
+            raise Rejected(f"the witness has {name} = {value}, and the checker knows rational numbers only")
     problems = [question.problem, *question.variants()]
     check(problems[verdict.certificate["variant"]], "", verdict.certificate)
 

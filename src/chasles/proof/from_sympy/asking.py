@@ -27,6 +27,9 @@ def ask(lhs: Any, rhs: Any, given: Iterable[Any], nonzero: Iterable[Any]) -> Que
     left, right = opened(lhs, "the left side"), opened(rhs, "the right side")
     if left.shape != right.shape:
         return IllFormed(f"cannot equate {left.size} (the left side) and {right.size} (the right side)")
+    for name, items in (("given", given), ("nonzero", nonzero)):
+        if not isinstance(items, Iterable) or isinstance(items, str):
+            raise Untreatable(f"{name} is {items}: a list is expected, {name}=[...]")
     declared = [entry for place, item in enumerate(nonzero) for entry in _nonzero(item, place)]
     spoken_of = [*declared, *_flat(left), *_flat(right)]
     conditions, expressions = collected(given, spoken_of)
