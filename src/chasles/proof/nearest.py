@@ -16,7 +16,7 @@ from chasles.proof.combined import combined_changes
 from chasles.proof.freedom import freedom_of, other_objects
 from chasles.proof.opened import opened_changes
 from chasles.proof.residues import Singular, Unsampled
-from chasles.proof.single import Change, added_terms, new_coefficients
+from chasles.proof.single import Change, new_coefficients, other_terms
 from chasles.proof.slips import Undone, in_letters, undone
 from chasles.proof.trial import Standing, Trial, on_trial
 from chasles.proof.unfold import UndeclaredDivisor
@@ -74,7 +74,7 @@ class Nearest:
             others = in_letters(right, self.letters) if turn else undone(right)
             slips = [Change(left, other, (words,), SLIP) for other, words in others if fit(left, other)]
             coefficients = () if turn else new_coefficients(trial)
-            changes = (*coefficients, *slips, *added_terms(trial, palette))
+            changes = (*coefficients, *slips, *other_terms(trial, palette))
             found = [change for change in changes if self._holds(trial, change)]
             yield from found
             if found:
@@ -117,8 +117,8 @@ class Nearest:
         for turn, nodes in enumerate(([right], [right, left, *self.given_sides])):
             key = left, right, turn
             if key not in self._trials:
-                orders = max(_order(left), _order(right)) if turn else 0
-                self._trials[key] = self._tried(left, right, palette_of(nodes, self.own, orders))
+                order = max(map(_order, nodes)) if turn else 0
+                self._trials[key] = self._tried(left, right, palette_of(nodes, self.own, order))
             trial, palette = self._trials[key]
             if trial is not None:
                 yield trial, palette
@@ -171,11 +171,11 @@ def _symbol(left: Node) -> Symbol | None:
     return node if isinstance(node, Symbol) else None
 
 
-def _order(left: Node) -> int:
-    """How many times a rate is taken on a left side."""
-    if isinstance(left, Rate):
-        return 1 + _order(left.of)
-    return max((_order(part) for part in children(left)), default=0)
+def _order(node: Node) -> int:
+    """How many times a rate is taken."""
+    if isinstance(node, Rate):
+        return 1 + _order(node.of)
+    return max(map(_order, children(node)), default=0)
 
 
 def _symbols(nodes: Iterable[Node]) -> list[Symbol]:

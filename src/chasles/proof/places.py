@@ -43,7 +43,7 @@ class Place:
     """A part of an expression and the way to it.
 
     `term` if it is the whole, a block or a term of a sum; `open` if a term can be added to it, and to nothing around it
-    with the same effect. `inside` a rate or an integral, only constant factors of it are factors of the whole. `apart`
+    with the same effect. `inside` a rate, only constant factors of it are factors of the whole. `apart`
     if above it stand nothing but sums, blocks and common factors: changes in such places add up.
     """
 
@@ -74,7 +74,7 @@ def _below(place: Place) -> Iterator[Place]:
     apart = place.apart and isinstance(node, Sum | Block | Scale | Quotient | Negative | Group)
     for k in _linear(node):
         leads_down = apart and not (isinstance(node, Scale) and k == 0)
-        inside = place.inside or isinstance(node, Rate | Integral)
+        inside = place.inside or isinstance(node, Rate)
         yield from _below(Place((*place.path, k), parts[k], term, is_open, inside, leads_down))
 
 

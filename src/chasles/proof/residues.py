@@ -43,7 +43,7 @@ from chasles.vocabulary import (
     Zero,
 )
 
-__all__ = ["Sampled", "Singular", "Unsampled", "generic_points"]
+__all__ = ["Sampled", "Singular", "Unsampled", "generic_points", "inverse"]
 
 Matrix = list[list[int]]
 Values = list[Matrix]
@@ -98,7 +98,7 @@ class Sampled:
                 return [_scaled(f[0][0], matrix) for f, matrix in zip(self(factor), self(term), strict=True)]
             case Quotient(numerator, denominator):
                 pairs = zip(self(denominator), self(numerator), strict=True)
-                return [_scaled(_inverse(d[0][0]), matrix) for d, matrix in pairs]
+                return [_scaled(inverse(d[0][0]), matrix) for d, matrix in pairs]
             case Contract(factors):
                 return [reduce(_times, matrices) for matrices in zip(*map(self, factors), strict=True)]
             case Power(Norm(of), exponent) if exponent % 2 == 0:
@@ -141,7 +141,7 @@ class Sampled:
         entries = [[(_coded(self.context, e.numerator), e.denominator) for e in row] for row in found]
         atoms = {d: _coded(self.context, field.power_product(d)) for row in entries for _, d in row}
         for point in self.points:
-            below = {d: _inverse(_value(atom, point)) for d, atom in atoms.items()}
+            below = {d: inverse(_value(atom, point)) for d, atom in atoms.items()}
             values.append([[_value(above, point) * below[d] % MODULUS for above, d in row] for row in entries])
         return values
 
@@ -173,7 +173,7 @@ def _turned(context: Context, tangent: int) -> Iterator[tuple[str, int]]:
     """Cosines, sines and bare angles, each generic."""
     for variable in context.variables:
         if variable.kind == "cos":
-            below = _inverse(1 + tangent * tangent)
+            below = inverse(1 + tangent * tangent)
             yield variable.name, (1 - tangent * tangent) * below % MODULUS
             yield "sin" + variable.name.removeprefix("cos"), 2 * tangent * below % MODULUS
             tangent = tangent * tangent % MODULUS + 1
@@ -183,10 +183,11 @@ def _turned(context: Context, tangent: int) -> Iterator[tuple[str, int]]:
 
 def residue(value: Fraction) -> int:
     """The residue of a rational number."""
-    return value.numerator * _inverse(value.denominator) % MODULUS
+    return value.numerator * inverse(value.denominator) % MODULUS
 
 
-def _inverse(value: int) -> int:
+def inverse(value: int) -> int:
+    """The residue of one over a number; raises `Singular` for zero."""
     if value % MODULUS == 0:
         raise Singular("a divisor vanishes at a generic point")
     return pow(value, -1, MODULUS)

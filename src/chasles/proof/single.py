@@ -12,16 +12,15 @@ from fractions import Fraction
 
 from chasles.proof.ansatz import Palette
 from chasles.proof.coefficients import ONE, Function, scaled, spelled, times
-from chasles.proof.linear import Column, combination, multiple, plus, rational
+from chasles.proof.linear import MODULUS, Column, combination, multiple, plus, rational
 from chasles.proof.places import Place, linear_places, put, with_term
 from chasles.proof.trial import Trial
-from chasles.vocabulary import Node, Sum, plain
+from chasles.vocabulary import Block, Negative, Node, Sum, plain
 
 __all__ = [
     "LEFT_OUT",
     "Change",
     "Coefficient",
-    "added_terms",
     "distinct_terms",
     "fitted",
     "instead",
@@ -29,6 +28,7 @@ __all__ = [
     "new_coefficients",
     "new_term",
     "other_coefficient",
+    "other_terms",
     "rescaled",
 ]
 
@@ -51,8 +51,8 @@ class Change:
 
 Coefficient = list[tuple[Fraction, Function]]
 """A sum of numbers times functions."""
-LEFT_OUT = 3
-"""The effort of leaving a term out."""
+LEFT_OUT, REPLACED = 3, 4
+"""The effort of leaving a term out, and of putting another in its place."""
 
 
 def other_coefficient(coefficient: Coefficient) -> int:
@@ -126,16 +126,17 @@ def fitted(trial: Trial, cores: Sequence[Column], wanted: Column) -> list[Coeffi
     return None
 
 
-def added_terms(trial: Trial, palette: Palette) -> Iterator[Change]:
-    """The right sides that are true with one more term somewhere."""
-    gap = trial.gap(trial.probe)
+def other_terms(trial: Trial, palette: Palette) -> Iterator[Change]:
+    """The right sides that are true with one more term somewhere, or with another behind a printed coefficient."""
     for place in linear_places(trial.right):
-        if not place.open or place.inside or (place.node.is_scalar and place.path):
+        if place.inside or (place.node.is_scalar and place.path):
             continue
         terms = place.node.terms if isinstance(place.node, Sum) else (place.node,)
-        for term in distinct_terms(trial, palette.terms(place.node), terms):
-            if multiple(gap, trial.share(trial.probe, place, term)) is not None:
-                yield from _completed(trial, place, term)
+        new = distinct_terms(trial, palette.terms(place.node), terms)
+        if place.open:
+            yield from _completed(trial, place, new)
+        if place.term and place.apart and not isinstance(place.node, Sum | Block):
+            yield from _replaced(trial, place, new)
 
 
 def distinct_terms(trial: Trial, terms: Iterable[Node], known: Iterable[Node | None]) -> tuple[Node, ...]:
@@ -150,9 +151,26 @@ def distinct_terms(trial: Trial, terms: Iterable[Node], known: Iterable[Node | N
     return tuple(kept)
 
 
-def _completed(trial: Trial, place: Place, term: Node) -> Iterator[Change]:
-    found = fitted(trial, [trial.share(trial.varied, place, term)], trial.gap(trial.varied))
-    if found and (coefficient := spelled(found[0])) is not None:
+def _completed(trial: Trial, place: Place, terms: Iterable[Node]) -> Iterator[Change]:
+    for term in terms:
+        if multiple(trial.gap(trial.probe), trial.share(trial.probe, place, term)) is None:
+            continue
+        found = fitted(trial, [trial.share(trial.varied, place, term)], trial.gap(trial.varied))
+        if found and (coefficient := spelled(found[0])) is not None:
+            new = times(coefficient, term)
+            right = put(trial.right, place.path, with_term(place.node, new))
+            yield Change(trial.left, right, (missing(new),), new_term(found[0]) + 2 * (not place.apart))
+
+
+def _replaced(trial: Trial, place: Place, terms: Iterable[Node]) -> Iterator[Change]:
+    """Another core behind the printed coefficient; with no coefficient, only if there are other terms or blocks."""
+    coefficient = trial.split(place.node).coefficient
+    if coefficient == ONE and not place.path:
+        return
+    wanted = plus(trial.gap(trial.probe), trial.share(trial.probe, place))
+    for term in terms:
         new = times(coefficient, term)
-        right = put(trial.right, place.path, with_term(place.node, new))
-        yield Change(trial.left, right, (missing(new),), new_term(found[0]) + 2 * (not place.apart))
+        sign = multiple(wanted, trial.share(trial.probe, place, new))
+        if sign in (1, MODULUS - 1):
+            new = new if sign == 1 else Negative(new)
+            yield Change(trial.left, put(trial.right, place.path, new), (instead(new, place.node),), REPLACED)

@@ -8,14 +8,16 @@ from dataclasses import replace as with_fields
 from functools import cached_property
 from itertools import combinations_with_replacement
 
+from chasles.proof.ansatz import fit
 from chasles.proof.coefficients import ONE, Function, Term, split
 from chasles.proof.conditions import solve_conditions
 from chasles.proof.context import build
 from chasles.proof.linear import MODULUS, Column, Span, minus, multiple, normalized
 from chasles.proof.places import Path, Place, put, with_term
-from chasles.proof.residues import Sampled, Unsampled, generic_points
+from chasles.proof.residues import Sampled, Unsampled, generic_points, inverse
 from chasles.statements import Claim, Goal, Problem, Statement, problem_of
 from chasles.vocabulary import (
+    Block,
     Call,
     Contract,
     Identity,
@@ -25,6 +27,7 @@ from chasles.vocabulary import (
     Node,
     Quotient,
     Rate,
+    Scale,
     Sum,
     Symbol,
     children,
@@ -38,7 +41,7 @@ Direction = tuple[int, ...]
 
 POINTS, NUMBERS = 8, 30
 """So many points are drawn at least, and so many that at least so many numbers are compared."""
-PROBED = 2
+PROBED = 3
 """Points at which a change is tried first."""
 
 
@@ -89,11 +92,16 @@ class Trial:
         key = id(at), place.path, term
         if key not in self._shares:
             try:
-                more = put(self.right, place.path, with_term(place.node, term))
-                self._shares[key] = minus(self.gap(at), self.miss(at, self.left, more))
+                self._shares[key] = self._contributed(at, place, term)
             except (Misfit, Unsampled):
                 self._shares[key] = [0] * len(self.gap(at))
         return self._shares[key]
+
+    def _contributed(self, at: Sampled, place: Place, term: Node) -> Column:
+        if place.apart and fit(place.node, term) and not isinstance(self.left, Inverse):
+            return _lifted(at, self.right, place.path, term)
+        more = put(self.right, place.path, with_term(place.node, term))
+        return minus(self.gap(at), self.miss(at, self.left, more))
 
     def of(self, right: Node) -> Trial:
         """The same trial of another right side."""
@@ -121,7 +129,7 @@ class Trial:
     def direction(self, node: Node) -> Direction:
         """What the values have in common with those of all multiples, where the angles are fixed; () if it is zero."""
         if node not in self._directions:
-            self._directions[node] = normalized(self.fixed.flat(node))
+            self._directions[node] = normalized(self.probe.flat(node))
         return self._directions[node]
 
     @cached_property
@@ -130,7 +138,9 @@ class Trial:
         occurring = [*_scalars(self.right), *(node for node in _scalars(self.left) if isinstance(node, Call))]
         known = [node for _, side in self.problem.rules for node in _scalars(side) if isinstance(node, Call)]
         found = [n for n in occurring if self._is_function(n)] or [n for n in known if self._is_function(n)]
-        return tuple(self._independent(map(Function, (ONE, *found))))
+        angles = dict.fromkeys(node.argument for node in found if isinstance(node, Call))
+        both = [Call(function, angle) for angle in angles for function in ("cos", "sin")]
+        return tuple(self._independent(map(Function, (ONE, *found, *both))))
 
     @cached_property
     def fractions(self) -> tuple[Function, ...]:
@@ -172,6 +182,33 @@ class Trial:
         for function in functions:
             if span.add(self.varied.flat(function.node)):
                 yield function
+
+
+def _lifted(at: Sampled, root: Node, path: Path, term: Node) -> Column:
+    """The values of a term in a place apart: times the common factors above it, among zeros where it is in a block."""
+    rows, columns = root.shape
+    factors, top, left = [1] * len(at.points), 0, 0
+    for k in path:
+        match root:
+            case Negative():
+                factors = [-factor for factor in factors]
+            case Scale(factor, _):
+                factors = [a * b[0][0] for a, b in zip(factors, at(factor), strict=True)]
+            case Quotient(_, denominator):
+                factors = [a * inverse(b[0][0]) for a, b in zip(factors, at(denominator), strict=True)]
+            case Block(lines):
+                row, column = [(i, j) for i, line in enumerate(lines) for j in range(len(line))][k]
+                top += sum(line[0].shape[0] for line in lines[:row])
+                left += sum(block.shape[1] for block in lines[row][:column])
+        root = children(root)[k]
+    found: Column = []
+    for factor, matrix in zip(factors, at(term), strict=True):
+        whole = [[0] * columns for _ in range(rows)]
+        for i, row_of_entries in enumerate(matrix):
+            for j, entry in enumerate(row_of_entries):
+                whole[top + i][left + j] = factor * entry % MODULUS
+        found += [entry for row_of_entries in whole for entry in row_of_entries]
+    return found
 
 
 def _times(one: Function, other: Function) -> Node:

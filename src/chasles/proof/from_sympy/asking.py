@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
 import sympy
@@ -17,7 +18,7 @@ from chasles.proof.from_sympy.searching import search_for
 from chasles.proof.variables import Untreatable
 from chasles.proof.verdict import IllFormed
 from chasles.statements import Goal, Hypothesis, Problem
-from chasles.vocabulary import Node
+from chasles.vocabulary import Node, replace as put
 
 __all__ = ["ask"]
 
@@ -72,12 +73,13 @@ class _Asking:
         divisors = {node: self._divisor(node) for node in reader.divisors}
         words = words_of(roots.hypotheses)
         # Variables rank as they are met: a root above what is under it, so that its square is what leads.
-        hypotheses = dict.fromkeys((*reversed(roots.hypotheses), *self.equations, *divisors.values()))
+        equations = [_with(hypothesis, dict(roots.rules)) for hypothesis in self.equations]
+        hypotheses = dict.fromkeys((*reversed(roots.hypotheses), *equations, *divisors.values()))
         evident = [divisor.text for divisor in reader.divisors.values() if divisor.evident]
         met = [divisor.text for node, divisor in reader.divisors.items() if node in self.met]
         return Question(
             problem=Problem((self.goal,), roots.rules, (), words, tuple(hypotheses)),
-            own=(*self.equations, *(divisors[node] for node in divisors if node in self.declared)),
+            own=(*equations, *(divisors[node] for node in divisors if node in self.declared)),
             search=search_for(reader, self.given),
             needs=(*(text for text, _, _ in self.given.substitutions), *met, *roots.domains),
             hidden=frozenset((*evident, *(h.text for h in roots.hypotheses))),
@@ -96,3 +98,12 @@ class _Asking:
         kind = "rotation" if item.triad and item.triad.proper and len(item.pairs) > 6 else "equation"
         subjects = tuple(dict.fromkeys(side for pair in pairs for side in pair))
         return Hypothesis(kind, subjects, pairs, (), "", item.text, free=True)
+
+
+def _with(hypothesis: Hypothesis, values: Mapping[Node, Node]) -> Hypothesis:
+    """The hypothesis said of what words stand for; a root that depends on another one comes after it."""
+    for word, value in reversed(values.items()):
+        pairs = tuple((put(one, {word: value}), put(other, {word: value})) for one, other in hypothesis.equations)
+        subjects = tuple(put(subject, {word: value}) for subject in hypothesis.subjects)
+        hypothesis = replace(hypothesis, equations=pairs, subjects=subjects)
+    return hypothesis

@@ -125,8 +125,8 @@ class Reader:
             numerator, denominator = sympy.fraction(sympy.together(in_sines(base)))
             if divides(numerator) or divides(denominator):
                 raise Untreatable(f"{excerpt(factor)} is not treated: SymPy finds no common denominator in it")
-            node, other = self(numerator), self(denominator)
-            above.append(_raised(other, power))
+            base, node = numerator, self(numerator)
+            above.append(_raised(self(denominator), power))
         self.declare(node, divisor_of(base))
         below.append(_raised(node, power))
 
