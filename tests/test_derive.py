@@ -281,7 +281,7 @@ def test_every_statement_on_a_road_comes_from_the_book() -> None:
 
 
 def call(*words: str) -> Result:
-    return CliRunner().invoke(main, list(words), prog_name="chasles")
+    return CliRunner(env={"COLUMNS": None}).invoke(main, list(words), prog_name="chasles")
 
 
 def test_derive_prints_a_road() -> None:

@@ -221,7 +221,7 @@ def test_values_come_before_rules_and_rules_before_abbreviations() -> None:
 def test_rates_are_values() -> None:
     assert evaluate(rate(a) + rate(at(a)), {rate(a): [1, 2, 3]}) == [[2], [4], [6]]
     assert evaluate(rate(rate(a)), {rate(rate(a)): [1, 2, 3]}) == [[1], [2], [3]]
-    with pytest.raises(NoValue, match="a_dot has no value: rates are not taken here"):
+    with pytest.raises(NoValue, match="a_dot has no value: give it among the values"):
         evaluate(rate(a), {a: [1, 2, 3]})
 
 

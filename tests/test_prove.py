@@ -8,16 +8,20 @@ import subprocess
 import sys
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
+from pathlib import Path
 from time import perf_counter
 from typing import Any
 
 import pytest
 import sympy as sp
-from hypothesis import HealthCheck, assume, given as drawn, settings, strategies as st
+from hypothesis import HealthCheck, assume, settings
+from hypothesis import given as drawn
+from hypothesis import strategies as st
 from sympy import Abs, Eq, Matrix, Rational, cos, cot, csc, eye, pi, sec, sin, sqrt, tan, zeros
 from sympy.core.function import AppliedUndef
 
 import chasles
+from chasles.proof.surds import Exact, root_of
 from chasles.proof.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided
 from chasles.prove import Rejected, Untreatable, prove, recheck
 
@@ -305,6 +309,26 @@ def test_what_sympy_assumes_of_a_symbol_is_respected() -> None:
     assert isinstance(prove(m, -m), Fails)
 
 
+@pytest.mark.parametrize(
+    ("lhs", "rhs", "given"),
+    [
+        (Abs(x), x, [Eq(m, x)]),
+        (Abs(y), y, [Eq(sqrt(x), y)]),
+        (x, 2, [Eq(sqrt(x), -1)]),
+        (cos(x), cos(y), [Eq((x - y) ** 2, 0)]),
+        (cos(x), 1, [Eq(x**2, 0)]),
+        (sin(2 * x), 0, [Eq(x**2, pi**2)]),
+        (cos(x * y), 1, [Eq(x**2, 0)]),
+        (cos(x * y) + x * y * z, 1 + x + y, [Eq(x**2 + y**2, 0)]),
+        (sqrt(x) + x, sqrt(2 * x ** Rational(3, 2) + x**2 + x), []),
+        (f.diff(t), 0, [Eq(f**2 + f.diff(t) ** 2, 0)]),
+    ],
+    ids=name,
+)
+def test_what_is_true_for_reasons_beyond_algebra_is_never_refuted(lhs: Any, rhs: Any, given: Any) -> None:
+    assert not isinstance(prove(lhs, rhs, given=given), Fails)
+
+
 def test_names_may_be_anything() -> None:
     odd = [sp.Symbol(text) for text in ("x*y", "2x", "cos(x)", "pi", "φ", "a b", "a_b", "w_1", "root_1", "")]
     total = sum(odd)
@@ -364,6 +388,32 @@ def test_a_forged_certificate_is_rejected() -> None:
         recheck(doubled, sqrt(2) * x, x * sqrt(2))
 
 
+def test_exact_numbers_are_those_of_sympy() -> None:
+    one = Exact.rational(Fraction(1, 2)) + Exact.root_of(Exact.rational(2) + rooted(2)) * rooted(3) - rooted(6)
+    half = sp.sympify(str(one))
+    for value, wanted in ((one * one, half**2), (one**3, half**3), (one.inverse(), 1 / half)):
+        assert abs(sp.N(sp.sympify(str(value)) - wanted, 40)) < Rational(1, 10**35)
+        assert value is not None
+        assert value.is_negative == (sp.N(wanted, 40) < 0)
+
+
+def test_roots_that_depend_on_others_are_not_taken_for_new_ones() -> None:
+    one, other = Exact.rational(2) + rooted(2), Exact.rational(3) + rooted(2)
+    assert str(root_of(one)) == "sqrt(2 + sqrt(2))"
+    assert str(root_of(Exact.rational(3) + rooted(8))) == "1 + sqrt(2)"
+    assert root_of(one * other, [one, other]) is None
+    assert root_of(rooted(2) - Exact.rational(2)) is None
+    conjugate = root_of(Exact.rational(2) - rooted(2), [one])
+    assert conjugate is not None
+    assert (conjugate * Exact.root_of(one) - rooted(2)).is_zero
+
+
+def rooted(square: int) -> Exact:
+    root = root_of(Exact.rational(square))
+    assert root is not None
+    return root
+
+
 atoms = st.sampled_from([x, y, z, sin(x), cos(x), sin(2 * x), cos(x / 2), sin(x + y), f, f.diff(t), theta, sin(theta)])
 numbers = st.builds(Rational, st.integers(-3, 3), st.integers(1, 3))
 trees = st.recursive(
@@ -380,10 +430,11 @@ roots = st.recursive(
     ),
     max_leaves=4,
 )
-few = settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+some = settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+few = settings(some, max_examples=20)
 
 
-@few
+@some
 @drawn(trees, numbers)
 def test_rewritten_expressions_are_equal_and_perturbed_ones_are_not(tree: Any, shift: Any) -> None:
     assume(not tree.has(sp.nan, sp.zoo))
@@ -404,7 +455,7 @@ def values_at(side: Any) -> Iterator[tuple[int, Any]]:
     """The values at points where all roots are real."""
     for place, point in enumerate(POINTS):
         values = dict(zip((x, y), point, strict=True))
-        radicands = [p.base.xreplace(values) for p in side.atoms(sp.Pow) if p.exp == Rational(1, 2)]
+        radicands = [p.base.xreplace(values) for p in side.atoms(sp.Pow) if not p.exp.is_Integer]
         if all(radicand.is_real and radicand >= 0 for radicand in radicands):
             yield place, sp.N(side.xreplace(values), 30)
 
@@ -457,7 +508,7 @@ def test_both_kinds_of_polynomials_say_the_same() -> None:
     said = []
     for kind, seed in (("", "1"), ("sympy", "2")):
         environment = {**os.environ, "CHASLES_POLYNOMIALS": kind, "PYTHONHASHSEED": seed}
-        command = [sys.executable, "-c", QUESTIONS, os.path.dirname(__file__)]
+        command = [sys.executable, "-c", QUESTIONS, str(Path(__file__).parent)]
         done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stderr
         said.append(json.loads(done.stdout))

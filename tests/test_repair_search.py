@@ -2,43 +2,272 @@
 
 from __future__ import annotations
 
-from chasles.statements import Claim, Definition, unit
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+
+import pytest
+
+from chasles.proof import repair as searching
+from chasles.proof import rings
+from chasles.proof.ansatz import palette_of
+from chasles.proof.coefficients import Function, scaled, spelled, split
+from chasles.proof.decide import decide_problem
+from chasles.proof.linear import MODULUS, Span, combination, multiple, rational
+from chasles.proof.places import linear_places, put, separate_sums
+from chasles.proof.repair import repair
+from chasles.proof.trial import Trial
+from chasles.proof.verdict import Holds, HoldsUnder, Undecided, Verdict
+from chasles.statements import (
+    Claim,
+    Condition,
+    Definition,
+    Hypothesis,
+    Problem,
+    Statement,
+    load,
+    nonzero,
+    problem_of,
+    unit,
+)
 from chasles.vocabulary import (
     CPM,
     FREQUENCY,
+    Dimension,
     Identity,
+    Node,
+    Number,
     Zero,
     column,
     cos,
     cross,
     dot,
+    matrix,
     norm,
     paren,
+    plain,
+    printed,
+    rate,
     row,
     scalar,
     sin,
     square,
+    tr,
     vector,
 )
 
 one, zero = Identity(3), Zero(3, 1)
-x, y, z, e = (vector(name, name, "a vector") for name in "xyze")
+u, x, y, z, e = (vector(name, name, "a vector") for name in "uxyze")
 w = vector("w", "w", "a spin", FREQUENCY)
-k, phi, theta = (scalar(name, name, "a scalar") for name in ("k", "phi", "theta"))
-M = square("M", "M", "a matrix")
+phi, theta = (scalar(name, name, "an angle") for name in ("phi", "theta"))
+M = square("M", "M", "a rotation")
 turning = Definition("1", M, e @ e.T + cos(phi) * (one - e @ e.T) + sin(phi) * CPM(e), assuming=(unit(e),))
-named = Definition("2", z, column(0, 0, 1))
+along = dot(e, x) * e
+across = paren(x - dot(e, x) * e)
 
-SLIPS: list[tuple[str, Claim, str]] = [
-    ("number", Claim("9", CPM(x) @ CPM(x), x @ x.T - 2 * dot(x, x) * one), "x x^T - x . x 1"),
-    ("sign", Claim("9", cross(x, cross(y, z)), dot(x, z) * y + dot(x, y) * z), "(x . z) y - (x . y) z"),
-    ("term", Claim("9", CPM(x) @ CPM(x), x @ x.T), "x x^T - (x . x) 1"),
-    ("order", Claim("9", CPM(x) @ y, cross(y, x)), "x x y"),
-    ("transpose", Claim("9", CPM(x) @ CPM(x), x.T @ x * one - paren(x.T @ x) * one), ""),
-    ("function", Claim("9", M @ x, dot(e, x) * e + sin(phi) * (x - dot(e, x) * e) + sin(phi) * cross(e, x)), ""),
-    ("letter", Claim("9", CPM(x) @ y, cross(x, z)), "x x y"),
-    ("power", Claim("9", norm(x) ** 2, norm(x) ** 3), "|x|^2"),
-    ("sign in a norm", Claim("9", norm(x + y) ** 2, norm(x - y) ** 2), ""),
-    ("block", Claim("9", column(x, y), column(x, 2 * y)), "[x; y]"),
-    ("blocks", Claim("9", row(x, cross(x, y)), row(x, cross(x, y))), ""),
-]
+SLIPS: dict[str, tuple[Claim, str]] = {
+    "number": (Claim("9", CPM(x) @ CPM(x), x @ x.T - 2 * dot(x, x) * one), "x x^T - (x . x) 1"),
+    "sign": (Claim("9", cross(x, cross(y, z)), dot(x, z) * y + dot(x, y) * z), "(x . z) y - (x . y) z"),
+    "missing term": (Claim("9", CPM(x) @ CPM(x), x @ x.T), "x x^T - (x . x) 1"),
+    "superfluous term": (Claim("9", tr(CPM(x) @ CPM(y)), -(2 * dot(x, y)) + dot(x, x)), "-2 (x . y)"),
+    "order": (Claim("9", CPM(x) @ y, cross(y, x)), "-y x x"),
+    "lost transpose": (Claim("9", paren(M @ M).T, M @ M.T, given=(turning,)), "M^T M^T"),
+    "wrong letter": (Claim("9", CPM(x) @ y, cross(x, u), given=(Definition("2", u, 2 * z),)), "x x y"),
+    "misread letter": (Claim("9", M @ x, along + cos(phi) * across + sin(theta) * cross(e, x), given=(turning,)), ""),
+    "cosine": (Claim("9", M @ x, along + sin(phi) * across + sin(phi) * cross(e, x), given=(turning,)), ""),
+    "missing function": (Claim("9", M @ x, along + cos(phi) * across, given=(turning,)), ""),
+    "other term": (Claim("9", M - M.T, 2 * sin(phi) * e @ e.T, given=(turning,)), "2 sin(phi) CPM(e)"),
+    "factor of a block": (
+        Claim("9", column(2 * CPM(x) @ y, dot(x, x)), 2 * column(cross(x, y), dot(x, x))),
+        "[2 (x x y); x . x]",
+    ),
+    "sign in a norm": (Claim("9", dot(x - y, x - y), norm(x + y) ** 2), "|x - y|^2"),
+    "power": (Claim("9", dot(x, x), norm(x) ** 3, assuming=(nonzero(norm(x)),)), "|x|^2"),
+    "block": (Claim("9", matrix((one, CPM(x)), (CPM(x).T, one)).T, matrix((one, CPM(x)), (one, one))), ""),
+    "rates": (Claim("9", rate(cross(x, y)), cross(rate(x), y)), "x_dot x y + x x y_dot"),
+}
+
+
+def proves(claim: Claim, left: Node, right: Node) -> bool:
+    verdict = decide_problem(problem_of(replace(claim, left=left, right=right)))
+    return isinstance(verdict, Holds | HoldsUnder)
+
+
+@pytest.mark.parametrize("slip", SLIPS)
+def test_one_slip_is_one_change(slip: str) -> None:
+    claim, expected = SLIPS[slip]
+    assert not proves(claim, claim.left, claim.right)
+    found = repair(claim)
+    assert found
+    assert found[0].edits == len(found[0].changes) == 1
+    assert all(proves(claim, each.left, each.right) for each in found)
+    assert not expected or expected in [plain(each.right) for each in found]
+
+
+def test_two_changes_are_found_together() -> None:
+    claim = Claim("9", M @ x, 2 * along + cos(phi) * across, given=(turning,))
+    found = repair(claim)
+    assert {each.edits for each in found} == {2}
+    assert all(proves(claim, each.left, each.right) for each in found)
+
+
+def test_a_change_in_each_block() -> None:
+    claim = Claim("9", column(CPM(x) @ y, CPM(x) @ z), column(-cross(x, y), cross(z, x)))
+    (found,) = repair(claim)
+    assert found.edits == 1
+    claim = Claim("9", column(CPM(x) @ y, CPM(x) @ z, dot(x, y)), column(-cross(x, y), cross(z, x), dot(y, x)))
+    found, *_ = repair(claim)
+    assert found.edits == 2
+    assert proves(claim, found.left, found.right)
+
+
+def test_lost_separator_and_lost_factor() -> None:
+    blocks = Claim("9", row(CPM(x), y), printed(lambda: row(-CPM(x).T @ y)), corrected=row(CPM(x), y))
+    (found,) = repair(blocks)
+    assert found.marks == found.edits == 1
+    assert plain(found.right) == "[-CPM(x)^T, y]"
+    projected = CPM(e) @ CPM(e) @ x + x
+    scalar_for_vector = Claim("9", projected, printed(lambda: dot(e, x)), assuming=(unit(e),), corrected=projected)
+    (found,) = repair(scalar_for_vector)
+    assert found.changes == ("the vector factor e is added",)
+
+
+HOPELESS = (
+    Claim("9", dot(x, y), norm(x) * norm(y)),
+    Claim("9", M, CPM(x), given=(turning,)),
+    Claim("9", norm(x + y), norm(x) + norm(y)),
+)
+
+
+@pytest.mark.parametrize("claim", HOPELESS, ids=lambda claim: plain(claim.right))
+def test_the_hopeless_is_not_repaired(claim: Claim) -> None:
+    assert repair(claim) == ()
+
+
+def test_only_claims_that_fail_are_repaired() -> None:
+    assert repair(Claim("9", CPM(x) @ y, cross(x, y))) == ()
+    assert repair(turning) == ()
+    assert repair(Condition("9", dot(x, y), dot(x, x), on=(x,))) == ()
+
+
+def test_what_rests_on_the_statement_is_not_asked() -> None:
+    wrong = Claim("9", x, M @ rate(y))
+    later = Claim("10", u, M @ rate(z), given=(wrong,))
+
+    def standing(statement: Statement) -> str:
+        assert statement.number != "9"
+        return "printed"
+
+    assert repair(wrong, standing, beside=(wrong, later)) == ()
+
+
+def test_what_rests_on_a_statement_that_does_not_stand_is_not_repaired() -> None:
+    claim = Claim("9", z, 2 * cross(x, y), given=(Definition("8", z, cross(x, y)),))
+    assert repair(claim)
+
+    def standing(statement: Statement) -> str:
+        raise TypeError(f"({statement.number}) does not stand")
+
+    assert repair(claim, standing) == ()
+
+
+def test_nothing_is_given_that_was_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    claim, _ = SLIPS["number"]
+    assert repair(claim)
+    monkeypatch.setattr(searching, "decide_problem", lambda *_: Undecided("the prover is asleep"))
+    assert repair(claim) == ()
+
+
+def test_only_what_the_prover_confirms_is_given(monkeypatch: pytest.MonkeyPatch) -> None:
+    claim, _ = SLIPS["sign in a norm"]
+    first, *others = repair(claim)
+    assert others
+
+    def not_the_first(problem: Problem, own: tuple[Hypothesis, ...] = ()) -> Verdict:
+        right = problem.goals[0].right
+        return Undecided("not this one") if right == first.right else decide_problem(problem, own)
+
+    monkeypatch.setattr(searching, "decide_problem", not_the_first)
+    assert [each.right for each in repair(claim)][: len(others)] == [each.right for each in others]
+
+
+def test_candidates_that_do_not_even_agree_at_points_are_refuted(monkeypatch: pytest.MonkeyPatch) -> None:
+    claim, _ = SLIPS["sign"]
+    monkeypatch.setattr(Trial, "holds", lambda *_: True)
+    assert all(proves(claim, each.left, each.right) for each in repair(claim))
+
+
+@pytest.fixture
+def without_flint(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    monkeypatch.setenv("CHASLES_POLYNOMIALS", "sympy")
+    rings.backend.cache_clear()
+    yield
+    monkeypatch.undo()
+    rings.backend.cache_clear()
+
+
+def searched() -> list[tuple[str, ...]]:
+    book = {entry.name: entry.statement for entry in load()}
+    names = ("rate_of_natural_velocity_matrix", "upper_block_of_natural_rate_matrix_rate")
+    claims = [statement for name in names if isinstance(statement := book[name], Claim)]
+    return [
+        (plain(each.right), *each.changes)
+        for claim in (*claims, *(c for c, _ in SLIPS.values()))
+        for each in repair(claim)
+    ]
+
+
+@pytest.mark.slow
+def test_either_kind_of_polynomials_finds_the_same(request: pytest.FixtureRequest) -> None:
+    found = searched()
+    request.getfixturevalue("without_flint")
+    assert rings.backend() == "sympy"
+    assert searched() == found
+
+
+def test_terms_have_the_shape_and_dimension_asked_for() -> None:
+    palette = palette_of([cross(w, x), e, CPM(e)])
+    for shape in ((3, 1), (1, 3), (3, 3), (1, 1)):
+        terms = list(palette.of_dimension(shape, FREQUENCY))
+        assert terms
+        assert all(term.shape == shape for term in terms)
+        assert all(term.measure is not None and term.measure.the_dimension(term) == FREQUENCY for term in terms)
+    assert not list(palette.of_dimension((3, 1), Dimension(mass=1)))
+
+
+def test_a_term_is_a_coefficient_times_a_core() -> None:
+    term = -(2 * (3 - cos(phi)) * paren(dot(e, w)) * e @ e.T)
+    parts = split(term, lambda node: all(symbol not in plain(node) for symbol in ("e", "w")))
+    assert plain(parts.coefficient) == "-2 (3 - cos(phi))"
+    assert parts.core is not None
+    assert plain(parts.core) == "(e . w) e e^T"
+    assert str(scaled(term, Fraction(1, 2))) == "-(3 - cos(phi)) (e . w) e e^T"
+    assert scaled(term, Fraction(0)) is None
+    assert str(spelled([(Fraction(4), Function()), (Fraction(2), Function(cos(phi)))])) == "2 (2 + cos(phi))"
+    assert str(spelled([(Fraction(-1, 2), Function(cos(phi), dot(x, y)))])) == "-cos(phi) / [2 (x . y)]"
+    assert spelled([(Fraction(0), Function())]) is None
+
+
+def test_systems_are_solved_exactly() -> None:
+    columns = [[1, 2, 3, 5], [1, 1, 0, 7], [0, 4, 4, 4]]
+    values = [Fraction(1, 2), Fraction(-3), Fraction(5, 7)]
+    half, seventh = pow(2, -1, MODULUS), pow(7, -1, MODULUS)
+    target = [(a * half - 3 * b + c * 5 * seventh) % MODULUS for a, b, c in zip(*columns, strict=True)]
+    assert combination(columns, target) == values
+    assert combination([*columns, columns[0]], target) is None
+    assert combination(columns, [*target[:3], target[3] + 1]) is None
+    assert multiple([2, 4], [1, 2]) == 2
+    assert multiple([2, 5], [1, 2]) is None
+    assert multiple([0, 0], [0, 0]) is None
+    assert rational(half) == Fraction(1, 2)
+    assert rational(1 << 40) is None
+    assert not Span([[1, 2], [2, 4]]).independent
+
+
+def test_places_are_where_the_whole_is_linear() -> None:
+    node = column(2 * (x + y), cross(x, norm(x) * y))
+    linear = {plain(place.node) for place in linear_places(node)}
+    assert {"x + y", "|x| y", "y", "|x|"} <= linear
+    assert [plain(place.node) for place, _ in separate_sums(node)] == ["x + y", "x x |x| y"]
+    assert plain(put(node, (0, 1, 0), None)) == "[2 y; x x |x| y]"
+    assert plain(put(node, (1,), Number(Fraction(0)) * x)) == "[2 (x + y); 0 x]"

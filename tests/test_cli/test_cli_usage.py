@@ -38,7 +38,7 @@ def test_version(run) -> None:
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["show", "3.199"], "the book has no equation '3.199'; near it: 3.19"),
+        (["show", "3.199"], "the book has no equation '3.199'; near it: 3.99, 3.19"),
         (["show", "3.76"], "near it: 3.76a, 3.76b, 3.76c, 3.76d"),
         (["show", "thm", "3.2.9"], "the book has no equation 'thm'"),
         (["show", "screw_axis_pont"], "near it: screw_axis_point"),

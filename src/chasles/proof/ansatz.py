@@ -76,6 +76,7 @@ class Palette:
     scalars: dict[Node, None] = field(default_factory=dict)
     squares: dict[Node, None] = field(default_factory=dict)
     arrays: dict[Node, None] = field(default_factory=dict)
+    without: frozenset[Node] = frozenset()
     _weights: dict[Dimension, list[Node]] = field(default_factory=dict)
     _shaped: dict[Shape, list[tuple[Node, Dimension | None]]] = field(default_factory=dict)
     _terms: dict[Measure | None, tuple[Node, ...]] = field(default_factory=dict)
@@ -88,11 +89,12 @@ class Palette:
         """The terms that can be added to an expression, the simpler first; some are multiples or sums of others."""
         if like.measure not in self._terms:
             dimension = dimension_of(like)
+            found: Iterator[Node]
             if dimension is None or like.shape[0] not in (1, 3) or like.shape[1] not in (1, 3):
                 found = (node for node in self._products(like.shape) if fit(node, like))
             else:
                 found = self.of_dimension(like.shape, dimension)
-            self._terms[like.measure] = tuple(islice(found, MOST_TERMS))
+            self._terms[like.measure] = tuple(node for node in islice(found, MOST_TERMS) if node not in self.without)
         return self._terms[like.measure]
 
     def of_dimension(self, shape: Shape, dimension: Dimension) -> Iterator[Node]:
@@ -176,7 +178,7 @@ def palette_of(nodes: Iterable[Node], without: frozenset[Node] = frozenset(), or
 
     With an `order`, the rates of all symbols up to that one too.
     """
-    palette = Palette()
+    palette = Palette(without=without)
     for node in nodes:
         _collect(palette, node, without, factor=False)
     for node in palette.nodes:

@@ -15,6 +15,7 @@ from operator import add, mul
 
 from chasles.proof.completion import Combination
 from chasles.proof.context import Context, Generator, describe, difference, entries
+from chasles.proof.elimination import eliminated
 from chasles.proof.points import Point, evaluate
 from chasles.proof.ratios import Ratio
 from chasles.proof.rings import Polynomial
@@ -200,30 +201,7 @@ def satisfying_point(context: Context, candidates: Iterable[Point]) -> Point | N
             [evaluate(context, entry, point).get(0, Fraction(0)) for entry in (*line, constant)]
             for line, constant in zip(matrix, constants, strict=True)
         ]
-        solution = _eliminated(rows)
+        solution = eliminated(rows)
         if solution is not None:
             return point | dict(zip(names, solution, strict=True))
     return None
-
-
-def _eliminated(rows: list[list[Fraction]]) -> list[Fraction] | None:
-    """A solution of the linear system whose last column is the right side; None if there is none."""
-    size = len(rows[0]) - 1
-    pivots: list[int] = []
-    for column in range(size):
-        done = len(pivots)
-        row = next((r for r in range(done, len(rows)) if rows[r][column]), None)
-        if row is None:
-            continue
-        rows[done], rows[row] = rows[row], rows[done]
-        rows[done] = [x / rows[done][column] for x in rows[done]]
-        for r, line in enumerate(rows):
-            if r != done and line[column]:
-                rows[r] = [x - line[column] * y for x, y in zip(line, rows[done], strict=True)]
-        pivots.append(column)
-    if any(line[-1] for line in rows[len(pivots) :]):
-        return None
-    solution = [Fraction(0)] * size
-    for row, column in enumerate(pivots):
-        solution[column] = rows[row][-1]
-    return solution

@@ -14,14 +14,14 @@ from itertools import combinations
 
 from chasles.proof.ansatz import Palette, fit
 from chasles.proof.coefficients import Function, added, spelled, times
-from chasles.proof.decide import BUDGET, decide_problem
+from chasles.proof.decide import decide_problem
 from chasles.proof.linear import MODULUS, combination
 from chasles.proof.places import Place, put, separate_sums
 from chasles.proof.single import Change, distinct_terms, instead, rescaled
-from chasles.proof.trial import Standing, Trial, changed, on_trial
+from chasles.proof.trial import REFUSED, Standing, Trial, changed, on_trial
 from chasles.statements import Claim, Statement, problem_of
 from chasles.statements.problem import default_form
-from chasles.vocabulary import Block, Contract, Dot, Node, Rate, Symbol, Transpose, Zero, plain, replace
+from chasles.vocabulary import Block, Contract, Dot, Misfit, Node, Rate, Symbol, Transpose, Zero, plain, replace
 
 __all__ = ["Freedom", "freedom_of", "other_objects"]
 
@@ -52,9 +52,12 @@ def freedom_of(left: Node, beside: Iterable[Claim], standing: Standing) -> Itera
         one, other = claim.form(default_form(claim))
         match other:
             case Contract((first, Rate(Symbol() as array))) if first == symbol:
-                rules = dict(problem_of(claim, default_form(claim), standing).rules)
-                trial = on_trial(claim, one, other, standing)
-                if trial is not None and isinstance(blocks := rules.get(array), Block):
+                try:
+                    trial = on_trial(claim, one, other, standing)
+                except REFUSED:
+                    continue
+                blocks = dict(trial.problem.rules).get(array) if trial is not None else None
+                if trial is not None and isinstance(blocks, Block):
                     yield from (Freedom(symbol, row, claim) for row in _rows(trial, blocks))
 
 
@@ -134,7 +137,10 @@ def _allowed(freedom: Freedom, other: Node, statement: Statement, standing: Stan
     left, right = freedom.claim.form(default_form(freedom.claim))
     given = tuple(dict.fromkeys((*freedom.claim.given, *statement.given)))
     claim = with_fields(changed(freedom.claim, left, replace(right, {freedom.symbol: other})), given=given)
-    return decide_problem(problem_of(claim, "printed", standing), (), BUDGET).true
+    try:
+        return decide_problem(problem_of(claim, "printed", standing)).true
+    except (Misfit, TypeError):
+        return False
 
 
 def _changed(trial: Trial, freedom: Freedom, other: Node, numbers: dict[Place, Fraction]) -> Change:

@@ -87,14 +87,16 @@ class Judge:
             return "printed"
         if decision.correction is not None and decision.correction.verdict.true:
             return decision.correction.form
-        raise TypeError(f"it rests on ({statement.number}), which does not stand: it is {decision.verdict.name}")
+        raise TypeError(f"it rests on ({statement.number}), which does not stand: its verdict is '{decision.verdict.name}'")
 
     def _decide(self, sentence: Sentence) -> Decision:
         started = perf_counter()
         try:
             given = {f"{g.number}/{g.part}": self.standing(g) for g in sentence.given}
         except TypeError as error:
-            return Decision(sentence, Undecided(str(error)), milliseconds=(perf_counter() - started) * 1000)
+            if not isinstance(sentence, Definition):
+                return Decision(sentence, Undecided(str(error)), milliseconds=(perf_counter() - started) * 1000)
+            given = {}
         verdict = self._inverse(sentence) if isinstance(sentence, Inverse) else self._form(sentence, "printed")
         correction = None if verdict.true else self._correction(sentence)
         return Decision(sentence, verdict, correction, given, (perf_counter() - started) * 1000)
@@ -112,7 +114,8 @@ class Judge:
     def _form(self, sentence: Statement | Theorem, form: str) -> Verdict:
         """The verdict on one form of a sentence."""
         try:
-            problem = problem_of(sentence, form, self.standing)
+            standing = default_form if isinstance(sentence, Definition) else self.standing
+            problem = problem_of(sentence, form, standing)
         except Misfit as misfit:
             return IllFormed(str(misfit))
         except TypeError as error:

@@ -13,7 +13,19 @@ from chasles.proof.ansatz import Palette, dimension_of, fit
 from chasles.proof.coefficients import added
 from chasles.proof.places import everywhere
 from chasles.proof.slips import Undone, in_letters, placed, undone
-from chasles.vocabulary import Block, Contract, Negative, Node, Scale, Sum, Symbol, plain, printed, symbols_of
+from chasles.vocabulary import (
+    NO_DIMENSION,
+    Block,
+    Contract,
+    Negative,
+    Node,
+    Scale,
+    Sum,
+    Symbol,
+    plain,
+    printed,
+    symbols_of,
+)
 
 __all__ = ["Fitting", "fitting"]
 
@@ -110,7 +122,9 @@ def _factored(left: Node, right: Node, palette: Palette) -> Iterator[Undone]:
         return
     if right.is_scalar and left.shape == (3, 1):
         for vector in palette.of_dimension((3, 1), one / other):
-            yield Scale(right, vector), f"the vector factor {plain(vector)} is added"
+            # A pure number in front of it would be another change.
+            if not isinstance(vector, Scale) or dimension_of(vector.factor) != NO_DIMENSION:
+                yield Scale(right, vector), f"the vector factor {plain(vector)} is added"
     elif left.shape == right.shape:
         for weight in palette.of_dimension((1, 1), one / other):
             yield Scale(weight, right), f"the factor {plain(weight)} is added"

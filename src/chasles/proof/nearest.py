@@ -15,30 +15,27 @@ from chasles.proof.ansatz import Palette, fit, palette_of
 from chasles.proof.combined import combined_changes
 from chasles.proof.freedom import freedom_of, other_objects
 from chasles.proof.opened import opened_changes
-from chasles.proof.residues import Singular, Unsampled
+from chasles.proof.residues import Unsampled
 from chasles.proof.single import Change, new_coefficients, other_terms
 from chasles.proof.slips import Undone, in_letters, undone
-from chasles.proof.trial import Standing, Trial, on_trial
-from chasles.proof.unfold import UndeclaredDivisor
-from chasles.proof.variables import Untreatable
+from chasles.proof.trial import REFUSED, Standing, Trial, on_trial
 from chasles.statements import Claim, Statement
 from chasles.statements.statement import bare
-from chasles.vocabulary import Misfit, Node, Rate, Symbol, children, symbols_of
+from chasles.vocabulary import Node, Rate, Symbol, children, symbols_of
 
-__all__ = ["Nearest"]
+__all__ = ["Nearest", "given_sides"]
 
 SLIP = 3
 """The effort of undoing a slip of form."""
-REFUSED = (Misfit, TypeError, Untreatable, UndeclaredDivisor, Singular, Unsampled)
-"""Why an equation cannot be tried: it does not fit, cannot be posed, is not treated, or divides by zero."""
 
 
 @dataclass
 class Nearest:
-    """What can be changed in a statement: the symbols at hand are those of its sides and of what it is given."""
+    """What can be changed in a statement: the symbols at hand are those of its sides and of the `given_sides`."""
 
     statement: Statement
     standing: Standing
+    given_sides: tuple[Node, ...] = ()
     beside: tuple[Claim, ...] = ()
     _trials: dict[tuple[Node, Node, int], tuple[Trial | None, Palette]] = field(default_factory=dict)
 
@@ -99,7 +96,10 @@ class Nearest:
     def _other_objects(self, left: Node, right: Node) -> Iterator[Change]:
         palette = palette_of([right], self.own)
         for freedom in freedom_of(left, self.beside, self.standing):
-            yield from other_objects(self.statement, (left, right), freedom, palette, self.standing)
+            try:
+                yield from other_objects(self.statement, (left, right), freedom, palette, self.standing)
+            except REFUSED:
+                continue
 
     def _several_changes(self, left: Node, right: Node) -> Iterator[Change]:
         for trial, palette in self._on_trial(left, right):
@@ -132,13 +132,6 @@ class Nearest:
         return trial if failing else None, palette
 
     @property
-    def given_sides(self) -> list[Node]:
-        """Both sides of what the statement is given, or restates."""
-        restated = self.statement.restates if isinstance(self.statement, Claim) else None
-        others = restated if isinstance(restated, tuple) else () if restated is None else (restated,)
-        return [side for each in (*self.statement.given, *others) for side in each.form(self.standing(each))]
-
-    @property
     def letters(self) -> list[Symbol]:
         """What a letter can have been meant for: the symbols at hand, but not the left side's own."""
         left = _symbol(self.statement.left)
@@ -161,6 +154,13 @@ class Nearest:
         if len(strays) == 1:
             letters = [s for s in known if s in self.letters and s.shape == strays[0].shape]
             yield from in_letters(right, letters, of=strays)
+
+
+def given_sides(statement: Statement, standing: Standing) -> tuple[Node, ...]:
+    """Both sides of all that a statement is given, or restates; raises TypeError if some of that does not stand."""
+    restated = statement.restates if isinstance(statement, Claim) else None
+    others = restated if isinstance(restated, tuple) else () if restated is None else (restated,)
+    return tuple(side for each in (*statement.given, *others) for side in each.form(standing(each)))
 
 
 def _symbol(left: Node) -> Symbol | None:

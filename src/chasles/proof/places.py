@@ -43,8 +43,8 @@ class Place:
     """A part of an expression and the way to it.
 
     `term` if it is the whole, a block or a term of a sum; `open` if a term can be added to it, and to nothing around it
-    with the same effect. `inside` a rate, only constant factors of it are factors of the whole. `apart`
-    if above it stand nothing but sums, blocks and common factors: changes in such places add up.
+    with the same effect. `inside` a rate, only constant factors of it are factors of the whole. `apart` if above it
+    stand nothing but sums, blocks and common factors: changes in such places add up.
     """
 
     path: Path

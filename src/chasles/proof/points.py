@@ -13,12 +13,13 @@ from math import comb, isqrt, prod
 from random import Random
 
 from chasles.proof.context import Context
+from chasles.proof.elimination import eliminated
 from chasles.proof.ratios import Ratio
 from chasles.proof.rings import Polynomial
 from chasles.proof.unfold import Matrix
 from chasles.proof.values import Value, divided, is_zero
 from chasles.statements import Hypothesis
-from chasles.vocabulary import Node, Symbol
+from chasles.vocabulary import PI, Node, Symbol
 
 __all__ = ["Point", "evaluate", "ratio_at", "sample", "satisfies"]
 
@@ -105,8 +106,35 @@ def sample(
     draw = Random(0)
     for attempt in range(0 if simple else SIMPLE_ATTEMPTS, ATTEMPTS):
         point = _try(context, solved, draw, attempt)
-        if point is not None and satisfies(context, point):
+        if point is not None and (satisfies(context, point) or _step(context, point, solved)):
             yield point
+
+
+def _step(context: Context, point: Point, solved: dict[str, tuple[Polynomial, Polynomial]]) -> bool:
+    """Move the free symbols so that what is linear in them vanishes too, as a rule for a rate may demand."""
+    if solved:
+        return False
+    ring = context.field.ring
+    bound = {subject for h in context.active if h.equations for subject in h.subjects}
+    violated = [g.polynomial for g in context.generators if not is_zero(evaluate(context, g.polynomial, point))]
+    places = [
+        k for k, v in enumerate(context.variables) if v.kind == "entry" and v.symbol not in bound and not v.symbol == PI
+    ]
+    slopes = [{k: ring.derivative(polynomial, k) for k in places} for polynomial in violated]
+    moving = sorted({k for slope in slopes for k, s in slope.items() if s != 0})
+    if not moving or any(ring.derivative(slope[k], j) != 0 for slope in slopes for k in moving for j in moving):
+        return False
+    rows = [
+        [evaluate(context, slope[k], point).get(0, Fraction(0)) for k in moving]
+        + [-evaluate(context, polynomial, point).get(0, Fraction(0))]
+        for slope, polynomial in zip(slopes, violated, strict=True)
+    ]
+    change = eliminated(rows)
+    if change is None:
+        return False
+    for k, moved in zip(moving, change, strict=True):
+        point[context.variables[k].name] += moved
+    return satisfies(context, point)
 
 
 def satisfies(context: Context, point: Point) -> bool:

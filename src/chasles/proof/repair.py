@@ -14,7 +14,7 @@ from chasles.proof.ansatz import palette_of
 from chasles.proof.deadline import OutOfTime, within
 from chasles.proof.decide import decide_problem
 from chasles.proof.marks import Fitting, fitting
-from chasles.proof.nearest import Nearest
+from chasles.proof.nearest import Nearest, given_sides
 from chasles.proof.single import Change
 from chasles.proof.trial import Standing, changed
 from chasles.proof.verdict import Holds, HoldsUnder, Verdict
@@ -61,9 +61,16 @@ def repair(
     `standing` says in which form given statements are used. What was changed is told from the print; where restored
     marks alone do not make it true, the search goes on from the statement's reading if it has one. `beside` are the
     other statements of the book: claims about a symbol say which freedom it has, claims that rest on a definition say
-    what it is.
+    what it is. What rests on a statement that does not stand is not repaired.
     """
-    near = Nearest(statement, standing, tuple(other for other in beside if isinstance(other, Claim)))
+    try:
+        sides = given_sides(statement, standing)
+    except TypeError:
+        return ()
+    claims = tuple(other for other in beside if isinstance(other, Claim))
+    if isinstance(statement, Claim):
+        claims = _not_resting_on(statement, claims)
+    near = Nearest(statement, standing, sides, claims)
     found: list[Repair] = []
     try:
         with within(seconds):
@@ -172,6 +179,18 @@ def _with_meant(near: Nearest, user: Claim, meant: Statement) -> Holds | HoldsUn
     """The verdict on a claim that rests on the definition, if that is what is meant and it holds."""
     given = tuple(meant if _same(meant, other) else other for other in user.given)
     return _verdict(near, with_fields(changed(user, *user.form(default_form(user))), given=given))
+
+
+def _not_resting_on(statement: Statement, claims: tuple[Claim, ...]) -> tuple[Claim, ...]:
+    """The claims that say something of their own: the standing of the others cannot be asked for yet."""
+    known: dict[int, bool] = {}
+
+    def rests(one: Statement) -> bool:
+        if id(one) not in known:
+            known[id(one)] = _same(one, statement) or any(map(rests, one.given))
+        return known[id(one)]
+
+    return tuple(claim for claim in claims if not rests(claim))
 
 
 def _same(one: Statement, other: Statement) -> bool:

@@ -87,7 +87,7 @@ def new_coefficients(trial: Trial) -> Iterator[Change]:
         number = None if ratio is None else rational(ratio)
         if number is not None:
             new, words = rescaled(place.node, number + 1)
-            effort = LEFT_OUT if new is None else int(number != -2)
+            effort = LEFT_OUT if new is None else 0 if number == -2 else min(number.denominator, 2)
             yield Change(trial.left, put(trial.right, place.path, new), (words,), effort)
         elif not place.inside and not (place.node.is_scalar and place.path):
             yield from _refitted(trial, place, gap, share)

@@ -14,7 +14,9 @@ from chasles.proof.conditions import solve_conditions
 from chasles.proof.context import build
 from chasles.proof.linear import MODULUS, Column, Span, minus, multiple, normalized
 from chasles.proof.places import Path, Place, put, with_term
-from chasles.proof.residues import Sampled, Unsampled, generic_points, inverse
+from chasles.proof.residues import Sampled, Singular, Unsampled, generic_points, inverse
+from chasles.proof.unfold import UndeclaredDivisor
+from chasles.proof.variables import Untreatable
 from chasles.statements import Claim, Goal, Problem, Statement, problem_of
 from chasles.vocabulary import (
     Block,
@@ -34,8 +36,10 @@ from chasles.vocabulary import (
     plain,
 )
 
-__all__ = ["Standing", "Trial", "changed", "on_trial"]
+__all__ = ["REFUSED", "Standing", "Trial", "changed", "on_trial"]
 
+REFUSED = (Misfit, TypeError, Untreatable, UndeclaredDivisor, Singular, Unsampled)
+"""Why an equation cannot be tried: it does not fit, cannot be posed, is not treated, or divides by zero."""
 Standing = Callable[[Statement], str]
 Direction = tuple[int, ...]
 
@@ -127,9 +131,12 @@ class Trial:
         return [entry * values[k // size] % MODULUS for k, entry in enumerate(column)]
 
     def direction(self, node: Node) -> Direction:
-        """What the values have in common with those of all multiples, where the angles are fixed; () if it is zero."""
+        """What all multiples have in common where the angles are fixed; () for zero, or what cannot be told."""
         if node not in self._directions:
-            self._directions[node] = normalized(self.probe.flat(node))
+            try:
+                self._directions[node] = normalized(self.probe.flat(node))
+            except (Singular, Unsampled):
+                self._directions[node] = ()
         return self._directions[node]
 
     @cached_property
@@ -202,12 +209,12 @@ def _lifted(at: Sampled, root: Node, path: Path, term: Node) -> Column:
                 left += sum(block.shape[1] for block in lines[row][:column])
         root = children(root)[k]
     found: Column = []
-    for factor, matrix in zip(factors, at(term), strict=True):
-        whole = [[0] * columns for _ in range(rows)]
-        for i, row_of_entries in enumerate(matrix):
-            for j, entry in enumerate(row_of_entries):
-                whole[top + i][left + j] = factor * entry % MODULUS
-        found += [entry for row_of_entries in whole for entry in row_of_entries]
+    for common, matrix in zip(factors, at(term), strict=True):
+        whole = [0] * (rows * columns)
+        for i, line in enumerate(matrix):
+            for j, entry in enumerate(line):
+                whole[(top + i) * columns + left + j] = common * entry % MODULUS
+        found += whole
     return found
 
 

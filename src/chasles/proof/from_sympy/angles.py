@@ -56,7 +56,7 @@ class Angles:
             return self.atoms.word(rest)
         if rest not in self._words:
             powers = rest.as_powers_dict()
-            if not all(is_atom(base) and power.is_Integer for base, power in powers.items()):
+            if not all(is_atom(base) and power.is_Integer and power.is_positive for base, power in powers.items()):
                 raise _no_angle(argument)
             factors = {self.atoms.word(base): int(power) for base, power in powers.items()}
             self._words[rest] = word = self.atoms.fresh(str(rest), rest)

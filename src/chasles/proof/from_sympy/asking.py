@@ -18,7 +18,8 @@ from chasles.proof.from_sympy.searching import search_for
 from chasles.proof.variables import Untreatable
 from chasles.proof.verdict import IllFormed
 from chasles.statements import Goal, Hypothesis, Problem
-from chasles.vocabulary import Node, replace as put
+from chasles.vocabulary import Node
+from chasles.vocabulary import replace as put
 
 __all__ = ["ask"]
 
@@ -102,7 +103,7 @@ class _Asking:
 
 def _with(hypothesis: Hypothesis, values: Mapping[Node, Node]) -> Hypothesis:
     """The hypothesis said of what words stand for; a root that depends on another one comes after it."""
-    for word, value in reversed(values.items()):
+    for word, value in reversed(list(values.items())):
         pairs = tuple((put(one, {word: value}), put(other, {word: value})) for one, other in hypothesis.equations)
         subjects = tuple(put(subject, {word: value}) for subject in hypothesis.subjects)
         hypothesis = replace(hypothesis, equations=pairs, subjects=subjects)

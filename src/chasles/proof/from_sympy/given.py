@@ -9,6 +9,7 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
+from chasles.proof.from_sympy.divisors import CIRCULAR
 from chasles.proof.from_sympy.opening import is_atom, sides
 from chasles.proof.from_sympy.triads import Triad, triads_of
 from chasles.proof.variables import Untreatable
@@ -87,7 +88,7 @@ def _without_given_angles(result: Given, expressions: list[Any]) -> list[Any]:
 
 def _angles_in(expressions: Iterable[Any]) -> set[Any]:
     """The atoms that occur in arguments of functions of angles."""
-    calls = {c for e in expressions for c in e.atoms(sympy.Function) if not isinstance(c, AppliedUndef | sympy.Abs)}
+    calls = {call for e in expressions for call in e.atoms(*CIRCULAR)}
     return {part for call in calls for part in sympy.preorder_traversal(call.args[0]) if is_atom(part)}
 
 
