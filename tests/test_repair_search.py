@@ -151,7 +151,7 @@ def test_only_claims_that_fail_are_repaired() -> None:
 
 
 def test_what_rests_on_the_statement_is_not_asked() -> None:
-    wrong = Claim("9", x, M @ rate(y))
+    wrong = Claim("9", rate(x), M @ rate(y))
     later = Claim("10", u, M @ rate(z), given=(wrong,))
 
     def standing(statement: Statement) -> str:

@@ -87,7 +87,9 @@ class Judge:
             return "printed"
         if decision.correction is not None and decision.correction.verdict.true:
             return decision.correction.form
-        raise TypeError(f"it rests on ({statement.number}), which does not stand: its verdict is '{decision.verdict.name}'")
+        raise TypeError(
+            f"it rests on ({statement.number}), which does not stand: its verdict is '{decision.verdict.name}'"
+        )
 
     def _decide(self, sentence: Sentence) -> Decision:
         started = perf_counter()
