@@ -118,7 +118,7 @@ def _step(context: Context, point: Point, solved: dict[str, tuple[Polynomial, Po
     bound = {subject for h in context.active if h.equations for subject in h.subjects}
     violated = [g.polynomial for g in context.generators if not is_zero(evaluate(context, g.polynomial, point))]
     places = [
-        k for k, v in enumerate(context.variables) if v.kind == "entry" and v.symbol not in bound and not v.symbol == PI
+        k for k, v in enumerate(context.variables) if v.kind == "entry" and v.symbol not in bound and v.symbol != PI
     ]
     slopes = [{k: ring.derivative(polynomial, k) for k in places} for polynomial in violated]
     moving = sorted({k for slope in slopes for k, s in slope.items() if s != 0})

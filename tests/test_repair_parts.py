@@ -1,0 +1,78 @@
+"""What the search for a repair is made of: terms and their coefficients, linear systems, places in an expression."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from chasles.proof.ansatz import palette_of
+from chasles.proof.coefficients import Function, scaled, spelled, split
+from chasles.proof.linear import MODULUS, Span, combination, multiple, rational
+from chasles.proof.places import linear_places, put, separate_sums
+from chasles.vocabulary import (
+    CPM,
+    FREQUENCY,
+    Dimension,
+    Number,
+    column,
+    cos,
+    cross,
+    dot,
+    norm,
+    paren,
+    plain,
+    scalar,
+    vector,
+)
+
+x, y, z, e = (vector(name, name, "a vector") for name in "xyze")
+w = vector("w", "w", "a spin", FREQUENCY)
+phi = scalar("phi", "phi", "an angle")
+
+
+def test_terms_have_the_shape_and_dimension_asked_for() -> None:
+    palette = palette_of([cross(w, x), e, CPM(e)])
+    for shape in ((3, 1), (1, 3), (3, 3), (1, 1)):
+        terms = list(palette.of_dimension(shape, FREQUENCY))
+        assert terms
+        assert all(term.shape == shape for term in terms)
+        assert all(term.measure is not None and term.measure.the_dimension(term) == FREQUENCY for term in terms)
+    assert not list(palette.of_dimension((3, 1), Dimension(mass=1)))
+
+
+def test_a_term_is_a_coefficient_times_a_core() -> None:
+    term = -(2 * (3 - cos(phi)) * paren(dot(e, w)) * e @ e.T)
+    parts = split(term, lambda node: all(symbol not in plain(node) for symbol in ("e", "w")))
+    assert plain(parts.coefficient) == "-2 (3 - cos(phi))"
+    assert parts.core is not None
+    assert plain(parts.core) == "(e . w) e e^T"
+    assert str(scaled(term, Fraction(1, 2))) == "-(3 - cos(phi)) (e . w) e e^T"
+    assert scaled(term, Fraction(0)) is None
+    assert str(spelled([(Fraction(4), Function()), (Fraction(2), Function(cos(phi)))])) == "2 (2 + cos(phi))"
+    assert str(spelled([(Fraction(-1, 2), Function(cos(phi), dot(x, y)))])) == "-cos(phi) / [2 (x . y)]"
+    assert spelled([(Fraction(0), Function())]) is None
+
+
+def test_systems_are_solved_exactly() -> None:
+    columns = [[1, 2, 3, 5], [1, 1, 0, 7], [0, 4, 4, 4]]
+    values = [Fraction(1, 2), Fraction(-3), Fraction(5, 7)]
+    half, seventh = pow(2, -1, MODULUS), pow(7, -1, MODULUS)
+    target = [(a * half - 3 * b + c * 5 * seventh) % MODULUS for a, b, c in zip(*columns, strict=True)]
+    assert combination(columns, target) == values
+    assert combination([*columns, columns[0]], target) is None
+    assert combination(columns, [*target[:3], target[3] + 1]) is None
+    assert multiple([2, 4], [1, 2]) == 2
+    assert multiple([2, 5], [1, 2]) is None
+    assert multiple([0, 0], [0, 0]) is None
+    assert rational(half) == Fraction(1, 2)
+    assert rational(1 << 40) is None
+    assert not Span([[1, 2], [2, 4]]).independent
+
+
+def test_places_are_where_the_whole_is_linear() -> None:
+    node = column(2 * (x + y), cross(x, norm(x) * y))
+    linear = {plain(place.node) for place in linear_places(node)}
+    assert {"x + y", "|x| y", "y", "|x|"} <= linear
+    assert {plain(place.node) for place in linear_places(cross(x, 2 * (y + z))) if place.apart} == {"x x 2 (y + z)"}
+    assert [plain(place.node) for place, _ in separate_sums(node)] == ["x + y", "x x |x| y"]
+    assert plain(put(node, (0, 1, 0), None)) == "[2 y; x x |x| y]"
+    assert plain(put(node, (1,), Number(Fraction(0)) * x)) == "[2 (x + y); 0 x]"
