@@ -26,6 +26,7 @@ class Basis:
     ring: Ring
     generators: tuple[Polynomial, ...]
     origins: tuple[Combination, ...]
+    complete: bool
 
     def reduce(self, polynomial: Polynomial) -> tuple[Combination, Polynomial]:
         """Cofactors on the stated hypotheses, and the remainder."""
@@ -43,14 +44,25 @@ def folded(cofactors: Combination, origins: tuple[Combination, ...]) -> Combinat
     return {k: c for k, c in total.items() if c != 0}
 
 
-def stated(ring: Ring, hypotheses: tuple[Polynomial, ...]) -> Basis:
+def stated(ring: Ring, hypotheses: tuple[Polynomial, ...], *, complete: bool) -> Basis:
     """The hypotheses themselves as generators."""
     one = ring.constant(Fraction(1))
-    return Basis(ring, hypotheses, tuple({k: one} for k in range(len(hypotheses))))
+    return Basis(ring, hypotheses, tuple({k: one} for k in range(len(hypotheses))), complete)
+
+
+def is_coprime(ring: Ring, generators: tuple[Polynomial, ...]) -> bool:
+    """Whether all leading terms are coprime, so that the generators are a Groebner basis without further work."""
+    seen: set[int] = set()
+    for generator in generators:
+        mine = {k for k, e in enumerate(ring.leading(generator)[0]) if e}
+        if mine & seen:
+            return False
+        seen |= mine
+    return True
 
 
 def completed(basis: Basis, within_budget: Callable[[], bool]) -> Basis:
-    """A Groebner basis of the same ideal, or as much of one as the budget allows."""
+    """A Groebner basis of the same ideal, as far as the budget allows; `complete` says whether it is one."""
     ring = basis.ring
     generators, origins = list(basis.generators), list(basis.origins)
     leads = [ring.leading(g) for g in generators]
@@ -58,7 +70,7 @@ def completed(basis: Basis, within_budget: Callable[[], bool]) -> Basis:
     heapify(pairs)
     while pairs:
         if not within_budget():
-            return Basis(ring, tuple(generators), tuple(origins))
+            return Basis(ring, tuple(generators), tuple(origins), complete=False)
         _, i, j = heappop(pairs)
         if not any(a and b for a, b in zip(leads[i][0], leads[j][0], strict=True)):
             continue
@@ -78,7 +90,7 @@ def completed(basis: Basis, within_budget: Callable[[], bool]) -> Basis:
         last = len(generators) - 1
         for k in range(last):
             heappush(pairs, (_degree(leads, (k, last)), k, last))
-    return Basis(ring, tuple(generators), tuple(origins))
+    return Basis(ring, tuple(generators), tuple(origins), complete=True)
 
 
 def _degree(leads: list[tuple[tuple[int, ...], Fraction]], pair: tuple[int, int]) -> int:

@@ -255,7 +255,7 @@ def _drop_unneeded(
             for k, g in enumerate(context.generators)
             if g.hypothesis is None or g.hypothesis not in dropped | {hypothesis}
         ]
-        basis = stated(ring, tuple(context.generators[k].polynomial for k in kept))
+        basis = stated(ring, tuple(context.generators[k].polynomial for k in kept), complete=False)
         attempts = [basis.reduce(entry.ratio.numerator) for entry in done]
         if all(remainder == 0 for _, remainder in attempts):
             dropped.add(hypothesis)
