@@ -50,17 +50,6 @@ def stated(ring: Ring, hypotheses: tuple[Polynomial, ...], *, complete: bool) ->
     return Basis(ring, hypotheses, tuple({k: one} for k in range(len(hypotheses))), complete)
 
 
-def is_coprime(ring: Ring, generators: tuple[Polynomial, ...]) -> bool:
-    """Whether all leading terms are coprime, so that the generators are a Groebner basis without further work."""
-    seen: set[int] = set()
-    for generator in generators:
-        mine = {k for k, e in enumerate(ring.leading(generator)[0]) if e}
-        if mine & seen:
-            return False
-        seen |= mine
-    return True
-
-
 def completed(basis: Basis, within_budget: Callable[[], bool]) -> Basis:
     """A Groebner basis of the same ideal, as far as the budget allows; `complete` says whether it is one."""
     ring = basis.ring
