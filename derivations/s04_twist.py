@@ -189,7 +189,7 @@ axial_velocity_of_landmark_by_dot = Claim(
     adot_par, dot(rate(a), omega / norm(omega) ** 2),
     says="The same by a scalar product.",
     given=(axial_velocity_of_landmark,),
-    corrected=dot(rate(a), omega / norm(omega) ** 2) * omega,
+    sic=True,
     sign=r"\equiv",
 )
 

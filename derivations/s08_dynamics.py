@@ -699,5 +699,4 @@ steiner_by_dyads = Claim(
         matrix_suggested_by_steiner,
     ),
     assuming=(inertia_is_definite,),
-    corrected=matrix((I_C, O), (O, O)) + m * column(C - A, one) @ column(C - A, one).T,
 )

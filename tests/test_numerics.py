@@ -7,6 +7,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from itertools import islice
 from math import factorial
+from operator import methodcaller
 from typing import Any
 
 import mpmath
@@ -419,7 +420,7 @@ def test_several_results_are_the_blocks_of_the_right_side() -> None:
 def test_the_form_that_stands_is_the_reference() -> None:
     wrong = Claim("1", p_0, a, corrected=-a, kernel=Kernel(of=(a,)))
     printed_value = request_of("p", wrong).reference({a: [1, 2, 3]}, 20)
-    corrected_value = request_of("p", wrong, standing=lambda _: "corrected").reference({a: [1, 2, 3]}, 20)
+    corrected_value = request_of("p", wrong, standing=methodcaller("form", "corrected")).reference({a: [1, 2, 3]}, 20)
     assert printed_value == ([[1], [2], [3]],)
     assert corrected_value == ([[-1], [-2], [-3]],)
 

@@ -6,16 +6,13 @@ import os
 import re
 import subprocess
 import sys
-from collections.abc import Sequence
 from fractions import Fraction
 
 import pytest
 
 from chasles.proof.judge import Decision, Judge
-from chasles.proof.repair import Repair, repair
 from chasles.proof.verdict import Counterexample, Fails, Undecided
 from chasles.report.errata_page import errata_page
-from chasles.report.findings import repairs_of
 from chasles.report.markdown import code, escaped
 from chasles.report.pages import pages
 from chasles.report.verdict_page import verdict_page
@@ -39,16 +36,16 @@ def name_of(statement: Statement) -> str:
     return f"s{statement.number}/{statement.part}"
 
 
-def decided(*statements: Statement) -> tuple[Chapter, dict[str, Decision]]:
+def decided(*statements: Statement, repaired: bool = False) -> tuple[Chapter, dict[str, Decision]]:
     listed = sorted(statements, key=lambda s: not isinstance(s, Definition))
     book = Chapter("Bars", tuple(Entry(name_of(s), SECTION, s) for s in listed))
-    judge = Judge()
+    judge = Judge(book=book if repaired else None)
     return book, {entry.name: judge.decide(entry.statement) for entry in book}
 
 
-def written(*statements: Statement, repairs: dict[str, Sequence[Repair]] | None = None) -> tuple[str, str]:
+def written(*statements: Statement) -> tuple[str, str]:
     book, decisions = decided(*statements)
-    return verdict_page(book, decisions, repairs or {}), errata_page(book, decisions, repairs or {})
+    return verdict_page(book, decisions), errata_page(book, decisions)
 
 
 def row(page: str, number: str) -> list[str]:
@@ -86,9 +83,8 @@ def test_the_worst_part_is_the_number_s_verdict() -> None:
 
 
 def test_what_was_found_is_told_from_what_was_declared() -> None:
-    book, decisions = decided(wrong, doubled, declared)
-    repairs = repairs_of(book, decisions, Judge().standing, repair)
-    page, errata = verdict_page(book, decisions, repairs), errata_page(book, decisions, repairs)
+    book, decisions = decided(wrong, doubled, declared, repaired=True)
+    page, errata = verdict_page(book, decisions), errata_page(book, decisions)
     assert "found by repair" in row(page, "(9.3)")[4]
     assert "1 are repaired by the search, 1 by what is declared, 0 by nothing" in page
     assert "The search for a repair found it" in slip(errata, "(9.3)")
@@ -113,7 +109,7 @@ def test_the_values_are_those_of_the_decision() -> None:
     book, decisions = decided(wrong, doubled)
     other = Counterexample({"x_1": Fraction(5), "x_2": Fraction(0), "x_3": Fraction(0)}, (1, 1), "20", "15")
     decisions[name_of(wrong)] = Decision(wrong, Fails(other))
-    said = slip(errata_page(book, decisions, {}), "(9.3)")
+    said = slip(errata_page(book, decisions), "(9.3)")
     assert "- at `x = (5, 0, 0)`, so that `y = (10, 0, 0)`\n- the left side is `20` in row 1, column 1\n" in said
 
 
@@ -134,8 +130,8 @@ def test_only_what_does_not_stand_is_an_erratum() -> None:
 def test_what_is_undecided_is_no_verdict() -> None:
     book, decisions = decided(right_one)
     decisions[name_of(right_one)] = Decision(right_one, Undecided("too long"))
-    assert row(verdict_page(book, decisions, {}), "(9.2)")[2:] == ["**undecided**", "", "**nothing: a gap**"]
-    assert "It is undecided: too long." in errata_page(book, decisions, {})
+    assert row(verdict_page(book, decisions), "(9.2)")[2:] == ["**undecided**", "", "**nothing: a gap**"]
+    assert "It is undecided: too long." in errata_page(book, decisions)
 
 
 def test_nothing_in_a_text_is_a_mark() -> None:
@@ -146,7 +142,7 @@ def test_nothing_in_a_text_is_a_mark() -> None:
 
 @pytest.fixture(scope="module")
 def whole() -> dict[str, str]:
-    return pages(load(), Judge())
+    return pages(load(), Judge(book=load()))
 
 
 def test_the_chapter_is_complete(whole: dict[str, str]) -> None:
@@ -156,7 +152,7 @@ def test_the_chapter_is_complete(whole: dict[str, str]) -> None:
 
 
 def test_every_slip_of_the_chapter_is_there(whole: dict[str, str]) -> None:
-    judge = Judge()
+    judge = Judge(book=load())
     for entry in load():
         part = f" part {entry.statement.part}" if entry.statement.part > 1 else ""
         heading = f"\n## ({entry.number}){part}\n"
@@ -168,7 +164,7 @@ def test_every_slip_of_the_chapter_is_there(whole: dict[str, str]) -> None:
 def test_the_pages_are_the_same_for_every_hash_seed(whole: dict[str, str]) -> None:
     program = (
         "import sys; from chasles.proof.judge import Judge; from chasles.report.pages import pages\n"
-        "from chasles.statements import load; texts = pages(load(), Judge()).values()\n"
+        "from chasles.statements import load; texts = pages(load(), Judge(book=load())).values()\n"
         "sys.stdout.buffer.write(''.join(texts).encode())"
     )
     for seed in ("1", "2"):

@@ -11,13 +11,12 @@ from chasles.proof.ansatz import fit
 from chasles.proof.decide import decide_problem
 from chasles.proof.judge import Judge
 from chasles.proof.repair import Repair, repair
-from chasles.proof.trial import changed
 from chasles.proof.verdict import Holds, HoldsUnder
 from chasles.statements import Claim, Definition, Statement, load, problem_of
 from chasles.vocabulary import Misfit, Negative, Node, Number, Sum, Transpose, children, latex, plain, rebuilt
 
 CHAPTER = load()
-JUDGE = Judge()
+JUDGE = Judge(book=CHAPTER)
 BY_NAME = {entry.name: entry for entry in CHAPTER}
 BESIDE = [entry.statement for entry in CHAPTER if isinstance(entry.statement, Statement)]
 
@@ -41,7 +40,7 @@ def repaired(statement: Statement) -> tuple[Repair, ...]:
 
 def holds(statement: Statement, left: Node, right: Node) -> bool:
     """Whether the sides are equal, decided here and now."""
-    problem = problem_of(changed(statement, left, right), "printed", JUDGE.standing)
+    problem = problem_of(statement.saying(left, right), "printed", JUDGE.standing)
     return isinstance(decide_problem(problem), Holds | HoldsUnder)
 
 
@@ -175,7 +174,7 @@ def test_damaged_claims_are_repaired_to_what_they_said(name: str) -> None:
     for kind, damaged in damages(claim.right):
         if not fit(claim.left, damaged) or holds(claim, claim.left, damaged):
             continue
-        found = repaired(changed(claim, claim.left, damaged))
+        found = repaired(claim.saying(claim.left, damaged))
         assert found, (kind, plain(damaged))
         for each in found:
             assert each.left == claim.left

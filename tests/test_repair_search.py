@@ -25,6 +25,7 @@ from chasles.statements import (
     problem_of,
     unit,
 )
+from chasles.statements.statement import Equation
 from chasles.vocabulary import (
     CPM,
     FREQUENCY,
@@ -155,9 +156,9 @@ def test_what_rests_on_the_statement_is_not_asked() -> None:
     wrong = Claim("9", rate(M), CPM(w))
     later = Claim("10", rate(u), M @ rate(z), given=(wrong,))
 
-    def standing(statement: Statement) -> str:
+    def standing(statement: Statement) -> Equation:
         assert statement.number != "9"
-        return "printed"
+        return statement.printed
 
     assert repair(wrong, standing, beside=(wrong, later)) == ()
 
@@ -166,7 +167,7 @@ def test_what_rests_on_a_statement_that_does_not_stand_is_not_repaired() -> None
     claim = Claim("9", z, 2 * cross(x, y), given=(Definition("8", z, cross(x, y)),))
     assert repair(claim)
 
-    def standing(statement: Statement) -> str:
+    def standing(statement: Statement) -> Equation:
         raise TypeError(f"({statement.number}) does not stand")
 
     assert repair(claim, standing) == ()

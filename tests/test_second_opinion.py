@@ -18,8 +18,6 @@ from chasles.numerics.instants import DIGITS, Instant, World
 from chasles.numerics.motions import Motion
 from chasles.numerics.second_opinion import AGREEMENT, NoMotion, Opinion, opinion_on, rooted, second_opinion
 from chasles.proof.judge import Judge
-from chasles.proof.repair import repair
-from chasles.proof.trial import changed
 from chasles.proof.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed, Verdict
 from chasles.statements import (
     Claim,
@@ -57,8 +55,9 @@ from chasles.vocabulary import (
     vector,
 )
 
+Sentence = Statement | Theorem | Inverse
 CHAPTER = load()
-JUDGE = Judge()
+JUDGE = Judge(book=CHAPTER)
 SECTIONS = [section.number for section in CHAPTER.sections]
 NO_ROOTS = {
     "energy_by_center_of_mass",
@@ -75,32 +74,35 @@ NO_ROOTS = {
 the center of mass, whose motion follows from that of the landmark."""
 
 
-def decided(section: str) -> Iterator[tuple[Entry, str, Verdict]]:
+def decided(section: str) -> Iterator[tuple[Entry, Sentence, Verdict]]:
     """Every form of every sentence of a section on which there is a verdict that numbers can contradict."""
     for entry in CHAPTER:
         if entry.section.number != section:
             continue
         decision = JUDGE.decide(entry.statement)
-        forms = [("printed", decision.verdict)]
-        if decision.correction is not None:
-            forms.append((decision.correction.form, decision.correction.verdict))
-        for form, verdict in forms:
+        forms: list[tuple[Sentence, Verdict]] = [(decision.statement, decision.verdict)]
+        correction = decision.correction
+        while correction is not None:
+            assert isinstance(decision.statement, Statement)
+            forms.append((decision.statement.saying(*correction.sides), correction.verdict))
+            correction = correction.instead_of
+        for sentence, verdict in forms:
             if isinstance(verdict, Holds | HoldsUnder | Posed | Fails):
-                yield entry, form, verdict
+                yield entry, sentence, verdict
 
 
-def contradictions(entry: Entry, form: str, verdict: Verdict, opinion: Opinion) -> Iterator[str]:
+def contradictions(entry: Entry, verdict: Verdict, opinion: Opinion) -> Iterator[str]:
     if verdict.true and not opinion.agrees:
-        yield f"({entry.number}) {entry.name}, {form}: {verdict.name}, but at a motion the sides are apart: {opinion}"
+        yield f"({entry.number}) {entry.name}: {verdict.name}, but at a motion the sides are apart: {opinion}"
     if not verdict.true and not opinion.differs:
-        yield f"({entry.number}) {entry.name}, {form}: {verdict.name}, but at a motion the sides agree: {opinion}"
+        yield f"({entry.number}) {entry.name}: {verdict.name}, but at a motion the sides agree: {opinion}"
 
 
 @pytest.mark.parametrize("section", SECTIONS)
 def test_numbers_agree_with_every_verdict(section: str) -> None:
     found: list[str] = []
-    for entry, form, verdict in decided(section):
-        found += contradictions(entry, form, verdict, opinion_on(entry.statement, form, JUDGE.standing))
+    for entry, sentence, verdict in decided(section):
+        found += contradictions(entry, verdict, opinion_on(sentence, standing=JUDGE.standing))
     assert not found, "\n".join(found)
 
 
@@ -108,27 +110,27 @@ def test_a_wrong_verdict_is_contradicted() -> None:
     entry = next(entry for entry in CHAPTER if isinstance(entry.statement, Claim) and not entry.statement.fault)
     refuted = Fails(Counterexample({}, (1, 1), "0", "1"))
     proved = Holds({}, {})
-    assert [*contradictions(entry, "printed", refuted, Opinion(400.0, 400.0, ""))]
-    assert [*contradictions(entry, "printed", proved, Opinion(400.0, 0.0, ""))]
-    assert [*contradictions(entry, "printed", refuted, Opinion(30.0, 0.0, ""))]
-    assert not [*contradictions(entry, "printed", proved, Opinion(400.0, 170.0, ""))]
+    assert [*contradictions(entry, refuted, Opinion(400.0, 400.0, ""))]
+    assert [*contradictions(entry, proved, Opinion(400.0, 0.0, ""))]
+    assert [*contradictions(entry, refuted, Opinion(30.0, 0.0, ""))]
+    assert not [*contradictions(entry, proved, Opinion(400.0, 170.0, ""))]
 
 
 @pytest.mark.parametrize("section", SECTIONS)
 def test_numbers_agree_where_everything_comes_from_its_roots(section: str) -> None:
     found: list[str] = []
-    for entry, form, verdict in decided(section):
-        if isinstance(entry.statement, Inverse) or not rooted(entry.statement) or entry.name in NO_ROOTS:
+    for entry, sentence, verdict in decided(section):
+        if isinstance(sentence, Inverse) or not rooted(sentence) or entry.name in NO_ROOTS:
             continue
-        found += contradictions(entry, form, verdict, opinion_from_roots(entry.statement, form))
+        found += contradictions(entry, verdict, opinion_from_roots(sentence))
     assert not found, "\n".join(found)
 
 
-def opinion_from_roots(sentence: Statement | Theorem, form: str) -> Opinion:
+def opinion_from_roots(sentence: Statement | Theorem) -> Opinion:
     refused = ""
     for version in rooted(sentence):
         try:
-            return opinion_on(version, form, JUDGE.standing)
+            return opinion_on(version, standing=JUDGE.standing)
         except TypeError as error:
             refused = str(error)
     raise TypeError(refused)
@@ -177,10 +179,10 @@ class Jets:
 
 @pytest.mark.parametrize("section", SECTIONS)
 def test_counterexamples_have_the_values_that_they_say(section: str) -> None:
-    for entry, form, verdict in decided(section):
+    for entry, sentence, verdict in decided(section):
         if isinstance(verdict, Fails):
-            assert isinstance(entry.statement, Statement)
-            problem = problem_of(entry.statement, form, JUDGE.standing)
+            assert isinstance(sentence, Statement)
+            problem = problem_of(sentence, standing=JUDGE.standing)
             for error in recomputed(problem, verdict.counterexample):
                 assert abs(error) * 10**AGREEMENT < 1, entry.number
 
@@ -213,10 +215,10 @@ def flipped_signs(node: Node) -> Iterator[Node]:
 
 @pytest.mark.parametrize("section", SECTIONS)
 def test_without_a_hypothesis_that_it_needs_a_claim_is_violated(section: str) -> None:
-    for entry, form, verdict in decided(section):
-        if not isinstance(verdict, HoldsUnder) or isinstance(entry.statement, Inverse):
+    for entry, sentence, verdict in decided(section):
+        if not isinstance(verdict, HoldsUnder) or isinstance(sentence, Inverse):
             continue
-        problem = problem_of(entry.statement, form, JUDGE.standing)
+        problem = problem_of(sentence, standing=JUDGE.standing)
         for hypothesis in problem.hypotheses:
             # That a matrix is definite is needed for its squares to be squares, not for an equation.
             if hypothesis.text in verdict.needs and hypothesis.equations and hypothesis.kind != "definite":
@@ -247,13 +249,13 @@ def test_a_turned_sign_is_seen() -> None:
 
 @pytest.mark.parametrize("section", SECTIONS)
 def test_repairs_agree_too(section: str) -> None:
-    beside = [entry.statement for entry in CHAPTER if isinstance(entry.statement, Statement)]
     for entry in CHAPTER:
-        statement = entry.statement
-        if entry.section.number != section or not isinstance(statement, Claim) or JUDGE.decide(statement).verdict.true:
+        statement, correction = entry.statement, JUDGE.decide(entry.statement).correction
+        if entry.section.number != section or not isinstance(statement, Claim) or correction is None:
             continue
-        for found in repair(statement, JUDGE.standing, beside=beside):
-            opinion = opinion_on(changed(statement, found.left, found.right), standing=JUDGE.standing)
+        assert correction.repairs
+        for found in correction.repairs:
+            opinion = opinion_on(statement.saying(found.left, found.right), standing=JUDGE.standing)
             assert opinion.agrees, (entry.number, found.changes, opinion)
 
 

@@ -54,7 +54,7 @@ def chapter() -> Chapter:
 
 @pytest.fixture(scope="module")
 def judge() -> Judge:
-    return Judge()
+    return Judge(book=load())
 
 
 def here(chapter: Chapter) -> list[Entry]:
@@ -86,8 +86,7 @@ def test_the_certificates_prove_it(chapter: Chapter, judge: Judge) -> None:
     for entry in here(chapter):
         decision = judge.decide(entry.statement)
         if decision.certificate is not None:
-            form = decision.correction.form if decision.correction else "printed"
-            check(entry.statement, form, decision.certificate, judge.standing)
+            check(decision.repaired, "printed", decision.certificate, judge.standing)
 
 
 def test_steiner_by_dyads_fails_in_a_block_without_p(chapter: Chapter, judge: Judge) -> None:

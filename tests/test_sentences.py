@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator
+from operator import methodcaller
 from pathlib import Path
 from typing import Any
 
@@ -104,14 +105,14 @@ def goals(*arguments: Any) -> list[tuple[Node, Node]]:
     ],
 )
 @pytest.mark.parametrize("role", [Definition, Condition, Postulate, Claim])
-def test_sides_that_do_not_fit_demand_a_reading_or_a_correction(
+def test_sides_that_do_not_fit_are_printed_so_or_a_mistake(
     role: type[Statement], left: Node, right: Node, said: str
 ) -> None:
     with pytest.raises(Misfit) as error:
         role("3.99", left, right)
     assert said in str(error.value)
     assert str(error.value).startswith("(3.99) does not fit")
-    assert "`reading` or `corrected`" in str(error.value)
+    assert "`sic=True`" in str(error.value)
     read = role("3.99", left, right, reading=p)
     assert read.fault is not None
     assert said in read.fault
@@ -325,7 +326,7 @@ def test_a_given_statement_stands_in_the_form_it_is_said_to() -> None:
     given = Claim("1", p, a, corrected=-a)
     claim = Claim("2", p, a, given=(given,))
     assert problem_of(claim).rules == ((p, a),)
-    assert problem_of(claim, standing=lambda _: "corrected").rules == ((p, -a),)
+    assert problem_of(claim, standing=methodcaller("form", "corrected")).rules == ((p, -a),)
 
 
 # Theorems.

@@ -32,7 +32,7 @@ from chasles.vocabulary import Misfit
 from tests.mutation import mutants_of
 
 assert backend() == {backend!r}, backend()
-judge, said, count = Judge(), {{}}, 0
+judge, said, count = Judge(book=load()), {{}}, 0
 
 
 def plain(verdict):

@@ -71,7 +71,7 @@ static inline void scatter_d(
 /*
  * (2.38) The loops of cross_product_matrix.
  *   verdict: defined; assumes nothing
- *   0 operations; derivation sha256 0312c264dacf74dfcdb531a0b73d78f9f32811ece66c1d3463eee307878679e9
+ *   0 operations; derivation sha256 1dcc0e58f219711b3c3f86b749f8c10b4db63734a02b20de3d9c405c9765483d
  */
 static void cross_product_matrix_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -118,7 +118,7 @@ static const char cross_product_matrix_types[] = {
 /*
  * (2.49) The loops of rotation_from_axis_angle.
  *   verdict: defined; assumes |e| = 1
- *   24 operations; derivation sha256 c07116d01fd9f3eec8b45e4fed312a9f9b8324ab6b8b43de598c12d93744c18c
+ *   24 operations; derivation sha256 dd485fc9fc55c9da723bbd623b2225ec82c9e8dbfe322dbf4dfe768c7d30e93a
  */
 static void rotation_from_axis_angle_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -169,7 +169,7 @@ static const char rotation_from_axis_angle_types[] = {
 /*
  * (3.2) The loops of point_after_displacement.
  *   verdict: holds; assumes nothing
- *   21 operations; derivation sha256 b77ed46db033f7eed0ae1124f68ad31f483b7d8664bffaa4de83c9fc5b24f2ac
+ *   21 operations; derivation sha256 8dec2f77245ea565b5836a20411e5ad44d44cd04431c5873936f452f27a3d0d8
  */
 static void point_after_displacement_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -229,7 +229,7 @@ static const char point_after_displacement_types[] = {
 /*
  * (3.7) The loops of pitch_of_motion.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   6 operations; derivation sha256 dd456a80abab27dec7bf7669b19bfc9e5e0a1d2b37fff41b4cf74a191918c756
+ *   6 operations; derivation sha256 9fa70ee61f0b9bb672e1d252a785256ee0efa914ad0cd98e0f8b625148dc2526
  */
 static void pitch_of_motion_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -284,7 +284,7 @@ static const char pitch_of_motion_types[] = {
 /*
  * (3.16) The loops of normal_matrix_inverse.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   19 operations; derivation sha256 5ac2e58cb954695fb22629ed1368ffe7e286efef15ae1ae9e6c4f136f03b4fc3
+ *   19 operations; derivation sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c
  */
 static void normal_matrix_inverse_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -335,7 +335,7 @@ static const char normal_matrix_inverse_types[] = {
 /*
  * (3.18) The loops of screw_axis_point.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   64 operations; derivation sha256 8ec72961c7242876eb3f39769aa85197309a72737bed03662c26f5d342deb5dd
+ *   64 operations; derivation sha256 c77504d94d7a13ece4ecef946d02406d1c264a3db4d6453b06dc936d482e7f90
  */
 static void screw_axis_point_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -395,7 +395,7 @@ static const char screw_axis_point_types[] = {
 /*
  * (3.23) The loops of plucker_line.
  *   verdict: defined; assumes p_1 != p_2
- *   21 operations; derivation sha256 5a85da491dcc75a6b181adfb1d68308f6f9082d82d41f48451dd972e32090871
+ *   21 operations; derivation sha256 32c3975b5a0a9106d94e083a43fadc2be5fbb7bda4c600d797436f2a818ba4e5
  */
 static void plucker_line_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -446,7 +446,7 @@ static const char plucker_line_types[] = {
 /*
  * (3.29a) The loops of plucker_transfer.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 223828bdc4a9d4093c744a6ff52678a900ce93b81e0164b035948d0874cac985
+ *   15 operations; derivation sha256 6d53a1bee79a6a2a63aafa29de9b2815a5d19f7d96ef743e8fd201bd98bf5faf
  */
 static void plucker_transfer_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -501,7 +501,7 @@ static const char plucker_transfer_types[] = {
 /*
  * text 3.2.3 h The loops of rotation_in_triad_axes.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 611a8f0b6c25dd9d15645ced341e936a7b46e306abd4c88ba7f151c73170f2b7
+ *   45 operations; derivation sha256 a313dee3a60fe53c64ee29561afa9e0c70338ba74cee754e191c28c83bf76b8b
  */
 static void rotation_in_triad_axes_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -552,7 +552,7 @@ static const char rotation_in_triad_axes_types[] = {
 /*
  * text 3.2.3 g The loops of rotation_from_triads.
  *   verdict: holds under; assumes e_1, e_2, e_3 are orthonormal and right-handed
- *   45 operations; derivation sha256 d1a21d01da2012443d1a55e994887268f284c82c04bf89712cfcf42490ec03a4
+ *   45 operations; derivation sha256 f83fa1168a58e1ad3de64ee9e12106ddba140b95a4dbcc601f4d839fc18a8c59
  */
 static void rotation_from_triads_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -603,7 +603,7 @@ static const char rotation_from_triads_types[] = {
 /*
  * (3.50) The loops of velocity_of_point.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 22f0f01d1a02abc18f9574c08e8b9b427316b62ad07d3f9771f98896bece91a1
+ *   15 operations; derivation sha256 eef426f5d7859632880c7bcf2a415552347ee2d2214c68480bc7e54584caa69a
  */
 static void velocity_of_point_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -663,7 +663,7 @@ static const char velocity_of_point_types[] = {
 /*
  * (3.70) The loops of instant_screw_point.
  *   verdict: holds under; assumes omega != 0
- *   29 operations; derivation sha256 895661a438fba706f89d52a51bf6f4eb7433041efb58f67d2933e449bd8b4711
+ *   29 operations; derivation sha256 69100a7f8d1911cfd9ed2c547c34eeace5ec9862641c5fd2ca3d352c7d28fbce
  */
 static void instant_screw_point_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -718,7 +718,7 @@ static const char instant_screw_point_types[] = {
 /*
  * (3.76b) The loops of natural_rate_matrix.
  *   verdict: defined; assumes |e| = 1, phi != 0
- *   26 operations; derivation sha256 d1afff56486caa901f40463bd6490da7f0e507ea7be252aa239136060941d58a
+ *   26 operations; derivation sha256 ae8848864c3fe36678c44ede0fea89f8af655c143bdb95acf6bb13cd98cc80e0
  */
 static void natural_rate_matrix_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -769,7 +769,7 @@ static const char natural_rate_matrix_types[] = {
 /*
  * (3.76c) The loops of linear_rate_matrix.
  *   verdict: defined; assumes |e| = 1
- *   39 operations; derivation sha256 3932af0d951f36376775451ce3a1ee43e73ece9dbe47180b18d5645998d83d28
+ *   39 operations; derivation sha256 dc969a2458fb1ccbe6cf9ba4bd5c14c48137796a5e63b6fdffe960bc3f43a806
  */
 static void linear_rate_matrix_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -820,7 +820,7 @@ static const char linear_rate_matrix_types[] = {
 /*
  * (3.76d) The loops of euler_rodrigues_rate_matrix.
  *   verdict: defined; assumes |e| = 1
- *   8 operations; derivation sha256 3a735e68dbe0a8f64cc814f18a0e5c5ed23fe697bfaae80247e65c806f072dee
+ *   8 operations; derivation sha256 6c847b4baa2596c76e6ab0bd3e04d8ba67a999fd27b87b011fca1a1dab6d4147
  */
 static void euler_rodrigues_rate_matrix_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -871,7 +871,7 @@ static const char euler_rodrigues_rate_matrix_types[] = {
 /*
  * text 3.4.2 f The loops of rotation_from_linear_invariants.
  *   verdict: holds under; assumes phi != pi
- *   20 operations; derivation sha256 6c875acb2742adb076485e3b75a69754af3515e24d15f1d3ff9dfbcee252fa0e
+ *   20 operations; derivation sha256 ea28f0fa942d584b259525e962097be1354ff910cf1b14cdaa065f0e8a7de393
  */
 static void rotation_from_linear_invariants_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -922,7 +922,7 @@ static const char rotation_from_linear_invariants_types[] = {
 /*
  * text 3.4.2 f The loops of rotation_from_euler_rodrigues.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
+ *   29 operations; derivation sha256 99a4cba6f6c99cb900d6e9c9d4e2ef7a5715571273dafc564f29ffd0f7b85f0c
  */
 static void rotation_from_euler_rodrigues_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -973,7 +973,7 @@ static const char rotation_from_euler_rodrigues_types[] = {
 /*
  * text 3.4.2 g The loops of linear_invariants.
  *   verdict: holds under; assumes |e| = 1
- *   10 operations; derivation sha256 33d342698b1bbb0ed8e2b1fc28a50f559e7edf4004942693b00b69e15c4fa640
+ *   10 operations; derivation sha256 36a144798681f302cdd381b0fc0940a897d02a61242017e7c9f898db6791c1be
  */
 static void linear_invariants_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1024,7 +1024,7 @@ static const char linear_invariants_types[] = {
 /*
  * text 3.4.2 h The loops of natural_invariants.
  *   verdict: holds under; assumes Q is a rotation
- *   67 operations; derivation sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1
+ *   67 operations; derivation sha256 e2544e2132153f729f39a22cc349020d92305353358bcab2b3b0107e1737c41e
  */
 static void natural_invariants_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1075,7 +1075,7 @@ static const char natural_invariants_types[] = {
 /*
  * text 3.4.2 i The loops of euler_rodrigues_parameters.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6
+ *   49 operations; derivation sha256 a67e13328e4829418ed30de028f2dc8c77a4a793125037bcb24b15ce06ed4e8d
  */
 static void euler_rodrigues_parameters_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1126,7 +1126,7 @@ static const char euler_rodrigues_parameters_types[] = {
 /*
  * text 3.4.2 j The loops of screw_of_motion.
  *   verdict: holds under; assumes Q is a rotation
- *   125 operations; derivation sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06
+ *   125 operations; derivation sha256 8df6ed9271b64d7ceff75168107b77afc4243c5f9d18c1bbc3e692bd8c92df54
  */
 static void screw_of_motion_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1190,7 +1190,7 @@ static const char screw_of_motion_types[] = {
 /*
  * text 3.4.1 c The loops of instant_screw.
  *   verdict: holds under; assumes omega != 0
- *   48 operations; derivation sha256 8db7e09eddaec370ad0459ae8e80d7446e066a7c7a50b64d1e58a04d14bf3409
+ *   48 operations; derivation sha256 209e592ce8a41573bccbb2a3620515b5b480dde918c912fa0446dac1a7d40036
  */
 static void instant_screw_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1250,7 +1250,7 @@ static const char instant_screw_types[] = {
 /*
  * (3.77b) The loops of natural_velocity_matrix.
  *   verdict: ill-formed as printed, defined as read; assumes |e| = 1
- *   6 operations; derivation sha256 4f53ceafce1dca350cbdb1d07bdf8034bfa4606e93e39373e34ca9e8e55d7ef2
+ *   6 operations; derivation sha256 8f59c5ef77909eadf927c6b687cd3bab0b77e8cdc9373e233171e72268eed1b1
  */
 static void natural_velocity_matrix_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1301,7 +1301,7 @@ static const char natural_velocity_matrix_types[] = {
 /*
  * (3.77c) The loops of linear_velocity_matrix.
  *   verdict: ill-formed as printed, defined as read; assumes |e| = 1, phi != pi
- *   7 operations; derivation sha256 e678fa61f2ca614341b1b520d453177cbb36d5adbe5d7bfc71cf23d916da1626
+ *   7 operations; derivation sha256 89a180463935f0c42617efa0988e0354bd46d74d20a13999139be0c69246d5f3
  */
 static void linear_velocity_matrix_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1352,7 +1352,7 @@ static const char linear_velocity_matrix_types[] = {
 /*
  * (3.77d) The loops of euler_rodrigues_velocity_matrix.
  *   verdict: ill-formed as printed, defined as read; assumes |e| = 1
- *   8 operations; derivation sha256 49057ffb7954605c353481ff3155b854e23f59cd6c3eb25c530b76ce9a72408e
+ *   8 operations; derivation sha256 2f21b7ee20e1702180f136497178c100314ca7d0df136dd2feb59d1f89a6b375
  */
 static void euler_rodrigues_velocity_matrix_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1403,7 +1403,7 @@ static const char euler_rodrigues_velocity_matrix_types[] = {
 /*
  * (3.78) The loops of pose_rate_natural.
  *   verdict: holds under; assumes |e| = 1, phi != 0
- *   35 operations; derivation sha256 a45c42e2bfaa929db67370adbe054106e4220311d7cb3f6156f04276d0320465
+ *   35 operations; derivation sha256 03378dde89c3aaac2473eda92712bf10969b44e2791c52441961929bbc3faff7
  */
 static void pose_rate_natural_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1458,7 +1458,7 @@ static const char pose_rate_natural_types[] = {
 /*
  * (3.78) The loops of pose_rate_linear.
  *   verdict: holds under; assumes |e| = 1
- *   53 operations; derivation sha256 4cb4ee584c4c8eabc8772f8942b039808bd844366959cb05e5013b108a6a13b3
+ *   53 operations; derivation sha256 485b60f5c3aeac6ce1e8f47296c4e310a527f2526b4ca7577ff63944281afba0
  */
 static void pose_rate_linear_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1513,7 +1513,7 @@ static const char pose_rate_linear_types[] = {
 /*
  * (3.78) The loops of pose_rate_euler_rodrigues.
  *   verdict: holds under; assumes |e| = 1
- *   28 operations; derivation sha256 ccca2d15e0eec02319f6d43a1e14916d4dc7aee6853dc302880ff46b704da961
+ *   28 operations; derivation sha256 339dc61f9ddbbce6d47832bfa5f83511f919dfb2680d41f08f397cc5f5818873
  */
 static void pose_rate_euler_rodrigues_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1568,7 +1568,7 @@ static const char pose_rate_euler_rodrigues_types[] = {
 /*
  * (3.80a) The loops of twist_from_pose_rate_natural.
  *   verdict: holds under; assumes |e| = 1
- *   27 operations; derivation sha256 e7ecc39745f5c7fe863f4574b3d7db66237826b5cd6ef5ba62078dc2f87eb979
+ *   27 operations; derivation sha256 a734862884a894688cc48e122cf5f84242a09356a3b59996da7ceca338c88bee
  */
 static void twist_from_pose_rate_natural_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1623,7 +1623,7 @@ static const char twist_from_pose_rate_natural_types[] = {
 /*
  * (3.80a) The loops of twist_from_pose_rate_linear.
  *   verdict: holds under; assumes |e| = 1, phi != pi
- *   25 operations; derivation sha256 fa1304d2c5d6753e7d389022ed11c42daecd4c9ae21809318a87cd32029de36f
+ *   25 operations; derivation sha256 2198ea1ef9b2a1092af274c28947c46ea9dcee1755b4d2bfeb21915eae15ec77
  */
 static void twist_from_pose_rate_linear_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1678,7 +1678,7 @@ static const char twist_from_pose_rate_linear_types[] = {
 /*
  * (3.80a) The loops of twist_from_pose_rate_euler_rodrigues.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 e7f95cb1e1f8858232fa295001c353462018829181e53800500336674a222548
+ *   29 operations; derivation sha256 706de516b3cc18711578a88117494ee18e5fa90ed73390c6b7020956353b1361
  */
 static void twist_from_pose_rate_euler_rodrigues_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1733,7 +1733,7 @@ static const char twist_from_pose_rate_euler_rodrigues_types[] = {
 /*
  * (3.83a) The loops of twist_transfer.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 967e7d1cf62d3815299774946eb2642eb91e46a3429c284829933f4e75e4e219
+ *   15 operations; derivation sha256 3219ddd73c3c590a6566e28a84076f81cbaba27a5a84b161382d2076d953c075
  */
 static void twist_transfer_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1788,7 +1788,7 @@ static const char twist_transfer_types[] = {
 /*
  * (3.86) The loops of angular_acceleration_matrix.
  *   verdict: defined; assumes Q is a rotation
- *   15 operations; derivation sha256 9353bb16e90ad45c91a0cb2ecc494d929aa7746b83fe6af49af9df200dbbb47d
+ *   15 operations; derivation sha256 5052f47f7af7362fc9f1cf608959b53ca94e5f5f25d07beebb01e47a3cc3a950
  */
 static void angular_acceleration_matrix_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1839,7 +1839,7 @@ static const char angular_acceleration_matrix_types[] = {
 /*
  * (3.89) The loops of acceleration_of_point.
  *   verdict: holds; assumes nothing
- *   36 operations; derivation sha256 d86e77df283994951e7f23ec5c1e412135f31c7e3539b9cb228bb538b4e39021
+ *   36 operations; derivation sha256 509ca9167167321c3bf15892dea6aa573b67b0b686ac57a5125297033e3c4c92
  */
 static void acceleration_of_point_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1903,7 +1903,7 @@ static const char acceleration_of_point_types[] = {
 /*
  * (3.103) The loops of moving_frame_velocity.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 7250d2e1f78a2d6f1161bc2db7ddeb5dc0c6fc84979f0eaa84197fdb6599dd36
+ *   45 operations; derivation sha256 da9e7c4331821e757d302e254d79b3fee81482b88d26f706b39478d1aa475204
  */
 static void moving_frame_velocity_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1967,7 +1967,7 @@ static const char moving_frame_velocity_types[] = {
 /*
  * (3.105) The loops of moving_frame_acceleration.
  *   verdict: holds; assumes nothing
- *   96 operations; derivation sha256 fbd2b527f0f93f4cf924de6668a33e19726d1caade279c11a0d657fe9ec4e961
+ *   96 operations; derivation sha256 da5d30181e11cd5a3119f7edd4a748da440cc7ec9f2463e8cef0f70537a10984
  */
 static void moving_frame_acceleration_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2039,7 +2039,7 @@ static const char moving_frame_acceleration_types[] = {
 /*
  * text 3.7 d The loops of wrench_axis.
  *   verdict: holds under; assumes f != 0
- *   49 operations; derivation sha256 b1179904e05c970df60da3f9b180c2bce98c765bdb6795544ff955fce9c3d5bd
+ *   49 operations; derivation sha256 f6f930d9678b859aa30368ca18000d5606fc5b8fa517c3baf582f66a110dcdc4
  */
 static void wrench_axis_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2099,7 +2099,7 @@ static const char wrench_axis_types[] = {
 /*
  * (3.114) The loops of power.
  *   verdict: holds; assumes nothing
- *   11 operations; derivation sha256 f08018ccded03ad1a1392a205f144588142ee91077c0ed0b4f636ec1d31e4312
+ *   11 operations; derivation sha256 580a9557b1b4b779955409e7506c76202ce3a1e9982d422e1491bf0bcad680ef
  */
 static void power_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2150,7 +2150,7 @@ static const char power_types[] = {
 /*
  * text 3.7 k The loops of reciprocal_product.
  *   verdict: holds; assumes nothing
- *   11 operations; derivation sha256 b087dfb5c9785b14414c4d9ab347a0bbefd48c42f8ad121de5653c94dd3546ee
+ *   11 operations; derivation sha256 69eafb582289fe007146884f233005913bd49126222273503197968fd6ef8dd3
  */
 static void reciprocal_product_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2201,7 +2201,7 @@ static const char reciprocal_product_types[] = {
 /*
  * (3.119a) The loops of wrench_transfer.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 9e54b67526c12869cc182865d5846fded980a863cc3a11fe5be4e32dc500f446
+ *   15 operations; derivation sha256 9cbbd4d64a694c0150c2c0a241ceaa9fe43fa91e335dce95c4c39681e8ecce3c
  */
 static void wrench_transfer_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2256,7 +2256,7 @@ static const char wrench_transfer_types[] = {
 /*
  * (3.133a) The loops of inertia_about_point.
  *   verdict: holds under; assumes m > 0
- *   30 operations; derivation sha256 35b7fb1caca5be1d4c908923193605bd9233355cd78eb729d55678f7bb61145f
+ *   30 operations; derivation sha256 aba83f2bd3e1166b795e47c43b448bc59b7660cf5111023a5f72b29e4ca2087d
  */
 static void inertia_about_point_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2316,7 +2316,7 @@ static const char inertia_about_point_types[] = {
 /*
  * (3.142) The loops of momentum_screw.
  *   verdict: holds; assumes nothing
- *   18 operations; derivation sha256 3f711409ddb1418e7a90bc97272fe9f055b83f10c9675ffa2beb8cf349541833
+ *   18 operations; derivation sha256 710d57383413bed6baf901762b3882a8ecf77afb22a27bf8365ff0c92c4546d6
  */
 static void momentum_screw_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2371,7 +2371,7 @@ static const char momentum_screw_types[] = {
 /*
  * (3.145) The loops of kinetic_energy.
  *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 bb5b9837baefa1606d49c0ac94dfc858eb46861f13739a02b972bfbdf0f95c37
+ *   35 operations; derivation sha256 4b9e9fcfb9d3f04a872f3404b762a9c889a518c95015ce9a8c1ae5aaa464aa59
  */
 static void kinetic_energy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2426,7 +2426,7 @@ static const char kinetic_energy_types[] = {
 /*
  * text 3.8 v The loops of newton_euler_wrench.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 cb1ef1c6a16cfa01894e6560676a00c850af7c3f6cce96e6448ca7f9626feaa7
+ *   45 operations; derivation sha256 d7b89fc9d9f1d1f6e7c4726a8c6b262312af5cbe7c335bfef62828b9f7874101
  */
 static void newton_euler_wrench_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2486,7 +2486,7 @@ static const char newton_euler_wrench_types[] = {
 /*
  * text 3.8 v The loops of newton_euler_twist_rate.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   82 operations; derivation sha256 64f80e87d5737068b3f0b9f4706feef6b9ff4e2cb5ab381a10697a6701ce84b5
+ *   82 operations; derivation sha256 0081ef2d815df5f9b649473f8486474536d4b3b5431fee899b9a96105cb8def7
  */
 static void newton_euler_twist_rate_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2546,7 +2546,7 @@ static const char newton_euler_twist_rate_types[] = {
 /*
  * (3.147) The loops of inertia_dyad.
  *   verdict: holds; assumes nothing
- *   30 operations; derivation sha256 4bbf8c1406c8bc4f002bf283f170f926299c74c690fe95dd78dfef337d376991
+ *   30 operations; derivation sha256 1c4bb601cd0998fc0bfe9b387910f33fab442c97036ac86000fc8d66e444e923
  */
 static void inertia_dyad_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2626,7 +2626,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  0\n"
-            "  derivation  sha256 0312c264dacf74dfcdb531a0b73d78f9f32811ece66c1d3463eee307878679e9\n"
+            "  derivation  sha256 1dcc0e58f219711b3c3f86b749f8c10b4db63734a02b20de3d9c405c9765483d\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = cross_product_matrix_loops,
@@ -2645,7 +2645,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     |e| = 1\n"
             "  operations  24: 6 add, 4 subtract, 12 multiply, 1 sine, 1 cosine\n"
-            "  derivation  sha256 c07116d01fd9f3eec8b45e4fed312a9f9b8324ab6b8b43de598c12d93744c18c\n"
+            "  derivation  sha256 dd485fc9fc55c9da723bbd623b2225ec82c9e8dbfe322dbf4dfe768c7d30e93a\n"
             "  signature   (3),()->(3,3)\n"
             "",
         .loops = rotation_from_axis_angle_loops,
@@ -2666,7 +2666,7 @@ static const Kernel kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  21: 9 add, 3 subtract, 9 multiply\n"
-            "  derivation  sha256 b77ed46db033f7eed0ae1124f68ad31f483b7d8664bffaa4de83c9fc5b24f2ac\n"
+            "  derivation  sha256 8dec2f77245ea565b5836a20411e5ad44d44cd04431c5873936f452f27a3d0d8\n"
             "  signature   (3,3),(3),(3),(3)->(3)\n"
             "",
         .loops = point_after_displacement_loops,
@@ -2687,7 +2687,7 @@ static const Kernel kernels[] = {
             "  assumes     phi != 0\n"
             "              |e| = 1\n"
             "  operations  6: 2 add, 3 multiply, 1 divide\n"
-            "  derivation  sha256 dd456a80abab27dec7bf7669b19bfc9e5e0a1d2b37fff41b4cf74a191918c756\n"
+            "  derivation  sha256 9fa70ee61f0b9bb672e1d252a785256ee0efa914ad0cd98e0f8b625148dc2526\n"
             "  signature   (3),(),(3)->()\n"
             "",
         .loops = pitch_of_motion_loops,
@@ -2707,7 +2707,7 @@ static const Kernel kernels[] = {
             "  assumes     phi != 0\n"
             "              |e| = 1\n"
             "  operations  19: 3 add, 2 subtract, 11 multiply, 2 divide, 1 cosine\n"
-            "  derivation  sha256 5ac2e58cb954695fb22629ed1368ffe7e286efef15ae1ae9e6c4f136f03b4fc3\n"
+            "  derivation  sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c\n"
             "  signature   (3),()->(3,3)\n"
             "",
         .loops = normal_matrix_inverse_loops,
@@ -2729,7 +2729,7 @@ static const Kernel kernels[] = {
             "  assumes     phi != 0\n"
             "              |e| = 1\n"
             "  operations  64: 18 add, 10 subtract, 31 multiply, 3 divide, 1 sine, 1 cosine\n"
-            "  derivation  sha256 8ec72961c7242876eb3f39769aa85197309a72737bed03662c26f5d342deb5dd\n"
+            "  derivation  sha256 c77504d94d7a13ece4ecef946d02406d1c264a3db4d6453b06dc936d482e7f90\n"
             "  signature   (3),(),(3),(3)->(3)\n"
             "",
         .loops = screw_axis_point_loops,
@@ -2748,7 +2748,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     p_1 != p_2\n"
             "  operations  21: 2 add, 6 subtract, 9 multiply, 3 divide, 1 square root\n"
-            "  derivation  sha256 5a85da491dcc75a6b181adfb1d68308f6f9082d82d41f48451dd972e32090871\n"
+            "  derivation  sha256 32c3975b5a0a9106d94e083a43fadc2be5fbb7bda4c600d797436f2a818ba4e5\n"
             "  signature   (3),(3)->(6)\n"
             "",
         .loops = plucker_line_loops,
@@ -2768,7 +2768,7 @@ static const Kernel kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  15: 3 add, 6 subtract, 6 multiply\n"
-            "  derivation  sha256 223828bdc4a9d4093c744a6ff52678a900ce93b81e0164b035948d0874cac985\n"
+            "  derivation  sha256 6d53a1bee79a6a2a63aafa29de9b2815a5d19f7d96ef743e8fd201bd98bf5faf\n"
             "  signature   (6),(3),(3)->(6)\n"
             "",
         .loops = plucker_transfer_loops,
@@ -2787,7 +2787,7 @@ static const Kernel kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  45: 18 add, 27 multiply\n"
-            "  derivation  sha256 611a8f0b6c25dd9d15645ced341e936a7b46e306abd4c88ba7f151c73170f2b7\n"
+            "  derivation  sha256 a313dee3a60fe53c64ee29561afa9e0c70338ba74cee754e191c28c83bf76b8b\n"
             "  signature   (3,3),(3,3)->(3,3)\n"
             "",
         .loops = rotation_in_triad_axes_loops,
@@ -2806,7 +2806,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     e_1, e_2, e_3 are orthonormal and right-handed\n"
             "  operations  45: 18 add, 27 multiply\n"
-            "  derivation  sha256 d1a21d01da2012443d1a55e994887268f284c82c04bf89712cfcf42490ec03a4\n"
+            "  derivation  sha256 f83fa1168a58e1ad3de64ee9e12106ddba140b95a4dbcc601f4d839fc18a8c59\n"
             "  signature   (3,3),(3,3)->(3,3)\n"
             "",
         .loops = rotation_from_triads_loops,
@@ -2827,7 +2827,7 @@ static const Kernel kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  15: 3 add, 6 subtract, 6 multiply\n"
-            "  derivation  sha256 22f0f01d1a02abc18f9574c08e8b9b427316b62ad07d3f9771f98896bece91a1\n"
+            "  derivation  sha256 eef426f5d7859632880c7bcf2a415552347ee2d2214c68480bc7e54584caa69a\n"
             "  signature   (3),(3),(3),(3)->(3)\n"
             "",
         .loops = velocity_of_point_loops,
@@ -2847,7 +2847,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     omega != 0\n"
             "  operations  29: 2 add, 9 subtract, 15 multiply, 3 divide\n"
-            "  derivation  sha256 895661a438fba706f89d52a51bf6f4eb7433041efb58f67d2933e449bd8b4711\n"
+            "  derivation  sha256 69100a7f8d1911cfd9ed2c547c34eeace5ec9862641c5fd2ca3d352c7d28fbce\n"
             "  signature   (3),(3),(3)->(3)\n"
             "",
         .loops = instant_screw_point_loops,
@@ -2867,7 +2867,7 @@ static const Kernel kernels[] = {
             "  assumes     |e| = 1\n"
             "              phi != 0\n"
             "  operations  26: 3 add, 7 subtract, 13 multiply, 1 divide, 1 sine, 1 cosine\n"
-            "  derivation  sha256 d1afff56486caa901f40463bd6490da7f0e507ea7be252aa239136060941d58a\n"
+            "  derivation  sha256 ae8848864c3fe36678c44ede0fea89f8af655c143bdb95acf6bb13cd98cc80e0\n"
             "  signature   (3),()->(4,3)\n"
             "",
         .loops = natural_rate_matrix_loops,
@@ -2886,7 +2886,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     |e| = 1\n"
             "  operations  39: 6 add, 8 subtract, 23 multiply, 1 sine, 1 cosine\n"
-            "  derivation  sha256 3932af0d951f36376775451ce3a1ee43e73ece9dbe47180b18d5645998d83d28\n"
+            "  derivation  sha256 dc969a2458fb1ccbe6cf9ba4bd5c14c48137796a5e63b6fdffe960bc3f43a806\n"
             "  signature   (3),()->(4,3)\n"
             "",
         .loops = linear_rate_matrix_loops,
@@ -2905,7 +2905,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     |e| = 1\n"
             "  operations  8: 6 multiply, 1 sine, 1 cosine\n"
-            "  derivation  sha256 3a735e68dbe0a8f64cc814f18a0e5c5ed23fe697bfaae80247e65c806f072dee\n"
+            "  derivation  sha256 6c847b4baa2596c76e6ab0bd3e04d8ba67a999fd27b87b011fca1a1dab6d4147\n"
             "  signature   (3),()->(4,3)\n"
             "",
         .loops = euler_rodrigues_rate_matrix_loops,
@@ -2924,7 +2924,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     phi != pi\n"
             "  operations  20: 7 add, 3 subtract, 9 multiply, 1 divide\n"
-            "  derivation  sha256 6c875acb2742adb076485e3b75a69754af3515e24d15f1d3ff9dfbcee252fa0e\n"
+            "  derivation  sha256 ea28f0fa942d584b259525e962097be1354ff910cf1b14cdaa065f0e8a7de393\n"
             "  signature   (3),()->(3,3)\n"
             "",
         .loops = rotation_from_linear_invariants_loops,
@@ -2943,7 +2943,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
             "  operations  29: 8 add, 4 subtract, 17 multiply\n"
-            "  derivation  sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712\n"
+            "  derivation  sha256 99a4cba6f6c99cb900d6e9c9d4e2ef7a5715571273dafc564f29ffd0f7b85f0c\n"
             "  signature   (3),()->(3,3)\n"
             "",
         .loops = rotation_from_euler_rodrigues_loops,
@@ -2962,7 +2962,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
             "  operations  10: 2 add, 4 subtract, 4 multiply\n"
-            "  derivation  sha256 33d342698b1bbb0ed8e2b1fc28a50f559e7edf4004942693b00b69e15c4fa640\n"
+            "  derivation  sha256 36a144798681f302cdd381b0fc0940a897d02a61242017e7c9f898db6791c1be\n"
             "  signature   (3,3)->(3),()\n"
             "",
         .loops = linear_invariants_loops,
@@ -2981,7 +2981,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     Q is a rotation\n"
             "  operations  67: 21 add, 10 subtract, 25 multiply, 5 divide, 5 square root, 1 arctangent2\n"
-            "  derivation  sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1\n"
+            "  derivation  sha256 e2544e2132153f729f39a22cc349020d92305353358bcab2b3b0107e1737c41e\n"
             "  signature   (3,3)->(3),()\n"
             "",
         .loops = natural_invariants_loops,
@@ -3000,7 +3000,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     Q is a rotation\n"
             "  operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root\n"
-            "  derivation  sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6\n"
+            "  derivation  sha256 a67e13328e4829418ed30de028f2dc8c77a4a793125037bcb24b15ce06ed4e8d\n"
             "  signature   (3,3)->(3),()\n"
             "",
         .loops = euler_rodrigues_parameters_loops,
@@ -3022,7 +3022,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     Q is a rotation\n"
             "  operations  125: 35 add, 23 subtract, 53 multiply, 8 divide, 5 square root, 1 arctangent2\n"
-            "  derivation  sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06\n"
+            "  derivation  sha256 8df6ed9271b64d7ceff75168107b77afc4243c5f9d18c1bbc3e692bd8c92df54\n"
             "  signature   (3,3),(3),(3)->(6),(),()\n"
             "",
         .loops = screw_of_motion_loops,
@@ -3043,7 +3043,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     omega != 0\n"
             "  operations  48: 4 add, 12 subtract, 24 multiply, 7 divide, 1 square root\n"
-            "  derivation  sha256 8db7e09eddaec370ad0459ae8e80d7446e066a7c7a50b64d1e58a04d14bf3409\n"
+            "  derivation  sha256 209e592ce8a41573bccbb2a3620515b5b480dde918c912fa0446dac1a7d40036\n"
             "  signature   (3),(3),(3)->(6),()\n"
             "",
         .loops = instant_screw_loops,
@@ -3062,7 +3062,7 @@ static const Kernel kernels[] = {
             "  verdict     ill-formed as printed, defined as read\n"
             "  assumes     |e| = 1\n"
             "  operations  6: 1 subtract, 3 multiply, 1 sine, 1 cosine\n"
-            "  derivation  sha256 4f53ceafce1dca350cbdb1d07bdf8034bfa4606e93e39373e34ca9e8e55d7ef2\n"
+            "  derivation  sha256 8f59c5ef77909eadf927c6b687cd3bab0b77e8cdc9373e233171e72268eed1b1\n"
             "  signature   (3),()->(3,4)\n"
             "",
         .loops = natural_velocity_matrix_loops,
@@ -3082,7 +3082,7 @@ static const Kernel kernels[] = {
             "  assumes     |e| = 1\n"
             "              phi != pi\n"
             "  operations  7: 1 add, 3 multiply, 1 divide, 1 sine, 1 cosine\n"
-            "  derivation  sha256 e678fa61f2ca614341b1b520d453177cbb36d5adbe5d7bfc71cf23d916da1626\n"
+            "  derivation  sha256 89a180463935f0c42617efa0988e0354bd46d74d20a13999139be0c69246d5f3\n"
             "  signature   (3),()->(3,4)\n"
             "",
         .loops = linear_velocity_matrix_loops,
@@ -3101,7 +3101,7 @@ static const Kernel kernels[] = {
             "  verdict     ill-formed as printed, defined as read\n"
             "  assumes     |e| = 1\n"
             "  operations  8: 6 multiply, 1 sine, 1 cosine\n"
-            "  derivation  sha256 49057ffb7954605c353481ff3155b854e23f59cd6c3eb25c530b76ce9a72408e\n"
+            "  derivation  sha256 2f21b7ee20e1702180f136497178c100314ca7d0df136dd2feb59d1f89a6b375\n"
             "  signature   (3),()->(3,4)\n"
             "",
         .loops = euler_rodrigues_velocity_matrix_loops,
@@ -3122,7 +3122,7 @@ static const Kernel kernels[] = {
             "  assumes     |e| = 1\n"
             "              phi != 0\n"
             "  operations  35: 2 add, 10 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine\n"
-            "  derivation  sha256 a45c42e2bfaa929db67370adbe054106e4220311d7cb3f6156f04276d0320465\n"
+            "  derivation  sha256 03378dde89c3aaac2473eda92712bf10969b44e2791c52441961929bbc3faff7\n"
             "  signature   (3),(),(6)->(7)\n"
             "",
         .loops = pose_rate_natural_loops,
@@ -3142,7 +3142,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
             "  operations  53: 7 add, 11 subtract, 33 multiply, 1 sine, 1 cosine\n"
-            "  derivation  sha256 4cb4ee584c4c8eabc8772f8942b039808bd844366959cb05e5013b108a6a13b3\n"
+            "  derivation  sha256 485b60f5c3aeac6ce1e8f47296c4e310a527f2526b4ca7577ff63944281afba0\n"
             "  signature   (3),(),(6)->(7)\n"
             "",
         .loops = pose_rate_linear_loops,
@@ -3162,7 +3162,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
             "  operations  28: 5 add, 3 subtract, 18 multiply, 1 sine, 1 cosine\n"
-            "  derivation  sha256 ccca2d15e0eec02319f6d43a1e14916d4dc7aee6853dc302880ff46b704da961\n"
+            "  derivation  sha256 339dc61f9ddbbce6d47832bfa5f83511f919dfb2680d41f08f397cc5f5818873\n"
             "  signature   (3),(),(6)->(7)\n"
             "",
         .loops = pose_rate_euler_rodrigues_loops,
@@ -3182,7 +3182,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
             "  operations  27: 6 add, 4 subtract, 15 multiply, 1 sine, 1 cosine\n"
-            "  derivation  sha256 e7ecc39745f5c7fe863f4574b3d7db66237826b5cd6ef5ba62078dc2f87eb979\n"
+            "  derivation  sha256 a734862884a894688cc48e122cf5f84242a09356a3b59996da7ceca338c88bee\n"
             "  signature   (3),(),(7)->(6)\n"
             "",
         .loops = twist_from_pose_rate_natural_loops,
@@ -3203,7 +3203,7 @@ static const Kernel kernels[] = {
             "  assumes     |e| = 1\n"
             "              phi != pi\n"
             "  operations  25: 4 add, 6 subtract, 12 multiply, 1 divide, 1 sine, 1 cosine\n"
-            "  derivation  sha256 fa1304d2c5d6753e7d389022ed11c42daecd4c9ae21809318a87cd32029de36f\n"
+            "  derivation  sha256 2198ea1ef9b2a1092af274c28947c46ea9dcee1755b4d2bfeb21915eae15ec77\n"
             "  signature   (3),(),(7)->(6)\n"
             "",
         .loops = twist_from_pose_rate_linear_loops,
@@ -3223,7 +3223,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
             "  operations  29: 3 add, 6 subtract, 18 multiply, 1 sine, 1 cosine\n"
-            "  derivation  sha256 e7f95cb1e1f8858232fa295001c353462018829181e53800500336674a222548\n"
+            "  derivation  sha256 706de516b3cc18711578a88117494ee18e5fa90ed73390c6b7020956353b1361\n"
             "  signature   (3),(),(7)->(6)\n"
             "",
         .loops = twist_from_pose_rate_euler_rodrigues_loops,
@@ -3243,7 +3243,7 @@ static const Kernel kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  15: 3 add, 6 subtract, 6 multiply\n"
-            "  derivation  sha256 967e7d1cf62d3815299774946eb2642eb91e46a3429c284829933f4e75e4e219\n"
+            "  derivation  sha256 3219ddd73c3c590a6566e28a84076f81cbaba27a5a84b161382d2076d953c075\n"
             "  signature   (6),(3),(3)->(6)\n"
             "",
         .loops = twist_transfer_loops,
@@ -3262,7 +3262,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     Q is a rotation\n"
             "  operations  15: 6 add, 3 subtract, 6 multiply\n"
-            "  derivation  sha256 9353bb16e90ad45c91a0cb2ecc494d929aa7746b83fe6af49af9df200dbbb47d\n"
+            "  derivation  sha256 5052f47f7af7362fc9f1cf608959b53ca94e5f5f25d07beebb01e47a3cc3a950\n"
             "  signature   (3),(3)->(3,3)\n"
             "",
         .loops = angular_acceleration_matrix_loops,
@@ -3284,7 +3284,7 @@ static const Kernel kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  36: 6 add, 12 subtract, 18 multiply\n"
-            "  derivation  sha256 d86e77df283994951e7f23ec5c1e412135f31c7e3539b9cb228bb538b4e39021\n"
+            "  derivation  sha256 509ca9167167321c3bf15892dea6aa573b67b0b686ac57a5125297033e3c4c92\n"
             "  signature   (3),(3),(3),(3),(3)->(3)\n"
             "",
         .loops = acceleration_of_point_loops,
@@ -3306,7 +3306,7 @@ static const Kernel kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  45: 18 add, 3 subtract, 24 multiply\n"
-            "  derivation  sha256 7250d2e1f78a2d6f1161bc2db7ddeb5dc0c6fc84979f0eaa84197fdb6599dd36\n"
+            "  derivation  sha256 da9e7c4331821e757d302e254d79b3fee81482b88d26f706b39478d1aa475204\n"
             "  signature   (3),(3,3),(3),(3),(3)->(3)\n"
             "",
         .loops = moving_frame_velocity_loops,
@@ -3331,7 +3331,7 @@ static const Kernel kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  96: 30 add, 12 subtract, 54 multiply\n"
-            "  derivation  sha256 fbd2b527f0f93f4cf924de6668a33e19726d1caade279c11a0d657fe9ec4e961\n"
+            "  derivation  sha256 da5d30181e11cd5a3119f7edd4a748da440cc7ec9f2463e8cef0f70537a10984\n"
             "  signature   (3),(3,3),(3),(3),(3),(3),(3)->(3)\n"
             "",
         .loops = moving_frame_acceleration_loops,
@@ -3352,7 +3352,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     f != 0\n"
             "  operations  49: 4 add, 12 subtract, 27 multiply, 5 divide, 1 square root\n"
-            "  derivation  sha256 b1179904e05c970df60da3f9b180c2bce98c765bdb6795544ff955fce9c3d5bd\n"
+            "  derivation  sha256 f6f930d9678b859aa30368ca18000d5606fc5b8fa517c3baf582f66a110dcdc4\n"
             "  signature   (3),(3),(3)->(6),()\n"
             "",
         .loops = wrench_axis_loops,
@@ -3371,7 +3371,7 @@ static const Kernel kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  11: 5 add, 6 multiply\n"
-            "  derivation  sha256 f08018ccded03ad1a1392a205f144588142ee91077c0ed0b4f636ec1d31e4312\n"
+            "  derivation  sha256 580a9557b1b4b779955409e7506c76202ce3a1e9982d422e1491bf0bcad680ef\n"
             "  signature   (6),(6)->()\n"
             "",
         .loops = power_loops,
@@ -3390,7 +3390,7 @@ static const Kernel kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  11: 5 add, 6 multiply\n"
-            "  derivation  sha256 b087dfb5c9785b14414c4d9ab347a0bbefd48c42f8ad121de5653c94dd3546ee\n"
+            "  derivation  sha256 69eafb582289fe007146884f233005913bd49126222273503197968fd6ef8dd3\n"
             "  signature   (6),(6)->()\n"
             "",
         .loops = reciprocal_product_loops,
@@ -3410,7 +3410,7 @@ static const Kernel kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  15: 3 add, 6 subtract, 6 multiply\n"
-            "  derivation  sha256 9e54b67526c12869cc182865d5846fded980a863cc3a11fe5be4e32dc500f446\n"
+            "  derivation  sha256 9cbbd4d64a694c0150c2c0a241ceaa9fe43fa91e335dce95c4c39681e8ecce3c\n"
             "  signature   (6),(3),(3)->(6)\n"
             "",
         .loops = wrench_transfer_loops,
@@ -3431,7 +3431,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     m > 0\n"
             "  operations  30: 5 add, 12 subtract, 13 multiply\n"
-            "  derivation  sha256 35b7fb1caca5be1d4c908923193605bd9233355cd78eb729d55678f7bb61145f\n"
+            "  derivation  sha256 aba83f2bd3e1166b795e47c43b448bc59b7660cf5111023a5f72b29e4ca2087d\n"
             "  signature   (3,3),(),(3),(3)->(3,3)\n"
             "",
         .loops = inertia_about_point_loops,
@@ -3451,7 +3451,7 @@ static const Kernel kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  18: 6 add, 12 multiply\n"
-            "  derivation  sha256 3f711409ddb1418e7a90bc97272fe9f055b83f10c9675ffa2beb8cf349541833\n"
+            "  derivation  sha256 710d57383413bed6baf901762b3882a8ecf77afb22a27bf8365ff0c92c4546d6\n"
             "  signature   (3,3),(),(6)->(6)\n"
             "",
         .loops = momentum_screw_loops,
@@ -3471,7 +3471,7 @@ static const Kernel kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  35: 11 add, 24 multiply\n"
-            "  derivation  sha256 bb5b9837baefa1606d49c0ac94dfc858eb46861f13739a02b972bfbdf0f95c37\n"
+            "  derivation  sha256 4b9e9fcfb9d3f04a872f3404b762a9c889a518c95015ce9a8c1ae5aaa464aa59\n"
             "  signature   (3,3),(),(6)->()\n"
             "",
         .loops = kinetic_energy_loops,
@@ -3492,7 +3492,7 @@ static const Kernel kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  45: 15 add, 3 subtract, 27 multiply\n"
-            "  derivation  sha256 cb1ef1c6a16cfa01894e6560676a00c850af7c3f6cce96e6448ca7f9626feaa7\n"
+            "  derivation  sha256 d7b89fc9d9f1d1f6e7c4726a8c6b262312af5cbe7c335bfef62828b9f7874101\n"
             "  signature   (3,3),(),(6),(6)->(6)\n"
             "",
         .loops = newton_euler_wrench_loops,
@@ -3515,7 +3515,7 @@ static const Kernel kernels[] = {
             "  assumes     det(I_C) != 0\n"
             "              m > 0\n"
             "  operations  82: 14 add, 15 subtract, 51 multiply, 2 divide\n"
-            "  derivation  sha256 64f80e87d5737068b3f0b9f4706feef6b9ff4e2cb5ab381a10697a6701ce84b5\n"
+            "  derivation  sha256 0081ef2d815df5f9b649473f8486474536d4b3b5431fee899b9a96105cb8def7\n"
             "  signature   (3,3),(),(6),(6)->(6)\n"
             "",
         .loops = newton_euler_twist_rate_loops,
@@ -3536,7 +3536,7 @@ static const Kernel kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  30: 6 add, 9 subtract, 15 multiply\n"
-            "  derivation  sha256 4bbf8c1406c8bc4f002bf283f170f926299c74c690fe95dd78dfef337d376991\n"
+            "  derivation  sha256 1c4bb601cd0998fc0bfe9b387910f33fab442c97036ac86000fc8d66e444e923\n"
             "  signature   (3,3),(),(3),(3)->(6,6)\n"
             "",
         .loops = inertia_dyad_loops,

@@ -69,7 +69,7 @@ def cross_product_matrix(v: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  0
-    derivation  sha256 0312c264dacf74dfcdb531a0b73d78f9f32811ece66c1d3463eee307878679e9
+    derivation  sha256 1dcc0e58f219711b3c3f86b749f8c10b4db63734a02b20de3d9c405c9765483d
     signature   (3)->(3,3)
     """
     batch, v = prepared("cross_product_matrix", ("v", v, (3,)))
@@ -85,7 +85,7 @@ def rotation_from_axis_angle(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     |e| = 1
     operations  24: 6 add, 4 subtract, 12 multiply, 1 sine, 1 cosine
-    derivation  sha256 c07116d01fd9f3eec8b45e4fed312a9f9b8324ab6b8b43de598c12d93744c18c
+    derivation  sha256 dd485fc9fc55c9da723bbd623b2225ec82c9e8dbfe322dbf4dfe768c7d30e93a
     signature   (3),()->(3,3)
     """
     batch, e, phi = prepared("rotation_from_axis_angle", ("e", e, (3,)), ("phi", phi, ()))
@@ -126,7 +126,7 @@ def point_after_displacement(Q: Any, a: Any, a_prime: Any, p: Any, /, *, out: An
     verdict     holds
     assumes     nothing
     operations  21: 9 add, 3 subtract, 9 multiply
-    derivation  sha256 b77ed46db033f7eed0ae1124f68ad31f483b7d8664bffaa4de83c9fc5b24f2ac
+    derivation  sha256 8dec2f77245ea565b5836a20411e5ad44d44cd04431c5873936f452f27a3d0d8
     signature   (3,3),(3),(3),(3)->(3)
     """
     batch, Q, a, a_prime, p = prepared(
@@ -158,7 +158,7 @@ def pitch_of_motion(e: Any, phi: Any, d_P: Any, /, *, out: Any = None) -> Any:
     assumes     phi != 0
                 |e| = 1
     operations  6: 2 add, 3 multiply, 1 divide
-    derivation  sha256 dd456a80abab27dec7bf7669b19bfc9e5e0a1d2b37fff41b4cf74a191918c756
+    derivation  sha256 9fa70ee61f0b9bb672e1d252a785256ee0efa914ad0cd98e0f8b625148dc2526
     signature   (3),(),(3)->()
     """
     batch, e, phi, d_P = prepared(
@@ -182,7 +182,7 @@ def normal_matrix_inverse(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     assumes     phi != 0
                 |e| = 1
     operations  19: 3 add, 2 subtract, 11 multiply, 2 divide, 1 cosine
-    derivation  sha256 5ac2e58cb954695fb22629ed1368ffe7e286efef15ae1ae9e6c4f136f03b4fc3
+    derivation  sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c
     signature   (3),()->(3,3)
     """
     batch, e, phi = prepared("normal_matrix_inverse", ("e", e, (3,)), ("phi", phi, ()))
@@ -223,7 +223,7 @@ def screw_axis_point(e: Any, phi: Any, a: Any, a_prime: Any, /, *, out: Any = No
     assumes     phi != 0
                 |e| = 1
     operations  64: 18 add, 10 subtract, 31 multiply, 3 divide, 1 sine, 1 cosine
-    derivation  sha256 8ec72961c7242876eb3f39769aa85197309a72737bed03662c26f5d342deb5dd
+    derivation  sha256 c77504d94d7a13ece4ecef946d02406d1c264a3db4d6453b06dc936d482e7f90
     signature   (3),(),(3),(3)->(3)
     """
     batch, e, phi, a, a_prime = prepared(
@@ -276,7 +276,7 @@ def plucker_line(p_1: Any, p_2: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     p_1 != p_2
     operations  21: 2 add, 6 subtract, 9 multiply, 3 divide, 1 square root
-    derivation  sha256 5a85da491dcc75a6b181adfb1d68308f6f9082d82d41f48451dd972e32090871
+    derivation  sha256 32c3975b5a0a9106d94e083a43fadc2be5fbb7bda4c600d797436f2a818ba4e5
     signature   (3),(3)->(6)
     """
     batch, p_1, p_2 = prepared("plucker_line", ("p_1", p_1, (3,)), ("p_2", p_2, (3,)))
@@ -311,7 +311,7 @@ def plucker_transfer(kappa_A: Any, a: Any, b: Any, /, *, out: Any = None) -> Any
     verdict     holds
     assumes     nothing
     operations  15: 3 add, 6 subtract, 6 multiply
-    derivation  sha256 223828bdc4a9d4093c744a6ff52678a900ce93b81e0164b035948d0874cac985
+    derivation  sha256 6d53a1bee79a6a2a63aafa29de9b2815a5d19f7d96ef743e8fd201bd98bf5faf
     signature   (6),(3),(3)->(6)
     """
     batch, kappa_A, a, b = prepared(
@@ -343,7 +343,7 @@ def rotation_in_triad_axes(triad: Any, triad_prime: Any, /, *, out: Any = None) 
     verdict     holds
     assumes     nothing
     operations  45: 18 add, 27 multiply
-    derivation  sha256 611a8f0b6c25dd9d15645ced341e936a7b46e306abd4c88ba7f151c73170f2b7
+    derivation  sha256 a313dee3a60fe53c64ee29561afa9e0c70338ba74cee754e191c28c83bf76b8b
     signature   (3,3),(3,3)->(3,3)
     """
     batch, triad, triad_prime = prepared(
@@ -383,7 +383,7 @@ def rotation_from_triads(triad: Any, triad_prime: Any, /, *, out: Any = None) ->
     verdict     holds under
     assumes     e_1, e_2, e_3 are orthonormal and right-handed
     operations  45: 18 add, 27 multiply
-    derivation  sha256 d1a21d01da2012443d1a55e994887268f284c82c04bf89712cfcf42490ec03a4
+    derivation  sha256 f83fa1168a58e1ad3de64ee9e12106ddba140b95a4dbcc601f4d839fc18a8c59
     signature   (3,3),(3,3)->(3,3)
     """
     batch, triad, triad_prime = prepared(
@@ -425,7 +425,7 @@ def velocity_of_point(omega: Any, a_dot: Any, a: Any, p: Any, /, *, out: Any = N
     verdict     holds
     assumes     nothing
     operations  15: 3 add, 6 subtract, 6 multiply
-    derivation  sha256 22f0f01d1a02abc18f9574c08e8b9b427316b62ad07d3f9771f98896bece91a1
+    derivation  sha256 eef426f5d7859632880c7bcf2a415552347ee2d2214c68480bc7e54584caa69a
     signature   (3),(3),(3),(3)->(3)
     """
     batch, omega, a_dot, a, p = prepared(
@@ -456,7 +456,7 @@ def instant_screw_point(omega: Any, a_dot: Any, a: Any, /, *, out: Any = None) -
     verdict     holds under
     assumes     omega != 0
     operations  29: 2 add, 9 subtract, 15 multiply, 3 divide
-    derivation  sha256 895661a438fba706f89d52a51bf6f4eb7433041efb58f67d2933e449bd8b4711
+    derivation  sha256 69100a7f8d1911cfd9ed2c547c34eeace5ec9862641c5fd2ca3d352c7d28fbce
     signature   (3),(3),(3)->(3)
     """
     batch, omega, a_dot, a = prepared(
@@ -489,7 +489,7 @@ def natural_rate_matrix(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     assumes     |e| = 1
                 phi != 0
     operations  26: 3 add, 7 subtract, 13 multiply, 1 divide, 1 sine, 1 cosine
-    derivation  sha256 d1afff56486caa901f40463bd6490da7f0e507ea7be252aa239136060941d58a
+    derivation  sha256 ae8848864c3fe36678c44ede0fea89f8af655c143bdb95acf6bb13cd98cc80e0
     signature   (3),()->(4,3)
     """
     batch, e, phi = prepared("natural_rate_matrix", ("e", e, (3,)), ("phi", phi, ()))
@@ -530,7 +530,7 @@ def linear_rate_matrix(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     |e| = 1
     operations  39: 6 add, 8 subtract, 23 multiply, 1 sine, 1 cosine
-    derivation  sha256 3932af0d951f36376775451ce3a1ee43e73ece9dbe47180b18d5645998d83d28
+    derivation  sha256 dc969a2458fb1ccbe6cf9ba4bd5c14c48137796a5e63b6fdffe960bc3f43a806
     signature   (3),()->(4,3)
     """
     batch, e, phi = prepared("linear_rate_matrix", ("e", e, (3,)), ("phi", phi, ()))
@@ -575,7 +575,7 @@ def euler_rodrigues_rate_matrix(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     |e| = 1
     operations  8: 6 multiply, 1 sine, 1 cosine
-    derivation  sha256 3a735e68dbe0a8f64cc814f18a0e5c5ed23fe697bfaae80247e65c806f072dee
+    derivation  sha256 6c847b4baa2596c76e6ab0bd3e04d8ba67a999fd27b87b011fca1a1dab6d4147
     signature   (3),()->(4,3)
     """
     batch, e, phi = prepared("euler_rodrigues_rate_matrix", ("e", e, (3,)), ("phi", phi, ()))
@@ -598,7 +598,7 @@ def rotation_from_linear_invariants(q: Any, q_0: Any, /, *, out: Any = None) -> 
     verdict     holds under
     assumes     phi != pi
     operations  20: 7 add, 3 subtract, 9 multiply, 1 divide
-    derivation  sha256 6c875acb2742adb076485e3b75a69754af3515e24d15f1d3ff9dfbcee252fa0e
+    derivation  sha256 ea28f0fa942d584b259525e962097be1354ff910cf1b14cdaa065f0e8a7de393
     signature   (3),()->(3,3)
     """
     batch, q, q_0 = prepared("rotation_from_linear_invariants", ("q", q, (3,)), ("q_0", q_0, ()))
@@ -633,7 +633,7 @@ def rotation_from_euler_rodrigues(q: Any, q_0: Any, /, *, out: Any = None) -> An
     verdict     holds under
     assumes     |e| = 1
     operations  29: 8 add, 4 subtract, 17 multiply
-    derivation  sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
+    derivation  sha256 99a4cba6f6c99cb900d6e9c9d4e2ef7a5715571273dafc564f29ffd0f7b85f0c
     signature   (3),()->(3,3)
     """
     batch, q, q_0 = prepared("rotation_from_euler_rodrigues", ("q", q, (3,)), ("q_0", q_0, ()))
@@ -670,7 +670,7 @@ def linear_invariants(Q: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     |e| = 1
     operations  10: 2 add, 4 subtract, 4 multiply
-    derivation  sha256 33d342698b1bbb0ed8e2b1fc28a50f559e7edf4004942693b00b69e15c4fa640
+    derivation  sha256 36a144798681f302cdd381b0fc0940a897d02a61242017e7c9f898db6791c1be
     signature   (3,3)->(3),()
     """
     batch, Q = prepared("linear_invariants", ("Q", Q, (3, 3)))
@@ -692,7 +692,7 @@ def natural_invariants(Q: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     Q is a rotation
     operations  67: 21 add, 10 subtract, 25 multiply, 5 divide, 5 square root, 1 arctangent2
-    derivation  sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1
+    derivation  sha256 e2544e2132153f729f39a22cc349020d92305353358bcab2b3b0107e1737c41e
     signature   (3,3)->(3),()
     """
     batch, Q = prepared("natural_invariants", ("Q", Q, (3, 3)))
@@ -777,7 +777,7 @@ def euler_rodrigues_parameters(Q: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     Q is a rotation
     operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root
-    derivation  sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6
+    derivation  sha256 a67e13328e4829418ed30de028f2dc8c77a4a793125037bcb24b15ce06ed4e8d
     signature   (3,3)->(3),()
     """
     batch, Q = prepared("euler_rodrigues_parameters", ("Q", Q, (3, 3)))
@@ -853,7 +853,7 @@ def screw_of_motion(Q: Any, a: Any, a_prime: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     Q is a rotation
     operations  125: 35 add, 23 subtract, 53 multiply, 8 divide, 5 square root, 1 arctangent2
-    derivation  sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06
+    derivation  sha256 8df6ed9271b64d7ceff75168107b77afc4243c5f9d18c1bbc3e692bd8c92df54
     signature   (3,3),(3),(3)->(6),(),()
     """
     batch, Q, a, a_prime = prepared(
@@ -970,7 +970,7 @@ def instant_screw(omega: Any, a_dot: Any, a: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     omega != 0
     operations  48: 4 add, 12 subtract, 24 multiply, 7 divide, 1 square root
-    derivation  sha256 8db7e09eddaec370ad0459ae8e80d7446e066a7c7a50b64d1e58a04d14bf3409
+    derivation  sha256 209e592ce8a41573bccbb2a3620515b5b480dde918c912fa0446dac1a7d40036
     signature   (3),(3),(3)->(6),()
     """
     batch, omega, a_dot, a = prepared(
@@ -1006,7 +1006,7 @@ def natural_velocity_matrix(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     verdict     ill-formed as printed, defined as read
     assumes     |e| = 1
     operations  6: 1 subtract, 3 multiply, 1 sine, 1 cosine
-    derivation  sha256 4f53ceafce1dca350cbdb1d07bdf8034bfa4606e93e39373e34ca9e8e55d7ef2
+    derivation  sha256 8f59c5ef77909eadf927c6b687cd3bab0b77e8cdc9373e233171e72268eed1b1
     signature   (3),()->(3,4)
     """
     batch, e, phi = prepared("natural_velocity_matrix", ("e", e, (3,)), ("phi", phi, ()))
@@ -1043,7 +1043,7 @@ def linear_velocity_matrix(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     assumes     |e| = 1
                 phi != pi
     operations  7: 1 add, 3 multiply, 1 divide, 1 sine, 1 cosine
-    derivation  sha256 e678fa61f2ca614341b1b520d453177cbb36d5adbe5d7bfc71cf23d916da1626
+    derivation  sha256 89a180463935f0c42617efa0988e0354bd46d74d20a13999139be0c69246d5f3
     signature   (3),()->(3,4)
     """
     batch, e, phi = prepared("linear_velocity_matrix", ("e", e, (3,)), ("phi", phi, ()))
@@ -1065,7 +1065,7 @@ def euler_rodrigues_velocity_matrix(e: Any, phi: Any, /, *, out: Any = None) -> 
     verdict     ill-formed as printed, defined as read
     assumes     |e| = 1
     operations  8: 6 multiply, 1 sine, 1 cosine
-    derivation  sha256 49057ffb7954605c353481ff3155b854e23f59cd6c3eb25c530b76ce9a72408e
+    derivation  sha256 2f21b7ee20e1702180f136497178c100314ca7d0df136dd2feb59d1f89a6b375
     signature   (3),()->(3,4)
     """
     batch, e, phi = prepared("euler_rodrigues_velocity_matrix", ("e", e, (3,)), ("phi", phi, ()))
@@ -1090,7 +1090,7 @@ def pose_rate_natural(e: Any, phi: Any, t: Any, /, *, out: Any = None) -> Any:
     assumes     |e| = 1
                 phi != 0
     operations  35: 2 add, 10 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine
-    derivation  sha256 a45c42e2bfaa929db67370adbe054106e4220311d7cb3f6156f04276d0320465
+    derivation  sha256 03378dde89c3aaac2473eda92712bf10969b44e2791c52441961929bbc3faff7
     signature   (3),(),(6)->(7)
     """
     batch, e, phi, t = prepared("pose_rate_natural", ("e", e, (3,)), ("phi", phi, ()), ("t", t, (6,)))
@@ -1121,7 +1121,7 @@ def pose_rate_linear(e: Any, phi: Any, t: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     |e| = 1
     operations  53: 7 add, 11 subtract, 33 multiply, 1 sine, 1 cosine
-    derivation  sha256 4cb4ee584c4c8eabc8772f8942b039808bd844366959cb05e5013b108a6a13b3
+    derivation  sha256 485b60f5c3aeac6ce1e8f47296c4e310a527f2526b4ca7577ff63944281afba0
     signature   (3),(),(6)->(7)
     """
     batch, e, phi, t = prepared("pose_rate_linear", ("e", e, (3,)), ("phi", phi, ()), ("t", t, (6,)))
@@ -1154,7 +1154,7 @@ def pose_rate_euler_rodrigues(e: Any, phi: Any, t: Any, /, *, out: Any = None) -
     verdict     holds under
     assumes     |e| = 1
     operations  28: 5 add, 3 subtract, 18 multiply, 1 sine, 1 cosine
-    derivation  sha256 ccca2d15e0eec02319f6d43a1e14916d4dc7aee6853dc302880ff46b704da961
+    derivation  sha256 339dc61f9ddbbce6d47832bfa5f83511f919dfb2680d41f08f397cc5f5818873
     signature   (3),(),(6)->(7)
     """
     batch, e, phi, t = prepared(
@@ -1192,7 +1192,7 @@ def twist_from_pose_rate_natural(e: Any, phi: Any, s_dot: Any, /, *, out: Any = 
     verdict     holds under
     assumes     |e| = 1
     operations  27: 6 add, 4 subtract, 15 multiply, 1 sine, 1 cosine
-    derivation  sha256 e7ecc39745f5c7fe863f4574b3d7db66237826b5cd6ef5ba62078dc2f87eb979
+    derivation  sha256 a734862884a894688cc48e122cf5f84242a09356a3b59996da7ceca338c88bee
     signature   (3),(),(7)->(6)
     """
     batch, e, phi, s_dot = prepared(
@@ -1226,7 +1226,7 @@ def twist_from_pose_rate_linear(e: Any, phi: Any, s_dot: Any, /, *, out: Any = N
     assumes     |e| = 1
                 phi != pi
     operations  25: 4 add, 6 subtract, 12 multiply, 1 divide, 1 sine, 1 cosine
-    derivation  sha256 fa1304d2c5d6753e7d389022ed11c42daecd4c9ae21809318a87cd32029de36f
+    derivation  sha256 2198ea1ef9b2a1092af274c28947c46ea9dcee1755b4d2bfeb21915eae15ec77
     signature   (3),(),(7)->(6)
     """
     batch, e, phi, s_dot = prepared(
@@ -1262,7 +1262,7 @@ def twist_from_pose_rate_euler_rodrigues(e: Any, phi: Any, s_dot: Any, /, *, out
     verdict     holds under
     assumes     |e| = 1
     operations  29: 3 add, 6 subtract, 18 multiply, 1 sine, 1 cosine
-    derivation  sha256 e7f95cb1e1f8858232fa295001c353462018829181e53800500336674a222548
+    derivation  sha256 706de516b3cc18711578a88117494ee18e5fa90ed73390c6b7020956353b1361
     signature   (3),(),(7)->(6)
     """
     batch, e, phi, s_dot = prepared(
@@ -1299,7 +1299,7 @@ def twist_transfer(t_A: Any, a: Any, p: Any, /, *, out: Any = None) -> Any:
     verdict     holds
     assumes     nothing
     operations  15: 3 add, 6 subtract, 6 multiply
-    derivation  sha256 967e7d1cf62d3815299774946eb2642eb91e46a3429c284829933f4e75e4e219
+    derivation  sha256 3219ddd73c3c590a6566e28a84076f81cbaba27a5a84b161382d2076d953c075
     signature   (6),(3),(3)->(6)
     """
     batch, t_A, a, p = prepared("twist_transfer", ("t_A", t_A, (6,)), ("a", a, (3,)), ("p", p, (3,)))
@@ -1326,7 +1326,7 @@ def angular_acceleration_matrix(omega: Any, omega_dot: Any, /, *, out: Any = Non
     verdict     defined
     assumes     Q is a rotation
     operations  15: 6 add, 3 subtract, 6 multiply
-    derivation  sha256 9353bb16e90ad45c91a0cb2ecc494d929aa7746b83fe6af49af9df200dbbb47d
+    derivation  sha256 5052f47f7af7362fc9f1cf608959b53ca94e5f5f25d07beebb01e47a3cc3a950
     signature   (3),(3)->(3,3)
     """
     batch, omega, omega_dot = prepared(
@@ -1366,7 +1366,7 @@ def acceleration_of_point(omega: Any, omega_dot: Any, a_ddot: Any, a: Any, p: An
     verdict     holds
     assumes     nothing
     operations  36: 6 add, 12 subtract, 18 multiply
-    derivation  sha256 d86e77df283994951e7f23ec5c1e412135f31c7e3539b9cb228bb538b4e39021
+    derivation  sha256 509ca9167167321c3bf15892dea6aa573b67b0b686ac57a5125297033e3c4c92
     signature   (3),(3),(3),(3),(3)->(3)
     """
     batch, omega, omega_dot, a_ddot, a, p = prepared(
@@ -1406,7 +1406,7 @@ def moving_frame_velocity(o_dot: Any, Q: Any, omega: Any, rho: Any, rho_dot: Any
     verdict     holds
     assumes     nothing
     operations  45: 18 add, 3 subtract, 24 multiply
-    derivation  sha256 7250d2e1f78a2d6f1161bc2db7ddeb5dc0c6fc84979f0eaa84197fdb6599dd36
+    derivation  sha256 da9e7c4331821e757d302e254d79b3fee81482b88d26f706b39478d1aa475204
     signature   (3),(3,3),(3),(3),(3)->(3)
     """
     batch, o_dot, Q, omega, rho, rho_dot = prepared(
@@ -1446,7 +1446,7 @@ def moving_frame_acceleration(o_ddot: Any, Q: Any, omega: Any, omega_dot: Any, r
     verdict     holds
     assumes     nothing
     operations  96: 30 add, 12 subtract, 54 multiply
-    derivation  sha256 fbd2b527f0f93f4cf924de6668a33e19726d1caade279c11a0d657fe9ec4e961
+    derivation  sha256 da5d30181e11cd5a3119f7edd4a748da440cc7ec9f2463e8cef0f70537a10984
     signature   (3),(3,3),(3),(3),(3),(3),(3)->(3)
     """
     batch, o_ddot, Q, omega, omega_dot, rho, rho_dot, rho_ddot = prepared(
@@ -1493,7 +1493,7 @@ def wrench_axis(f: Any, n_A: Any, a: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     f != 0
     operations  49: 4 add, 12 subtract, 27 multiply, 5 divide, 1 square root
-    derivation  sha256 b1179904e05c970df60da3f9b180c2bce98c765bdb6795544ff955fce9c3d5bd
+    derivation  sha256 f6f930d9678b859aa30368ca18000d5606fc5b8fa517c3baf582f66a110dcdc4
     signature   (3),(3),(3)->(6),()
     """
     batch, f, n_A, a = prepared("wrench_axis", ("f", f, (3,)), ("n_A", n_A, (3,)), ("a", a, (3,)))
@@ -1528,7 +1528,7 @@ def power(t: Any, w: Any, /, *, out: Any = None) -> Any:
     verdict     holds
     assumes     nothing
     operations  11: 5 add, 6 multiply
-    derivation  sha256 f08018ccded03ad1a1392a205f144588142ee91077c0ed0b4f636ec1d31e4312
+    derivation  sha256 580a9557b1b4b779955409e7506c76202ce3a1e9982d422e1491bf0bcad680ef
     signature   (6),(6)->()
     """
     batch, t, w = prepared("power", ("t", t, (6,)), ("w", w, (6,)))
@@ -1545,7 +1545,7 @@ def reciprocal_product(s_w: Any, s_t: Any, /, *, out: Any = None) -> Any:
     verdict     holds
     assumes     nothing
     operations  11: 5 add, 6 multiply
-    derivation  sha256 b087dfb5c9785b14414c4d9ab347a0bbefd48c42f8ad121de5653c94dd3546ee
+    derivation  sha256 69eafb582289fe007146884f233005913bd49126222273503197968fd6ef8dd3
     signature   (6),(6)->()
     """
     batch, s_w, s_t = prepared("reciprocal_product", ("s_w", s_w, (6,)), ("s_t", s_t, (6,)))
@@ -1563,7 +1563,7 @@ def wrench_transfer(w_A: Any, a: Any, p: Any, /, *, out: Any = None) -> Any:
     verdict     holds
     assumes     nothing
     operations  15: 3 add, 6 subtract, 6 multiply
-    derivation  sha256 9e54b67526c12869cc182865d5846fded980a863cc3a11fe5be4e32dc500f446
+    derivation  sha256 9cbbd4d64a694c0150c2c0a241ceaa9fe43fa91e335dce95c4c39681e8ecce3c
     signature   (6),(3),(3)->(6)
     """
     batch, w_A, a, p = prepared("wrench_transfer", ("w_A", w_A, (6,)), ("a", a, (3,)), ("p", p, (3,)))
@@ -1592,7 +1592,7 @@ def inertia_about_point(I_C: Any, m: Any, c: Any, a: Any, /, *, out: Any = None)
     verdict     holds under
     assumes     m > 0
     operations  30: 5 add, 12 subtract, 13 multiply
-    derivation  sha256 35b7fb1caca5be1d4c908923193605bd9233355cd78eb729d55678f7bb61145f
+    derivation  sha256 aba83f2bd3e1166b795e47c43b448bc59b7660cf5111023a5f72b29e4ca2087d
     signature   (3,3),(),(3),(3)->(3,3)
     """
     batch, I_C, m, c, a = prepared(
@@ -1635,7 +1635,7 @@ def momentum_screw(I_C: Any, m: Any, t: Any, /, *, out: Any = None) -> Any:
     verdict     holds
     assumes     nothing
     operations  18: 6 add, 12 multiply
-    derivation  sha256 3f711409ddb1418e7a90bc97272fe9f055b83f10c9675ffa2beb8cf349541833
+    derivation  sha256 710d57383413bed6baf901762b3882a8ecf77afb22a27bf8365ff0c92c4546d6
     signature   (3,3),(),(6)->(6)
     """
     batch, I_C, m, t = prepared("momentum_screw", ("I_C", I_C, (3, 3)), ("m", m, ()), ("t", t, (6,)))
@@ -1660,7 +1660,7 @@ def kinetic_energy(I_C: Any, m: Any, t: Any, /, *, out: Any = None) -> Any:
     verdict     holds
     assumes     nothing
     operations  35: 11 add, 24 multiply
-    derivation  sha256 bb5b9837baefa1606d49c0ac94dfc858eb46861f13739a02b972bfbdf0f95c37
+    derivation  sha256 4b9e9fcfb9d3f04a872f3404b762a9c889a518c95015ce9a8c1ae5aaa464aa59
     signature   (3,3),(),(6)->()
     """
     batch, I_C, m, t = prepared("kinetic_energy", ("I_C", I_C, (3, 3)), ("m", m, ()), ("t", t, (6,)))
@@ -1684,7 +1684,7 @@ def newton_euler_wrench(I_C: Any, m: Any, t: Any, t_dot: Any, /, *, out: Any = N
     verdict     holds
     assumes     nothing
     operations  45: 15 add, 3 subtract, 27 multiply
-    derivation  sha256 cb1ef1c6a16cfa01894e6560676a00c850af7c3f6cce96e6448ca7f9626feaa7
+    derivation  sha256 d7b89fc9d9f1d1f6e7c4726a8c6b262312af5cbe7c335bfef62828b9f7874101
     signature   (3,3),(),(6),(6)->(6)
     """
     batch, I_C, m, t, t_dot = prepared(
@@ -1724,7 +1724,7 @@ def newton_euler_twist_rate(I_C: Any, m: Any, t: Any, w: Any, /, *, out: Any = N
     assumes     det(I_C) != 0
                 m > 0
     operations  82: 14 add, 15 subtract, 51 multiply, 2 divide
-    derivation  sha256 64f80e87d5737068b3f0b9f4706feef6b9ff4e2cb5ab381a10697a6701ce84b5
+    derivation  sha256 0081ef2d815df5f9b649473f8486474536d4b3b5431fee899b9a96105cb8def7
     signature   (3,3),(),(6),(6)->(6)
     """
     batch, I_C, m, t, w = prepared(
@@ -1772,7 +1772,7 @@ def inertia_dyad(I_C: Any, m: Any, c: Any, a: Any, /, *, out: Any = None) -> Any
     verdict     holds
     assumes     nothing
     operations  30: 6 add, 9 subtract, 15 multiply
-    derivation  sha256 4bbf8c1406c8bc4f002bf283f170f926299c74c690fe95dd78dfef337d376991
+    derivation  sha256 1c4bb601cd0998fc0bfe9b387910f33fab442c97036ac86000fc8d66e444e923
     signature   (3,3),(),(3),(3)->(6,6)
     """
     batch, I_C, m, c, a = prepared(

@@ -143,7 +143,7 @@ def test_the_summary_has_a_row_for_each_section_and_a_total(monkeypatch: pytest.
     from chasles.report.summary import summary_table, tallies
 
     whole = load()
-    found = tallies(list(Judge().decide_all(whole.entries)))
+    found = tallies(list(Judge(book=whole).decide_all(whole.entries)))
     assert [tally.number for tally in found] == list(dict.fromkeys(entry.section.number for entry in whole.entries))
     assert sum(sum(tally.verdicts.values()) for tally in found) == len(whole.entries)
     (table,) = summary_table(found)

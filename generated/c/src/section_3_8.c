@@ -15,7 +15,7 @@
  *   verdict     holds under
  *   assumes     m > 0
  *   operations  30: 5 add, 12 subtract, 13 multiply
- *   derivation  sha256 35b7fb1caca5be1d4c908923193605bd9233355cd78eb729d55678f7bb61145f
+ *   derivation  sha256 aba83f2bd3e1166b795e47c43b448bc59b7660cf5111023a5f72b29e4ca2087d
  */
 void chasles_inertia_about_point(
     const double I_C[9],
@@ -56,7 +56,7 @@ void chasles_inertia_about_point(
 /*
  * (3.133a) chasles_inertia_about_point in single precision.
  *   verdict: holds under; assumes m > 0
- *   30 operations; derivation sha256 35b7fb1caca5be1d4c908923193605bd9233355cd78eb729d55678f7bb61145f
+ *   30 operations; derivation sha256 aba83f2bd3e1166b795e47c43b448bc59b7660cf5111023a5f72b29e4ca2087d
  */
 void chasles_inertia_about_pointf(
     const float I_C[9],
@@ -97,7 +97,7 @@ void chasles_inertia_about_pointf(
 /*
  * (3.133a) chasles_inertia_about_point for a batch.
  *   verdict: holds under; assumes m > 0
- *   30 operations; derivation sha256 35b7fb1caca5be1d4c908923193605bd9233355cd78eb729d55678f7bb61145f
+ *   30 operations; derivation sha256 aba83f2bd3e1166b795e47c43b448bc59b7660cf5111023a5f72b29e4ca2087d
  */
 void chasles_inertia_about_point_batch(
     size_t count,
@@ -120,7 +120,7 @@ void chasles_inertia_about_point_batch(
 /*
  * (3.133a) chasles_inertia_about_pointf for a batch.
  *   verdict: holds under; assumes m > 0
- *   30 operations; derivation sha256 35b7fb1caca5be1d4c908923193605bd9233355cd78eb729d55678f7bb61145f
+ *   30 operations; derivation sha256 aba83f2bd3e1166b795e47c43b448bc59b7660cf5111023a5f72b29e4ca2087d
  */
 void chasles_inertia_about_point_batchf(
     size_t count,
@@ -149,7 +149,7 @@ void chasles_inertia_about_point_batchf(
  *   verdict     holds
  *   assumes     nothing
  *   operations  18: 6 add, 12 multiply
- *   derivation  sha256 3f711409ddb1418e7a90bc97272fe9f055b83f10c9675ffa2beb8cf349541833
+ *   derivation  sha256 710d57383413bed6baf901762b3882a8ecf77afb22a27bf8365ff0c92c4546d6
  */
 void chasles_momentum_screw(const double I_C[9], double m, const double t[6], double mu[6])
 {
@@ -170,7 +170,7 @@ void chasles_momentum_screw(const double I_C[9], double m, const double t[6], do
 /*
  * (3.142) chasles_momentum_screw in single precision.
  *   verdict: holds; assumes nothing
- *   18 operations; derivation sha256 3f711409ddb1418e7a90bc97272fe9f055b83f10c9675ffa2beb8cf349541833
+ *   18 operations; derivation sha256 710d57383413bed6baf901762b3882a8ecf77afb22a27bf8365ff0c92c4546d6
  */
 void chasles_momentum_screwf(const float I_C[9], float m, const float t[6], float mu[6])
 {
@@ -191,7 +191,7 @@ void chasles_momentum_screwf(const float I_C[9], float m, const float t[6], floa
 /*
  * (3.142) chasles_momentum_screw for a batch.
  *   verdict: holds; assumes nothing
- *   18 operations; derivation sha256 3f711409ddb1418e7a90bc97272fe9f055b83f10c9675ffa2beb8cf349541833
+ *   18 operations; derivation sha256 710d57383413bed6baf901762b3882a8ecf77afb22a27bf8365ff0c92c4546d6
  */
 void chasles_momentum_screw_batch(
     size_t count,
@@ -208,7 +208,7 @@ void chasles_momentum_screw_batch(
 /*
  * (3.142) chasles_momentum_screwf for a batch.
  *   verdict: holds; assumes nothing
- *   18 operations; derivation sha256 3f711409ddb1418e7a90bc97272fe9f055b83f10c9675ffa2beb8cf349541833
+ *   18 operations; derivation sha256 710d57383413bed6baf901762b3882a8ecf77afb22a27bf8365ff0c92c4546d6
  */
 void chasles_momentum_screw_batchf(
     size_t count,
@@ -231,7 +231,7 @@ void chasles_momentum_screw_batchf(
  *   verdict     holds
  *   assumes     nothing
  *   operations  35: 11 add, 24 multiply
- *   derivation  sha256 bb5b9837baefa1606d49c0ac94dfc858eb46861f13739a02b972bfbdf0f95c37
+ *   derivation  sha256 4b9e9fcfb9d3f04a872f3404b762a9c889a518c95015ce9a8c1ae5aaa464aa59
  */
 void chasles_kinetic_energy(const double I_C[9], double m, const double t[6], double *T)
 {
@@ -246,7 +246,7 @@ void chasles_kinetic_energy(const double I_C[9], double m, const double t[6], do
 /*
  * (3.145) chasles_kinetic_energy in single precision.
  *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 bb5b9837baefa1606d49c0ac94dfc858eb46861f13739a02b972bfbdf0f95c37
+ *   35 operations; derivation sha256 4b9e9fcfb9d3f04a872f3404b762a9c889a518c95015ce9a8c1ae5aaa464aa59
  */
 void chasles_kinetic_energyf(const float I_C[9], float m, const float t[6], float *T)
 {
@@ -261,7 +261,7 @@ void chasles_kinetic_energyf(const float I_C[9], float m, const float t[6], floa
 /*
  * (3.145) chasles_kinetic_energy for a batch.
  *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 bb5b9837baefa1606d49c0ac94dfc858eb46861f13739a02b972bfbdf0f95c37
+ *   35 operations; derivation sha256 4b9e9fcfb9d3f04a872f3404b762a9c889a518c95015ce9a8c1ae5aaa464aa59
  */
 void chasles_kinetic_energy_batch(
     size_t count,
@@ -278,7 +278,7 @@ void chasles_kinetic_energy_batch(
 /*
  * (3.145) chasles_kinetic_energyf for a batch.
  *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 bb5b9837baefa1606d49c0ac94dfc858eb46861f13739a02b972bfbdf0f95c37
+ *   35 operations; derivation sha256 4b9e9fcfb9d3f04a872f3404b762a9c889a518c95015ce9a8c1ae5aaa464aa59
  */
 void chasles_kinetic_energy_batchf(
     size_t count,
@@ -302,7 +302,7 @@ void chasles_kinetic_energy_batchf(
  *   verdict     holds
  *   assumes     nothing
  *   operations  45: 15 add, 3 subtract, 27 multiply
- *   derivation  sha256 cb1ef1c6a16cfa01894e6560676a00c850af7c3f6cce96e6448ca7f9626feaa7
+ *   derivation  sha256 d7b89fc9d9f1d1f6e7c4726a8c6b262312af5cbe7c335bfef62828b9f7874101
  */
 void chasles_newton_euler_wrench(
     const double I_C[9],
@@ -334,7 +334,7 @@ void chasles_newton_euler_wrench(
 /*
  * text 3.8 v chasles_newton_euler_wrench in single precision.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 cb1ef1c6a16cfa01894e6560676a00c850af7c3f6cce96e6448ca7f9626feaa7
+ *   45 operations; derivation sha256 d7b89fc9d9f1d1f6e7c4726a8c6b262312af5cbe7c335bfef62828b9f7874101
  */
 void chasles_newton_euler_wrenchf(
     const float I_C[9],
@@ -366,7 +366,7 @@ void chasles_newton_euler_wrenchf(
 /*
  * text 3.8 v chasles_newton_euler_wrench for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 cb1ef1c6a16cfa01894e6560676a00c850af7c3f6cce96e6448ca7f9626feaa7
+ *   45 operations; derivation sha256 d7b89fc9d9f1d1f6e7c4726a8c6b262312af5cbe7c335bfef62828b9f7874101
  */
 void chasles_newton_euler_wrench_batch(
     size_t count,
@@ -389,7 +389,7 @@ void chasles_newton_euler_wrench_batch(
 /*
  * text 3.8 v chasles_newton_euler_wrenchf for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 cb1ef1c6a16cfa01894e6560676a00c850af7c3f6cce96e6448ca7f9626feaa7
+ *   45 operations; derivation sha256 d7b89fc9d9f1d1f6e7c4726a8c6b262312af5cbe7c335bfef62828b9f7874101
  */
 void chasles_newton_euler_wrench_batchf(
     size_t count,
@@ -421,7 +421,7 @@ void chasles_newton_euler_wrench_batchf(
  *   assumes     det(I_C) != 0
  *               m > 0
  *   operations  82: 14 add, 15 subtract, 51 multiply, 2 divide
- *   derivation  sha256 64f80e87d5737068b3f0b9f4706feef6b9ff4e2cb5ab381a10697a6701ce84b5
+ *   derivation  sha256 0081ef2d815df5f9b649473f8486474536d4b3b5431fee899b9a96105cb8def7
  */
 void chasles_newton_euler_twist_rate(
     const double I_C[9],
@@ -462,7 +462,7 @@ void chasles_newton_euler_twist_rate(
 /*
  * text 3.8 v chasles_newton_euler_twist_rate in single precision.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   82 operations; derivation sha256 64f80e87d5737068b3f0b9f4706feef6b9ff4e2cb5ab381a10697a6701ce84b5
+ *   82 operations; derivation sha256 0081ef2d815df5f9b649473f8486474536d4b3b5431fee899b9a96105cb8def7
  */
 void chasles_newton_euler_twist_ratef(
     const float I_C[9],
@@ -503,7 +503,7 @@ void chasles_newton_euler_twist_ratef(
 /*
  * text 3.8 v chasles_newton_euler_twist_rate for a batch.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   82 operations; derivation sha256 64f80e87d5737068b3f0b9f4706feef6b9ff4e2cb5ab381a10697a6701ce84b5
+ *   82 operations; derivation sha256 0081ef2d815df5f9b649473f8486474536d4b3b5431fee899b9a96105cb8def7
  */
 void chasles_newton_euler_twist_rate_batch(
     size_t count,
@@ -526,7 +526,7 @@ void chasles_newton_euler_twist_rate_batch(
 /*
  * text 3.8 v chasles_newton_euler_twist_ratef for a batch.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   82 operations; derivation sha256 64f80e87d5737068b3f0b9f4706feef6b9ff4e2cb5ab381a10697a6701ce84b5
+ *   82 operations; derivation sha256 0081ef2d815df5f9b649473f8486474536d4b3b5431fee899b9a96105cb8def7
  */
 void chasles_newton_euler_twist_rate_batchf(
     size_t count,
@@ -556,7 +556,7 @@ void chasles_newton_euler_twist_rate_batchf(
  *   verdict     holds
  *   assumes     nothing
  *   operations  30: 6 add, 9 subtract, 15 multiply
- *   derivation  sha256 4bbf8c1406c8bc4f002bf283f170f926299c74c690fe95dd78dfef337d376991
+ *   derivation  sha256 1c4bb601cd0998fc0bfe9b387910f33fab442c97036ac86000fc8d66e444e923
  */
 void chasles_inertia_dyad(
     const double I_C[9],
@@ -631,7 +631,7 @@ void chasles_inertia_dyad(
 /*
  * (3.147) chasles_inertia_dyad in single precision.
  *   verdict: holds; assumes nothing
- *   30 operations; derivation sha256 4bbf8c1406c8bc4f002bf283f170f926299c74c690fe95dd78dfef337d376991
+ *   30 operations; derivation sha256 1c4bb601cd0998fc0bfe9b387910f33fab442c97036ac86000fc8d66e444e923
  */
 void chasles_inertia_dyadf(
     const float I_C[9],
@@ -706,7 +706,7 @@ void chasles_inertia_dyadf(
 /*
  * (3.147) chasles_inertia_dyad for a batch.
  *   verdict: holds; assumes nothing
- *   30 operations; derivation sha256 4bbf8c1406c8bc4f002bf283f170f926299c74c690fe95dd78dfef337d376991
+ *   30 operations; derivation sha256 1c4bb601cd0998fc0bfe9b387910f33fab442c97036ac86000fc8d66e444e923
  */
 void chasles_inertia_dyad_batch(
     size_t count,
@@ -729,7 +729,7 @@ void chasles_inertia_dyad_batch(
 /*
  * (3.147) chasles_inertia_dyadf for a batch.
  *   verdict: holds; assumes nothing
- *   30 operations; derivation sha256 4bbf8c1406c8bc4f002bf283f170f926299c74c690fe95dd78dfef337d376991
+ *   30 operations; derivation sha256 1c4bb601cd0998fc0bfe9b387910f33fab442c97036ac86000fc8d66e444e923
  */
 void chasles_inertia_dyad_batchf(
     size_t count,

@@ -64,9 +64,9 @@ def chosen(book: Chapter, numbers: Sequence[str], sections: Sequence[str]) -> tu
     return book.select(list(_cited(book, numbers)), sections)
 
 
-def decisions(entries: Sequence[Entry], judge: Judge | None = None) -> Iterator[tuple[Entry, Decision]]:
+def decisions(entries: Sequence[Entry], judge: Judge) -> Iterator[tuple[Entry, Decision]]:
     """The decision on each statement, with a progress bar where it takes long."""
-    return watched((judge or Judge()).decide_all(entries), len(entries), "Deciding")
+    return watched(judge.decide_all(entries), len(entries), "Deciding")
 
 
 def _cited(book: Chapter, words: Sequence[str]) -> Iterator[str]:

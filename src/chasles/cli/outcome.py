@@ -59,7 +59,7 @@ class Outcome:
             yield f"so are those on {_numbers([entry for entry, _ in rejected[SHOWN:]])}"
 
 
-def decide(entries: Sequence[Entry], judge: Judge | None = None, recheck: bool = True) -> Outcome:
+def decide(entries: Sequence[Entry], judge: Judge, recheck: bool = True) -> Outcome:
     """Decide the statements and, unless told otherwise, check the verdicts again without the prover."""
     started = perf_counter()
     decided = tuple(decisions(entries, judge))

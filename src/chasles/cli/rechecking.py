@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from time import perf_counter
 
@@ -12,8 +12,7 @@ from chasles.proof.refutation import check_counterexample
 from chasles.proof.verdict import Fails
 from chasles.report.decisions import Decided
 from chasles.report.waiting import watched
-from chasles.statements import Entry, Inverse, Statement, problem_of
-from chasles.statements.problem import default_form
+from chasles.statements import Entry, Inverse, problem_of
 
 __all__ = ["Rechecked", "recheck"]
 
@@ -48,19 +47,13 @@ def _is_refuted(decision: Decision) -> bool:
 
 
 def _prove(decision: Decision) -> None:
-    """Raises `Rejected` unless the certificate proves the form that stands."""
-    form = decision.correction.form if decision.correction and not decision.verdict.true else "printed"
-    check(decision.statement, form, decision.certificate, _standing(decision))
+    """Raises `Rejected` unless the certificate proves what stands."""
+    check(decision.repaired, "printed", decision.certificate, decision.standing)
 
 
 def _refute(decision: Decision) -> None:
     """Raises `Rejected` unless the counterexample refutes the print."""
     assert isinstance(decision.verdict, Fails)
     assert not isinstance(decision.statement, Inverse)
-    problem = problem_of(decision.statement, "printed", _standing(decision))
+    problem = problem_of(decision.statement, "printed", decision.standing)
     check_counterexample(problem, decision.verdict.counterexample)
-
-
-def _standing(decision: Decision) -> Callable[[Statement], str]:
-    """Those forms of given statements that the decision used."""
-    return lambda given: decision.given.get(f"{given.number}/{given.part}") or default_form(given)

@@ -17,7 +17,7 @@ from chasles.statements.statement import bare, is_rule
 from chasles.vocabulary import Block, Group, Node, Rate, Symbol, members_of
 from chasles.vocabulary.families import indices_of
 
-__all__ = ["Decide", "requested", "standing_form"]
+__all__ = ["Decide", "requested"]
 
 Sentence = Statement | Theorem | Inverse
 Decide = Callable[[Sentence], Decision]
@@ -48,8 +48,7 @@ def requested(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None 
     name = kernel.name or name
     if not name:
         raise LoweringError(f"the kernel of ({sentence.number}) has no name: give it one, or lower a chapter's entry")
-    form = standing_form(sentence, decide)
-    if form is None:
+    if not decide(sentence).stands:
         raise LoweringError(f"{name}: {_no_standing(sentence, decide(sentence))}")
     definitions = _Definitions()
     for given in sentence.given:
@@ -58,7 +57,7 @@ def requested(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None 
         _define(definitions, sentence, decide)
         outputs = _outputs_of_inverse(name, sentence, kernel)
     else:
-        outputs = _outputs(name, *sentence.form(form), kernel)
+        outputs = _outputs(name, *decide(sentence).sides, kernel)
     request = composed(
         name,
         kernel.of,
@@ -74,20 +73,11 @@ def requested(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None 
     return request
 
 
-def standing_form(sentence: Sentence, decide: Decide) -> str | None:
-    """The form of a sentence that is true: as printed, or what stands in for the print; None if there is none."""
-    decision = decide(sentence)
-    if decision.verdict.true:
-        return "printed"
-    correction = decision.correction
-    return correction.form if correction is not None and correction.verdict.true else None
-
-
 def _no_standing(sentence: Sentence, decision: Decision) -> str:
     """Why no form of the sentence may be used, in one line."""
     said = f"({sentence.number}) {_words(decision.verdict, 'as printed')}"
     if decision.correction is None:
-        return f"{said}; no reading or correction is declared"
+        return f"{said}; nothing that stands in is declared or found"
     return f"{said}; its {decision.correction.form} form {_words(decision.correction.verdict)}"
 
 
@@ -99,10 +89,10 @@ def _words(verdict: Verdict, which: str = "") -> str:
 
 def _define(definitions: _Definitions, given: Sentence, decide: Decide) -> None:
     """Add what a given sentence says of symbols."""
-    form = standing_form(given, decide)
+    decision = decide(given)
     if isinstance(given, Inverse):
-        if form is None:
-            raise LoweringError(_no_standing(given, decide(given)))
+        if not decision.stands:
+            raise LoweringError(_no_standing(given, decision))
         choices, rules, angles = choices_of(given, largest=given.largest, sign=given.sign)
         definitions.choices += choices
         definitions.rules |= rules
@@ -110,13 +100,13 @@ def _define(definitions: _Definitions, given: Sentence, decide: Decide) -> None:
         return
     if isinstance(given, Condition | Theorem):
         return
-    left, right = given.form(form or "printed")
+    left, right = decision.sides
     pairs = [(bare(left), right)] if is_rule(given) else members_of(left, right) if indices_of(left) else []
     for one, other in pairs:
         if definitions.rules.setdefault(one, other) != other:
             raise LoweringError(f"two given statements say what {one} is, one is ({given.number}): name one of them")
-        if form is None:
-            definitions.false[one] = _no_standing(given, decide(given))
+        if not decision.stands:
+            definitions.false[one] = _no_standing(given, decision)
 
 
 def _hypotheses(sentence: Sentence) -> Iterator[Hypothesis]:

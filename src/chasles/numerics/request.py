@@ -11,7 +11,7 @@ from chasles.lowering.program import Argument, Op, Program
 from chasles.numerics.reference import NoValue, Singular, evaluate
 from chasles.numerics.small_matrices import Matrix
 from chasles.statements import Hypothesis, Kernel, Statement, problem_of
-from chasles.statements.problem import default_form
+from chasles.statements.problem import Standing, default_sides
 from chasles.vocabulary import Block, Call, Node, Symbol, children, plain
 from chasles.vocabulary.nodes import measured
 
@@ -81,7 +81,7 @@ def request_of(
     statement: Statement,
     kernel: Kernel | None = None,
     program: Program | None = None,
-    standing: Callable[[Statement], str] = default_form,
+    standing: Standing = default_sides,
 ) -> Request:
     """The request of a statement's kernel: the right side of the form that stands, as a function of the inputs.
 
@@ -92,10 +92,10 @@ def request_of(
     kernel = kernel or statement.kernel
     if kernel is None:
         raise TypeError(f"({statement.number}) asks for no kernel: give it one, or leave it out")
-    form = standing(statement)
-    problem = problem_of(statement, form, standing)
+    left, right = standing(statement)
+    problem = problem_of(statement.saying(left, right), "printed", standing)
     rules = dict(problem.rules)
-    parts = _parts(statement, kernel, statement.form(form)[1])
+    parts = _parts(statement, kernel, right)
     names = [result.name for result in program.results] if program else kernel.results or (plain(statement.left),)
 
     def reference(values: Values, digits: int) -> tuple[Matrix, ...]:

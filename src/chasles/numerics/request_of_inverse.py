@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from chasles.lowering.program import Program
@@ -11,7 +11,7 @@ from chasles.numerics.reference import Singular, evaluate
 from chasles.numerics.request import ROUNDINGS, Request, Values, inputs_of, longest_chain, output_of
 from chasles.numerics.small_matrices import Matrix
 from chasles.statements import Branch, Inverse, Kernel, Statement
-from chasles.statements.problem import default_form
+from chasles.statements.problem import Standing, default_sides
 from chasles.statements.statement import bare, is_rule
 from chasles.vocabulary import Call, Negative, Node, Sum, plain
 
@@ -28,7 +28,7 @@ def request_of_inverse(
     sentence: Inverse,
     kernel: Kernel | None = None,
     program: Program | None = None,
-    standing: Callable[[Statement], str] = default_form,
+    standing: Standing = default_sides,
 ) -> Request:
     """The request of an inverse's kernel: what it gives, with the values of the first branch that applies.
 
@@ -57,8 +57,8 @@ def request_of_inverse(
     )
 
 
-def _rule(given: Statement, standing: Callable[[Statement], str]) -> tuple[Node, Node]:
-    left, right = given.form(standing(given))
+def _rule(given: Statement, standing: Standing) -> tuple[Node, Node]:
+    left, right = standing(given)
     return bare(left), right
 
 

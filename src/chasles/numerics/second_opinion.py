@@ -6,7 +6,7 @@ bodies are point masses. An opinion proves nothing; a verdict that it contradict
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -14,7 +14,7 @@ from chasles.numerics.instants import DIGITS, World
 from chasles.numerics.small_matrices import Matrix
 from chasles.statements import Claim, Condition, Goal, Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import problems_of_inverse
-from chasles.statements.problem import default_form
+from chasles.statements.problem import Standing, default_sides
 from chasles.statements.statement import bare
 from chasles.vocabulary import Node, Rate
 
@@ -56,7 +56,7 @@ class Opinion:
 def opinion_on(
     sentence: Sentence,
     form: str = "printed",
-    standing: Callable[[Statement], str] = default_form,
+    standing: Standing = default_sides,
     motions: int = MOTIONS,
 ) -> Opinion:
     """The opinion on a sentence in one of its forms.

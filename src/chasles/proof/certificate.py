@@ -6,7 +6,7 @@ and a witness: each is tried, and nothing else is believed.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from fractions import Fraction
 from math import lcm, prod
 from typing import Any
@@ -16,7 +16,7 @@ from chasles.proof.recheck.reading import Reading
 from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected, exponents, variable
 from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import problems_of_inverse
-from chasles.statements.problem import default_form
+from chasles.statements.problem import Standing, default_sides
 from chasles.vocabulary import PI
 
 __all__ = ["QUARTERS", "Point", "Rejected", "check", "point_of", "require", "value_at"]
@@ -31,11 +31,11 @@ def check(
     said: Problem | Statement | Theorem | Inverse,
     form: str,
     certificate: Mapping[str, Any],
-    standing: Callable[[Statement], str] = default_form,
+    standing: Standing = default_sides,
 ) -> None:
     """Every entry of every equation holds wherever the hypotheses do, and somewhere they do: the certificate proves it.
 
-    `standing` says in which form each given statement is used; a problem needs neither form nor standing. Raises
+    `standing` gives the sides with which given statements are used; a problem needs neither form nor standing. Raises
     `Rejected` with the reason if the certificate does not prove the statement, and what `problem_of` raises.
     """
     if isinstance(said, Inverse):

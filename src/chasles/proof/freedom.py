@@ -18,9 +18,9 @@ from chasles.proof.decide import decide_problem
 from chasles.proof.linear import MODULUS, combination
 from chasles.proof.places import Place, put, separate_sums
 from chasles.proof.single import Change, distinct_terms, instead, rescaled
-from chasles.proof.trial import REFUSED, Standing, Trial, changed, on_trial
+from chasles.proof.trial import REFUSED, Trial, on_trial
 from chasles.statements import Claim, Statement, problem_of
-from chasles.statements.problem import default_form
+from chasles.statements.problem import Standing, default_sides
 from chasles.vocabulary import Block, Contract, Dot, Misfit, Node, Rate, Symbol, Transpose, Zero, plain, replace
 
 __all__ = ["Freedom", "freedom_of", "other_objects"]
@@ -49,7 +49,7 @@ def freedom_of(left: Node, beside: Iterable[Claim], standing: Standing) -> Itera
     for claim in beside:
         if not isinstance(symbol, Symbol) or claim.restates is not None or claim.solves is not None:
             continue
-        one, other = claim.form(default_form(claim))
+        one, other = default_sides(claim)
         match other:
             case Contract((first, Rate(Symbol() as array))) if first == symbol:
                 try:
@@ -134,9 +134,9 @@ def _other(freedom: Freedom, multiples: list[_Multiple], values: list[Fraction])
 
 def _allowed(freedom: Freedom, other: Node, statement: Statement, standing: Standing) -> bool:
     """Whether the claim holds for the other object too."""
-    left, right = freedom.claim.form(default_form(freedom.claim))
+    left, right = default_sides(freedom.claim)
     given = tuple(dict.fromkeys((*freedom.claim.given, *statement.given)))
-    claim = with_fields(changed(freedom.claim, left, replace(right, {freedom.symbol: other})), given=given)
+    claim = with_fields(freedom.claim.saying(left, replace(right, {freedom.symbol: other})), given=given)
     try:
         return decide_problem(problem_of(claim, "printed", standing)).true
     except (Misfit, TypeError):

@@ -8,8 +8,10 @@ from time import perf_counter
 from typing import Any
 
 from chasles.proof.decide import BUDGET, decide_problem, determining, pose
+from chasles.proof.repair import Repair, repair
 from chasles.proof.verdict import Assumed, Defined, Holds, HoldsUnder, IllFormed, Undecided, Verdict
 from chasles.statements import (
+    Chapter,
     Claim,
     Condition,
     Definition,
@@ -22,34 +24,77 @@ from chasles.statements import (
     problem_of,
 )
 from chasles.statements.inversion import problems_of_inverse
-from chasles.statements.problem import default_form
+from chasles.statements.problem import default_form, default_sides
+from chasles.statements.statement import Equation
 from chasles.vocabulary import Misfit
 
-__all__ = ["Correction", "Decision", "Judge"]
+__all__ = ["Correction", "Decision", "Judge", "Used"]
 
 Sentence = Statement | Theorem | Inverse
+PATIENCE = 60.0
+"""Seconds for the search of one repair: so many that what is found does not depend on the machine."""
 
 
 @dataclass(frozen=True, slots=True)
 class Correction:
-    """What stands in for a print that does not: its form ("reading" or "corrected") and the verdict on it."""
+    """What stands in for a print that does not: its form, its sides and the verdict on it.
+
+    The form is "reading", "repair" or "corrected". `repairs` are all that the search found, the nearest first;
+    `instead_of` is a form that was tried before and is not true.
+    """
 
     form: str
+    sides: Equation
     verdict: Verdict
+    repairs: tuple[Repair, ...] = ()
+    instead_of: Correction | None = None
+
+    @property
+    def found(self) -> str:
+        """Who found it: "repair" if the search did, else "declared"."""
+        return "repair" if any((r.left, r.right) == self.sides for r in self.repairs) else "declared"
+
+
+@dataclass(frozen=True, slots=True)
+class Used:
+    """The form in which a statement was used, and its sides in that form."""
+
+    form: str
+    sides: Equation
 
 
 @dataclass(frozen=True, slots=True)
 class Decision:
     """The verdict on a sentence as printed, what stands in for it, and how long it took.
 
-    `given` says in which form each given statement was used.
+    `given` says how each statement was used on whose sides it rests, by number and part: "3.96a/1".
     """
 
     statement: Sentence
     verdict: Verdict
     correction: Correction | None = None
-    given: dict[str, str] = field(default_factory=dict)
+    given: dict[str, Used] = field(default_factory=dict)
     milliseconds: float = 0.0
+
+    @property
+    def stands(self) -> bool:
+        """Whether the sentence is true as printed, or something stands in for it."""
+        return self.verdict.true or (self.correction is not None and self.correction.verdict.true)
+
+    @property
+    def sides(self) -> Equation:
+        """The sides of what stands; as printed if nothing does. Only of an equation."""
+        assert isinstance(self.statement, Statement)
+        if self.verdict.true or self.correction is None or not self.correction.verdict.true:
+            return self.statement.printed
+        return self.correction.sides
+
+    @property
+    def repaired(self) -> Sentence:
+        """The sentence as it would be printed if it said what stands."""
+        if self.verdict.true or not isinstance(self.statement, Statement):
+            return self.statement
+        return self.statement.saying(*self.sides)
 
     @property
     def certificate(self) -> Any:
@@ -57,14 +102,26 @@ class Decision:
         verdict = self.correction.verdict if self.correction and not self.verdict.true else self.verdict
         return getattr(verdict, "certificate", None)
 
+    def standing(self, given: Statement) -> Equation:
+        """The sides with which the decision used a given statement."""
+        used = self.given.get(_key(given))
+        return default_sides(given) if used is None else used.sides
+
 
 class Judge:
-    """Decides sentences, each once; a given claim that fails is used in the form that stands in for it."""
+    """Decides sentences, each once; a given claim that fails is used in the form that stands in for it.
 
-    def __init__(self, budget: float = BUDGET) -> None:
+    With `book`, what does not stand as printed is repaired: what the book says about a symbol tells which freedom it
+    has, and claims that rest on a definition tell what it is.
+    """
+
+    def __init__(self, budget: float = BUDGET, book: Chapter | None = None) -> None:
         self.budget = budget
         self._decisions: dict[int, Decision] = {}
         self._branches: dict[Problem, Verdict] = {}
+        self._searches = book is not None
+        self._book = tuple(entry.statement for entry in book or () if isinstance(entry.statement, Statement))
+        self._place = {id(statement): k for k, statement in enumerate(self._book)}
 
     def decide_all(self, entries: Iterable[Entry]) -> Iterator[tuple[Entry, Decision]]:
         """The decisions, one at a time, in the order of the entries."""
@@ -78,15 +135,19 @@ class Judge:
             known = self._decisions[id(sentence)] = self._decide(sentence)
         return known
 
-    def standing(self, statement: Statement) -> str:
+    def standing(self, statement: Statement) -> Equation:
+        """The sides with which a given statement is used; raises TypeError for one that does not stand."""
+        return self._used(statement).sides
+
+    def _used(self, statement: Statement) -> Used:
         """The form in which a given statement is used: printed, unless that fails and another form stands in."""
-        if statement.fault or not isinstance(statement, Claim):
-            return default_form(statement)
+        if not isinstance(statement, Claim):
+            return Used(default_form(statement), default_sides(statement))
         decision = self.decide(statement)
         if decision.verdict.true:
-            return "printed"
+            return Used("printed", statement.printed)
         if decision.correction is not None and decision.correction.verdict.true:
-            return decision.correction.form
+            return Used(decision.correction.form, decision.correction.sides)
         raise TypeError(
             f"it rests on ({statement.number}), which does not stand: its verdict is '{decision.verdict.name}'"
         )
@@ -94,30 +155,44 @@ class Judge:
     def _decide(self, sentence: Sentence) -> Decision:
         started = perf_counter()
         try:
-            given = {f"{g.number}/{g.part}": self.standing(g) for g in sentence.given}
+            relied_on = sentence.relied_on if isinstance(sentence, Statement) else sentence.given
+            given = {_key(statement): self._used(statement) for statement in relied_on}
         except TypeError as error:
             if not isinstance(sentence, Definition):
                 return Decision(sentence, Undecided(str(error)), milliseconds=(perf_counter() - started) * 1000)
             given = {}
-        verdict = self._inverse(sentence) if isinstance(sentence, Inverse) else self._form(sentence, "printed")
-        correction = None if verdict.true else self._correction(sentence)
+        verdict = self._inverse(sentence) if isinstance(sentence, Inverse) else self._form(sentence)
+        correction = None
+        if not verdict.true and isinstance(sentence, Statement):
+            correction = self._correction(sentence)
         return Decision(sentence, verdict, correction, given, (perf_counter() - started) * 1000)
 
-    def _correction(self, sentence: Sentence) -> Correction | None:
-        """The first form that is true, as read and then as corrected; the last one tried if none is."""
-        found = None
-        for form in ("reading", "corrected"):
-            if isinstance(sentence, Statement) and sentence.form_exists(form):
-                found = Correction(form, self._form(sentence, form))
-                if found.verdict.true:
+    def _correction(self, sentence: Statement) -> Correction | None:
+        """The reading if it is true, else the nearest repair, else what is declared; or the last one tried."""
+        repairs = self._repairs(sentence)
+        tried = None
+        for form in ("reading", "repair", "corrected"):
+            if form == "repair" and repairs:
+                return Correction(form, (repairs[0].left, repairs[0].right), repairs[0].verdict, repairs, tried)
+            if form != "repair" and sentence.form_exists(form):
+                sides = sentence.form(form)
+                tried = Correction(form, sides, self._form(sentence.saying(*sides)), repairs, tried)
+                if tried.verdict.true:
                     break
-        return found
+        return tried
 
-    def _form(self, sentence: Statement | Theorem, form: str) -> Verdict:
-        """The verdict on one form of a sentence."""
+    def _repairs(self, sentence: Statement) -> tuple[Repair, ...]:
+        """What the search finds. A claim is repaired by what comes before it, so that it never waits for itself."""
+        if not self._searches:
+            return ()
+        place = None if isinstance(sentence, Definition) else self._place.get(id(sentence))
+        return repair(sentence, self.standing, PATIENCE, self._book[:place])
+
+    def _form(self, sentence: Statement | Theorem) -> Verdict:
+        """The verdict on a sentence as printed."""
         try:
-            standing = default_form if isinstance(sentence, Definition) else self.standing
-            problem = problem_of(sentence, form, standing)
+            standing = default_sides if isinstance(sentence, Definition) else self.standing
+            problem = problem_of(sentence, "printed", standing)
         except Misfit as misfit:
             return IllFormed(str(misfit))
         except TypeError as error:
@@ -159,3 +234,7 @@ class Judge:
         assert isinstance(verdict, Holds | HoldsUnder)
         unused = tuple(h.text for h in sentence.assuming if h.text not in needs)
         return HoldsUnder(tuple(needs), {"branches": certificates}, verdict.witness, unused)
+
+
+def _key(statement: Statement) -> str:
+    return f"{statement.number}/{statement.part}"

@@ -18,8 +18,9 @@ from chasles.proof.opened import opened_changes
 from chasles.proof.residues import Unsampled
 from chasles.proof.single import Change, new_coefficients, other_terms
 from chasles.proof.slips import Undone, in_letters, undone
-from chasles.proof.trial import REFUSED, Standing, Trial, on_trial
+from chasles.proof.trial import REFUSED, Trial, on_trial
 from chasles.statements import Claim, Statement
+from chasles.statements.problem import Standing
 from chasles.statements.statement import bare
 from chasles.vocabulary import Node, Rate, Symbol, children, symbols_of
 
@@ -158,9 +159,7 @@ class Nearest:
 
 def given_sides(statement: Statement, standing: Standing) -> tuple[Node, ...]:
     """Both sides of all that a statement is given, or restates; raises TypeError if some of that does not stand."""
-    restated = statement.restates if isinstance(statement, Claim) else None
-    others = restated if isinstance(restated, tuple) else () if restated is None else (restated,)
-    return tuple(side for each in (*statement.given, *others) for side in each.form(standing(each)))
+    return tuple(side for each in statement.relied_on for side in standing(each))
 
 
 def _symbol(left: Node) -> Symbol | None:

@@ -16,10 +16,9 @@ from chasles.proof.decide import decide_problem
 from chasles.proof.marks import Fitting, fitting
 from chasles.proof.nearest import Nearest, given_sides
 from chasles.proof.single import Change
-from chasles.proof.trial import Standing, changed
 from chasles.proof.verdict import Holds, HoldsUnder, Verdict
 from chasles.statements import Claim, Definition, Statement, problem_of
-from chasles.statements.problem import default_form
+from chasles.statements.problem import Standing, default_sides
 from chasles.vocabulary import Misfit, Node, plain
 from chasles.vocabulary.families import indices_of
 
@@ -52,22 +51,22 @@ class Repair:
 
 def repair(
     statement: Statement,
-    standing: Standing = default_form,
+    standing: Standing = default_sides,
     seconds: float = SECONDS,
     beside: Iterable[Statement] = (),
 ) -> tuple[Repair, ...]:
     """The nearest true equations, that with the fewest and simplest changes first; none if none was proved in time.
 
-    `standing` says in which form given statements are used. What was changed is told from the print; where restored
-    marks alone do not make it true, the search goes on from the statement's reading if it has one. `beside` are the
-    other statements of the book: claims about a symbol say which freedom it has, claims that rest on a definition say
-    what it is. What rests on a statement that does not stand is not repaired.
+    `standing` gives the sides with which given statements are used. What was changed is told from the print; where
+    restored marks alone do not make it true, the search goes on from the statement's reading if it has one. `beside`
+    are other statements of the book: claims about a symbol say which freedom it has, claims that rest on a definition
+    say what it is. What rests on a statement that does not stand is not repaired.
     """
     try:
         sides = given_sides(statement, standing)
     except TypeError:
         return ()
-    claims = tuple(other for other in beside if isinstance(other, Claim))
+    claims = tuple(other for other in beside if isinstance(other, Claim) and _says_something(other))
     if isinstance(statement, Claim):
         claims = _not_resting_on(statement, claims)
     near = Nearest(statement, standing, sides, claims)
@@ -139,7 +138,7 @@ def _proved(near: Nearest, changes: Iterable[Change]) -> Iterator[Repair]:
         if not change.words or (change.left, change.right) in seen or len(seen) == MOST:
             continue
         seen.add((change.left, change.right))
-        verdict = _verdict(near, changed(near.statement, change.left, change.right))
+        verdict = _verdict(near, near.statement.saying(change.left, change.right))
         if verdict is not None:
             best = change if best is None else best
             edits = len(change.words)
@@ -164,7 +163,7 @@ def _of_definition(near: Nearest) -> Iterator[Repair]:
     found = False
     for group in _fitting(near):
         for each in group:
-            meant = changed(statement, each.left, each.right)
+            meant = statement.saying(each.left, each.right)
             verdicts = {user.number: verdict for user in users if (verdict := _with_meant(near, user, meant))}
             if verdicts:
                 found = True
@@ -178,7 +177,11 @@ def _of_definition(near: Nearest) -> Iterator[Repair]:
 def _with_meant(near: Nearest, user: Claim, meant: Statement) -> Holds | HoldsUnder | None:
     """The verdict on a claim that rests on the definition, if that is what is meant and it holds."""
     given = tuple(meant if _same(meant, other) else other for other in user.given)
-    return _verdict(near, with_fields(changed(user, *user.form(default_form(user))), given=given))
+    return _verdict(near, with_fields(user.saying(*default_sides(user)), given=given))
+
+
+def _says_something(claim: Claim) -> bool:
+    return not claim.fault or claim.form_exists("reading") or claim.form_exists("corrected")
 
 
 def _not_resting_on(statement: Statement, claims: tuple[Claim, ...]) -> tuple[Claim, ...]:

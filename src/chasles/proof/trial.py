@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
 from functools import cached_property
@@ -18,6 +18,7 @@ from chasles.proof.residues import Sampled, Singular, Unsampled, generic_points,
 from chasles.proof.unfold import UndeclaredDivisor
 from chasles.proof.variables import Untreatable
 from chasles.statements import Claim, Goal, Problem, Statement, problem_of
+from chasles.statements.problem import Standing
 from chasles.vocabulary import (
     Block,
     Call,
@@ -36,22 +37,16 @@ from chasles.vocabulary import (
     plain,
 )
 
-__all__ = ["REFUSED", "Standing", "Trial", "changed", "on_trial"]
+__all__ = ["REFUSED", "Trial", "on_trial"]
 
 REFUSED = (Misfit, TypeError, Untreatable, UndeclaredDivisor, Singular, Unsampled)
 """Why an equation cannot be tried: it does not fit, cannot be posed, is not treated, or divides by zero."""
-Standing = Callable[[Statement], str]
 Direction = tuple[int, ...]
 
 POINTS, NUMBERS = 8, 30
 """So many points are drawn at least, and so many that at least so many numbers are compared."""
 PROBED = 3
 """Points at which a change is tried first."""
-
-
-def changed(statement: Statement, left: Node, right: Node) -> Statement:
-    """The statement with other sides, and nothing to stand in for them."""
-    return with_fields(statement, left=left, right=right, reading=None, corrected=None, kernel=None)
 
 
 @dataclass(frozen=True)
@@ -241,7 +236,7 @@ def on_trial(
 
     Raises `Misfit` or TypeError for an equation that cannot be posed, `Untreatable` for what the prover does not treat.
     """
-    problem = problem_of(changed(statement, left, right), "printed", standing)
+    problem = problem_of(statement.saying(left, right), "printed", standing)
     context = build(with_fields(problem, goals=(*problem.goals, *(Goal("", node, node) for node in beside))))
     solved = solve_conditions(context)[1]
     if context.pi_measures:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 from chasles.proof.context import Context, build
 from chasles.proof.judge import Decision
@@ -12,7 +12,6 @@ from chasles.proof.values import shown
 from chasles.proof.variables import Untreatable, entry_name
 from chasles.proof.verdict import Counterexample
 from chasles.statements import Statement, problem_of
-from chasles.statements.problem import default_form
 from chasles.vocabulary import Node, Symbol, symbols_of
 
 __all__ = ["worked_out"]
@@ -21,23 +20,19 @@ LARGEST = 9
 """Entries of an array that is shown: those of six-dimensional arrays are in the equations that define them."""
 
 
-def worked_out(statement: Statement, form: str, decision: Decision, found: Counterexample) -> dict[str, str]:
+def worked_out(statement: Statement, decision: Decision, found: Counterexample) -> dict[str, str]:
     """The entries, by name, of the symbols in the equation that have a definition, at the counterexample.
 
     Empty where the equation has none, or where they depend on what the counterexample leaves open.
     """
-    problem = problem_of(statement, form, _standing(decision))
+    problem = problem_of(statement, "printed", decision.standing)
     rules = dict(problem.rules)
     try:
         context = build(problem)
-        named = dict.fromkeys(s for side in statement.form(form) for s in symbols_of(side) if s in rules)
+        named = dict.fromkeys(s for side in statement.printed for s in symbols_of(side) if s in rules)
         return {name: text for s in named for name, text in _entries(context, s, found)}
     except (Untreatable, UndeclaredDivisor, KeyError):
         return {}
-
-
-def _standing(decision: Decision) -> Callable[[Statement], str]:
-    return lambda given: decision.given.get(f"{given.number}/{given.part}", default_form(given))
 
 
 def _entries(context: Context, symbol: Symbol, found: Counterexample) -> Iterator[tuple[str, str]]:

@@ -9,7 +9,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from chasles.proof.judge import Decision
+from chasles.proof.judge import Correction, Decision
 from chasles.proof.verdict import Counterexample, Fails, Verdict
 from chasles.report.equations import in_latex, in_words, signature_in_words, standing_in
 from chasles.report.records import certificate_hash
@@ -19,6 +19,7 @@ from chasles.statements import Entry, Inverse, Statement
 __all__ = ["Lines", "evidence", "indented", "number_in_words", "objections", "printed", "rests_on"]
 
 Lines = Iterator[tuple[str, str]]
+HOW = {"reading": "as read", "repair": "as repaired", "corrected": "as corrected"}
 
 
 def number_in_words(number: str, part: int = 1) -> str:
@@ -43,8 +44,8 @@ def printed(entry: Entry, latex: bool = False) -> Lines:
 def rests_on(entry: Entry, decision: Decision) -> Lines:
     """What is given and assumed, and which function is asked for."""
     for given in entry.statement.given:
-        form = decision.given.get(f"{given.number}/{given.part}", "printed")
-        how = {"printed": "", "reading": " (as read)"}.get(form, f" ({form})")
+        used = decision.given.get(f"{given.number}/{given.part}")
+        how = f" ({HOW[used.form]})" if used is not None and used.form in HOW else ""
         yield "given", f"{number_in_words(given.number, given.part)} {given.says}{how}"
     for hypothesis in entry.statement.assuming:
         yield "assuming", hypothesis.text
@@ -59,7 +60,7 @@ def objections(entry: Entry, decision: Decision) -> Lines:
     if isinstance(decision.verdict, Fails):
         yield from _refuted(decision.verdict.counterexample)
     if decision.correction is not None and isinstance(entry.statement, Statement):
-        yield from _instead(entry.statement, decision.correction.form, decision.correction.verdict)
+        yield from _instead(entry.statement, decision.correction)
     if unused := getattr(decision.verdict, "unused", ()):
         yield "unused", f"assumes {', '.join(unused)}, which it does not need"
 
@@ -94,9 +95,9 @@ def _refuted(found: Counterexample) -> Lines:
     yield "right", found.right
 
 
-def _instead(statement: Statement, form: str, verdict: Verdict) -> Lines:
-    text, _ = standing_in(statement, form)
-    how = "as read" if form == "reading" else form
+def _instead(statement: Statement, correction: Correction) -> Lines:
+    text, _ = standing_in(statement, correction.sides)
+    how, verdict = HOW[correction.form], correction.verdict
     yield "instead", text
     yield "", ": ".join(filter(None, (f"{how}, it {_predicate(verdict)}", reason(verdict))))
     if isinstance(verdict, Fails):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from chasles.statements import Entry, Inverse, Statement, Theorem
+from chasles.statements.statement import Equation
 from chasles.vocabulary import Node, latex, plain
 
 __all__ = ["Sentence", "in_latex", "in_words", "kernel_name", "signature_in_words", "standing_in"]
@@ -22,9 +23,9 @@ def in_latex(sentence: Sentence) -> tuple[str, ...]:
     return _equations(sentence, latex, lambda sign: sign)
 
 
-def standing_in(statement: Statement, form: str) -> tuple[str, str]:
-    """The "reading" or the "corrected" form of a statement, in plain text and in LaTeX."""
-    left, right = statement.form(form)
+def standing_in(statement: Statement, sides: Equation) -> tuple[str, str]:
+    """What stands in for a statement, in plain text and in LaTeX."""
+    left, right = sides
     return f"{plain(left)} = {plain(right)}", f"{latex(left)} {statement.sign} {latex(right)}"
 
 

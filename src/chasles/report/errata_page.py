@@ -9,7 +9,7 @@ from chasles.proof.verdict import Counterexample, Fails, IllFormed
 from chasles.report.by_hand import worked_out
 from chasles.report.details import number_in_words
 from chasles.report.equations import in_latex, in_words
-from chasles.report.findings import Decisions, Repairs, Standing, likely_slip, ordered, stands_in
+from chasles.report.findings import Decisions, Standing, likely_slip, ordered, stands_in
 from chasles.report.markdown import code, displayed, escaped
 from chasles.report.words import point_in_words, said
 from chasles.statements import Chapter, Entry, Statement
@@ -27,17 +27,17 @@ satisfies the hypotheses. What stands instead is proved.
 `chasles emit` writes this page; [VERDICTS.md](VERDICTS.md) has all the other equations."""
 
 
-def errata_page(book: Chapter, decisions: Decisions, repairs: Repairs) -> str:
+def errata_page(book: Chapter, decisions: Decisions) -> str:
     """The page on all prints that do not stand; the same decisions and repairs give the same text."""
     decided = ordered(book, decisions)
     wrong = [(entry, decision) for entry, decision in decided if not decision.verdict.true]
     lines = [ABOUT, "", f"{len(wrong)} of {len(decided)} statements." if wrong else "There are none."]
     for entry, decision in wrong:
-        lines += ["", *_slip(entry, decision, repairs)]
+        lines += ["", *_slip(entry, decision)]
     return "\n".join(lines) + "\n"
 
 
-def _slip(entry: Entry, decision: Decision, repairs: Repairs) -> Iterator[str]:
+def _slip(entry: Entry, decision: Decision) -> Iterator[str]:
     number = number_in_words(entry.number, entry.statement.part)
     yield f"## {escaped(number)}"
     yield ""
@@ -48,7 +48,7 @@ def _slip(entry: Entry, decision: Decision, repairs: Repairs) -> Iterator[str]:
     for formula, words in zip(in_latex(entry.statement), in_words(entry.statement), strict=True):
         yield from _equation(formula, words)
     yield from _why(entry, decision)
-    found = stands_in(entry, decision, repairs)
+    found = stands_in(entry, decision)
     if not found:
         yield from ("Nothing that stands instead has been found.", "")
     for place, standing in enumerate(found):
@@ -63,27 +63,34 @@ def _why(entry: Entry, decision: Decision) -> Iterator[str]:
         case Fails(counterexample):
             yield "It fails:"
             yield ""
-            yield from _by_hand(entry, "printed", decision, counterexample)
+            assert isinstance(entry.statement, Statement)
+            yield from _by_hand(entry.statement, decision, counterexample)
         case other:
             yield f"It is {escaped(said(other))}: {escaped(str(getattr(other, 'reason', '')))}."
     yield ""
-    correction = decision.correction
-    if correction is not None and isinstance(entry.statement, Statement) and isinstance(correction.verdict, Fails):
-        yield "With the marks that the scan may have lost, it reads" if correction.form == "reading" else "Corrected:"
-        yield ""
-        left, right = entry.statement.form(correction.form)
-        yield from _equation(f"{latex(left)} {entry.statement.sign} {latex(right)}", f"{plain(left)} = {plain(right)}")
-        yield "and fails:"
-        yield ""
-        yield from _by_hand(entry, correction.form, decision, correction.verdict.counterexample)
-        yield ""
+    tried = decision.correction
+    while tried is not None:
+        if isinstance(entry.statement, Statement) and isinstance(tried.verdict, Fails):
+            yield from _in_vain(entry.statement.saying(*tried.sides), tried.form, tried.verdict, decision)
+        tried = tried.instead_of
 
 
-def _by_hand(entry: Entry, form: str, decision: Decision, found: Counterexample) -> Iterator[str]:
+def _in_vain(statement: Statement, form: str, verdict: Fails, decision: Decision) -> Iterator[str]:
+    """A form that might have stood in, and fails too."""
+    yield "With the marks that the scan may have lost, it reads" if form == "reading" else "Corrected:"
+    yield ""
+    left, right = statement.printed
+    yield from _equation(f"{latex(left)} {statement.sign} {latex(right)}", f"{plain(left)} = {plain(right)}")
+    yield "and fails:"
+    yield ""
+    yield from _by_hand(statement, decision, verdict.counterexample)
+    yield ""
+
+
+def _by_hand(statement: Statement, decision: Decision, found: Counterexample) -> Iterator[str]:
     """Three lines: the values, the left side and the right side there."""
-    assert isinstance(entry.statement, Statement)
     row, column = found.entry
-    defined = worked_out(entry.statement, form, decision, found)
+    defined = worked_out(statement, decision, found)
     so = f", so that {code(point_in_words(defined))}" if defined else ""
     if found.goal:
         yield f"- {escaped(found.goal)}:"

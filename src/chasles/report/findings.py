@@ -2,28 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from chasles.proof.judge import Decision
 from chasles.proof.verdict import Verdict
 from chasles.statements import Chapter, Entry, Statement
 from chasles.vocabulary import Node
 
-if TYPE_CHECKING:
-    from chasles.proof.repair import Repair
-
-__all__ = ["Decisions", "Pairs", "Repairs", "Standing", "likely_slip", "ordered", "repairs_of", "stands_in"]
+__all__ = ["Decisions", "Pairs", "Standing", "likely_slip", "ordered", "stands_in"]
 
 Decisions = Mapping[str, Decision]
 """By the name of the statement."""
 Pairs = Sequence[tuple[Entry, Decision]]
-Repairs = Mapping[str, Sequence["Repair"]]
-"""By the name of the statement, the simplest first; a statement for which none was found may be left out."""
-PATIENCE = 60.0
-"""Seconds for the search of one repair: so many that what is found does not depend on the machine."""
-Search = Callable[[Statement, Callable[[Statement], str], float, Iterable[Statement]], Sequence["Repair"]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,19 +42,20 @@ def ordered(book: Chapter, decisions: Decisions) -> Pairs:
     return [(entry, decisions[entry.name]) for entry in entries]
 
 
-def stands_in(entry: Entry, decision: Decision, repairs: Repairs) -> tuple[Standing, ...]:
-    """What stands in for a print that does not: the repairs, or else what is declared and true; it may be nothing."""
+def stands_in(entry: Entry, decision: Decision) -> tuple[Standing, ...]:
+    """What stands in for a print that does not, and the other repairs that were found; it may be nothing."""
     statement, correction = entry.statement, decision.correction
     if decision.verdict.true or not isinstance(statement, Statement):
         return ()
-    found = repairs.get(entry.name, ())
-    if found:
-        return tuple(
-            Standing(r.left, r.right, statement.sign, r.verdict, "repair", r.changes, r.modulo, r.by) for r in found
-        )
     if correction is None or not correction.verdict.true:
         return ()
-    return (Standing(*statement.form(correction.form), statement.sign, correction.verdict, "declared"),)
+    sides = correction.sides
+    if correction.found == "declared":
+        return (Standing(*sides, statement.sign, correction.verdict, "declared"),)
+    found = sorted(correction.repairs, key=lambda r: (r.left, r.right) != sides)
+    return tuple(
+        Standing(r.left, r.right, statement.sign, r.verdict, "repair", r.changes, r.modulo, r.by) for r in found
+    )
 
 
 def likely_slip(entry: Entry, decision: Decision) -> str:
@@ -74,13 +66,3 @@ def likely_slip(entry: Entry, decision: Decision) -> str:
     if correction is not None and correction.form == "reading" and correction.verdict.true:
         return "of the scan"
     return "of the scan, which has lost a mark, and another of the print"
-
-
-def repairs_of(book: Chapter, decisions: Decisions, standing: Callable[[Statement], str], search: Search) -> Repairs:
-    """The repairs of all prints that do not stand, by the name of the statement."""
-    beside = [entry.statement for entry in book if isinstance(entry.statement, Statement)]
-    return {
-        entry.name: search(entry.statement, standing, PATIENCE, beside)
-        for entry in book
-        if not decisions[entry.name].verdict.true and isinstance(entry.statement, Statement)
-    }

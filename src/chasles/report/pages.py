@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from chasles.proof.judge import Judge
-from chasles.proof.repair import repair
 from chasles.report.errata_page import errata_page
-from chasles.report.findings import repairs_of
 from chasles.report.verdict_page import verdict_page
 from chasles.report.waiting import watched
 from chasles.statements import Chapter
@@ -17,8 +15,7 @@ def pages(book: Chapter, judge: Judge) -> dict[str, str]:
     """The text of `VERDICTS.md` and `ERRATA.md`; what the judge has decided already is not decided again."""
     decided = watched(judge.decide_all(book), len(book.entries), "Deciding")
     decisions = {entry.name: decision for entry, decision in decided}
-    repairs = repairs_of(book, decisions, judge.standing, repair)
     return {
-        "VERDICTS.md": verdict_page(book, decisions, repairs),
-        "ERRATA.md": errata_page(book, decisions, repairs),
+        "VERDICTS.md": verdict_page(book, decisions),
+        "ERRATA.md": errata_page(book, decisions),
     }

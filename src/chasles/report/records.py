@@ -84,11 +84,11 @@ def _counterexample(found: Counterexample | None) -> dict[str, Any] | None:
 def _corrected(decision: Decision) -> dict[str, Any] | None:
     if decision.correction is None or not isinstance(decision.statement, Statement):
         return None
-    text, latex = standing_in(decision.statement, decision.correction.form)
+    text, latex = standing_in(decision.statement, decision.correction.sides)
     return {
         "latex": latex,
         "text": text,
-        "found": "declared",
+        "found": decision.correction.found,
         "form": decision.correction.form,
         "verdict": decision.correction.verdict.name,
     }

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from chasles.proof.judge import Decision
 from chasles.report.details import number_in_words
-from chasles.report.findings import Decisions, Pairs, Repairs, Standing, ordered, stands_in
+from chasles.report.findings import Decisions, Pairs, Standing, ordered, stands_in
 from chasles.report.markdown import escaped, table
 from chasles.report.words import VERDICTS, counted
 from chasles.statements import Chapter, Entry, Section
@@ -31,23 +31,23 @@ marked as a gap of the search. [ERRATA.md](ERRATA.md) says why each of these doe
 Group = list[tuple[Entry, Decision]]
 
 
-def verdict_page(book: Chapter, decisions: Decisions, repairs: Repairs) -> str:
+def verdict_page(book: Chapter, decisions: Decisions) -> str:
     """The page on the whole chapter; the same decisions and repairs give the same text."""
     decided = ordered(book, decisions)
-    lines = [ABOUT, "", *_totals(decided, repairs)]
+    lines = [ABOUT, "", *_totals(decided)]
     for section, groups in _sections(decided):
         lines += ["", f"## {section.number} {escaped(section.title)}", ""]
-        lines += table(HEAD, (_row(number, group, repairs) for number, group in groups.items()))
+        lines += table(HEAD, (_row(number, group) for number, group in groups.items()))
     return "\n".join(lines) + "\n"
 
 
-def _totals(decided: Pairs, repairs: Repairs) -> Iterator[str]:
+def _totals(decided: Pairs) -> Iterator[str]:
     numbers = {entry.number for entry, _ in decided}
     equations = sum(number[0].isdecimal() for number in numbers)
     yield f"{equations} numbered equations and {len(numbers) - equations} theorems, displays and exercises without one,"
     yield f"in {len(decided)} statements: {counted(d.verdict for _, d in decided)}."
     wrong = [(e, d) for e, d in decided if not d.verdict.true]
-    found = [standing[0].found if (standing := stands_in(e, d, repairs)) else "nothing" for e, d in wrong]
+    found = [standing[0].found if (standing := stands_in(e, d)) else "nothing" for e, d in wrong]
     if wrong:
         yield (
             f"Of the {len(wrong)} that do not stand as printed, {found.count('repair')} are repaired by the search, "
@@ -63,12 +63,12 @@ def _sections(decided: Pairs) -> Iterator[tuple[Section, dict[str, Group]]]:
     yield from sections.items()
 
 
-def _row(number: str, group: Group, repairs: Repairs) -> tuple[str, ...]:
+def _row(number: str, group: Group) -> tuple[str, ...]:
     roles = dict.fromkeys(entry.statement.role for entry, _ in group)
     worst = min((decision.verdict.name for _, decision in group), key=WORST_FIRST.index)
     needs = dict.fromkeys(text for _, decision in group for text in getattr(decision.verdict, "needs", ()))
     parts = [
-        (f"part {entry.statement.part}: " if len(group) > 1 else "") + _instead(stands_in(entry, decision, repairs))
+        (f"part {entry.statement.part}: " if len(group) > 1 else "") + _instead(stands_in(entry, decision))
         for entry, decision in group
         if not decision.verdict.true
     ]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from dataclasses import fields, is_dataclass
+from dataclasses import Field, fields, is_dataclass
 from fractions import Fraction
 from hashlib import sha256
 from typing import Any
@@ -43,9 +43,9 @@ class _Serialiser:
         return sha256(text.encode()).hexdigest()
 
     def _declared(self, value: Any) -> list[Any]:
-        """The class and, in the order of their declaration, what its fields hold."""
-        named = [each.name for each in fields(value) if each.name not in (*PROSE, *DERIVED)]
-        return [type(value).__name__, *([name, self._plain(getattr(value, name))] for name in named)]
+        """The class and, in the order of their declaration, what is said in its fields: a default says nothing."""
+        said = [each.name for each in fields(value) if each.name not in (*PROSE, *DERIVED) and _is_said(value, each)]
+        return [type(value).__name__, *([name, self._plain(getattr(value, name))] for name in said)]
 
     def _plain(self, value: Any) -> Any:
         """The value as JSON; raises TypeError for what no declaration holds."""
@@ -68,3 +68,8 @@ class _Serialiser:
         if id(value) not in self._known:
             self._known[id(value)] = make(value)
         return self._known[id(value)]
+
+
+def _is_said(value: Any, each: Field[Any]) -> bool:
+    held = getattr(value, each.name)
+    return type(held) is not type(each.default) or held != each.default

@@ -6,13 +6,13 @@ unit circle; and together the branches cover the domain. Each of these is an equ
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import ClassVar
 
 from chasles.statements.hypotheses import Hypothesis, nonzero
-from chasles.statements.problem import Goal, Problem, default_form
+from chasles.statements.problem import Goal, Problem, Standing, default_sides
 from chasles.statements.statement import Kernel, Statement
 from chasles.vocabulary import Call, Node, Number, Power, Sum, replace
 
@@ -69,11 +69,9 @@ class Inverse:
     fault: None = None
 
 
-def problems_of_inverse(
-    sentence: Inverse, standing: Callable[[Statement], str] = default_form
-) -> Iterator[tuple[str, Problem]]:
+def problems_of_inverse(sentence: Inverse, standing: Standing = default_sides) -> Iterator[tuple[str, Problem]]:
     """What makes the branches an inverse: a problem for each branch and for each equation of the cover."""
-    left, right = sentence.of.form(standing(sentence.of))
+    left, right = standing(sentence.of)
     for branch in sentence.branches:
         values = dict(branch.values)
         goals = [Goal("the formula returns its input", replace(right, values), left), *_circles(values)]

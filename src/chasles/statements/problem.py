@@ -12,7 +12,7 @@ from dataclasses import replace as with_fields
 from chasles.statements.forms import Definite, OnlyWhere
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.squares import relied_on
-from chasles.statements.statement import Claim, Condition, Definition, Statement, Theorem, bare, is_rule
+from chasles.statements.statement import Claim, Condition, Definition, Equation, Statement, Theorem, bare, is_rule
 from chasles.statements.varied import demands, visible
 from chasles.vocabulary import (
     Contract,
@@ -34,9 +34,11 @@ from chasles.vocabulary.families import indices_of
 from chasles.vocabulary.measure import added
 from chasles.vocabulary.nodes import lifted, measured
 
-__all__ = ["Goal", "Problem", "default_form", "problem_of"]
+__all__ = ["Goal", "Problem", "Standing", "default_form", "default_sides", "problem_of"]
 
 Decidable = Statement | Theorem
+Standing = Callable[[Statement], Equation]
+"""Gives the sides with which a given statement is used; raises TypeError for one that cannot be."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,13 +70,19 @@ def default_form(statement: Statement) -> str:
     """The form that stands for a statement that is not decided: as read where the print does not fit."""
     if not statement.fault:
         return "printed"
-    return "reading" if statement.reading is not None else "corrected"
+    for form in ("reading", "corrected"):
+        if statement.form_exists(form):
+            return form
+    raise TypeError(f"({statement.number}) does not fit as printed, and nothing is declared to stand in for it")
 
 
-def problem_of(
-    statement: Decidable, form: str = "printed", standing: Callable[[Statement], str] = default_form
-) -> Problem:
-    """The problem that decides a statement in one of its forms; `standing` says which form stands for a given one.
+def default_sides(statement: Statement) -> Equation:
+    """The sides of the form that stands for a statement that is not decided; raises TypeError if there is none."""
+    return statement.form(default_form(statement))
+
+
+def problem_of(statement: Decidable, form: str = "printed", standing: Standing = default_sides) -> Problem:
+    """The problem that decides a statement in one of its forms; `standing` gives the sides that stand for a given one.
 
     Raises `Misfit` if that form does not fit together, and TypeError if a given statement cannot be used.
     """
@@ -84,7 +92,7 @@ def problem_of(
     for given in statement.given:
         if not isinstance(given, Statement):
             raise TypeError(f"({statement.number}) is given ({given.number}), a {given.role}: name equations instead")
-        left, right = given.form(standing(given))
+        left, right = standing(given)
         if isinstance(given, Condition) and given.solution is not None:
             raise TypeError(
                 f"({statement.number}) is given ({given.number}), which leaves {given.on[0]} free: let it restate that"
@@ -197,7 +205,7 @@ def _hypotheses(statement: Decidable) -> Iterator[Hypothesis]:
         yield from _hypotheses(given)
 
 
-def _goals(statement: Statement, form: str, standing: Callable[[Statement], str]) -> Iterator[Goal]:
+def _goals(statement: Statement, form: str, standing: Standing) -> Iterator[Goal]:
     left, right = statement.form(form)
     if fault := (statement.fault if form == "printed" else left.fault or right.fault):
         raise Misfit(fault)
@@ -215,9 +223,7 @@ def _goals(statement: Statement, form: str, standing: Callable[[Statement], str]
         case Claim(solves=Statement() as other):
             if not isinstance(left, Symbol):
                 raise TypeError(f"({statement.number}) solves ({other.number}) for {left}, which is no symbol")
-            yield Goal(
-                "it solves the equation", *(replace(side, {left: right}) for side in other.form(standing(other)))
-            )
+            yield Goal("it solves the equation", *(replace(side, {left: right}) for side in standing(other)))
         case _:
             yield from _equations("", left, right)
 
@@ -233,10 +239,8 @@ def _equations(label: str, left: Node, right: Node) -> Iterator[Goal]:
         yield Goal(label, one, another)
 
 
-def _multiple(
-    statement: Claim, others: tuple[Statement, ...], standing: Callable[[Statement], str], left: Node, right: Node
-) -> Goal:
-    sides = [other.form(standing(other)) for other in others]
+def _multiple(statement: Claim, others: tuple[Statement, ...], standing: Standing, left: Node, right: Node) -> Goal:
+    sides = [standing(other) for other in others]
     differences: list[Node] = [Sum((one, Negative(another))) for one, another in sides]
     difference = differences[0] if len(differences) == 1 else column(*differences)
     if statement.by is not None:

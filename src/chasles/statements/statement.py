@@ -12,7 +12,18 @@ from chasles.statements.hypotheses import Hypothesis
 from chasles.vocabulary import At, Group, Misfit, Node, Rate, Symbol, plain, replace
 from chasles.vocabulary.measure import added
 
-__all__ = ["Claim", "Condition", "Definition", "Kernel", "Postulate", "Statement", "Theorem", "bare", "is_rule"]
+__all__ = [
+    "Claim",
+    "Condition",
+    "Definition",
+    "Equation",
+    "Kernel",
+    "Postulate",
+    "Statement",
+    "Theorem",
+    "bare",
+    "is_rule",
+]
 
 Equation = tuple[Node, Node]
 
@@ -35,8 +46,9 @@ class Statement:
 
     `number` is the book's; `part` tells apart the equations of one number. `given` names earlier statements, `assuming`
     named hypotheses. `reading` is the equation's right side (or both sides) where a mark was lost in the scan,
-    `corrected` what is right where the print is wrong: each is decided beside the print and stands in for it.
-    Raises `Misfit` if the sides do not fit together and neither a reading nor a correction is given.
+    `corrected` what is right where the print is wrong and no repair is found: each is decided beside the print and
+    stands in for it. `sic` marks what does not fit together and is printed so. Raises `Misfit` if the sides do not fit
+    together and nothing says that this is no mistake of the declaration: no `sic`, no reading, no correction.
     """
 
     role: ClassVar[str] = "statement"
@@ -50,16 +62,15 @@ class Statement:
     assuming: tuple[Hypothesis, ...] = ()
     reading: Node | Equation | None = None
     corrected: Node | Equation | None = None
+    sic: bool = False
     sign: str = "="
     kernel: Kernel | None = None
     fault: str | None = field(init=False, default=None)
 
     def __post_init__(self) -> None:
         fault = self._find_fault()
-        if fault and self.reading is None and self.corrected is None:
-            raise Misfit(
-                f"({self.number}) does not fit: {fault}. If the book prints it so, give a `reading` or `corrected`"
-            )
+        if fault and not self.sic and self.reading is None and self.corrected is None:
+            raise Misfit(f"({self.number}) does not fit: {fault}. If the book prints it so, say `sic=True`")
         object.__setattr__(self, "fault", fault)
 
     def _find_fault(self) -> str | None:
@@ -90,6 +101,15 @@ class Statement:
     def form_exists(self, which: str) -> bool:
         """Whether the statement has a form of that name."""
         return which == "printed" or {"reading": self.reading, "corrected": self.corrected}[which] is not None
+
+    @property
+    def relied_on(self) -> tuple[Statement, ...]:
+        """The statements whose sides it uses."""
+        return self.given
+
+    def saying(self, left: Node, right: Node) -> Statement:
+        """The statement with other sides, whether they fit or not, nothing to stand in for them and no kernel."""
+        return with_fields(self, left=left, right=right, reading=None, corrected=None, sic=True, kernel=None)
 
     def at(self, values: Mapping[Node, Node]) -> Statement:
         """The same statement said of other symbols; TypeError if it assumes or rests on anything about these."""
@@ -157,6 +177,12 @@ class Claim(Statement):
     restates: Statement | tuple[Statement, ...] | None = None
     by: Node | int | None = None
     solves: Statement | None = None
+
+    @property
+    def relied_on(self) -> tuple[Statement, ...]:
+        """The statements whose sides it uses: those given, and those that it restates or solves."""
+        restated = self.restates if isinstance(self.restates, tuple) else (self.restates,)
+        return (*self.given, *(other for other in (*restated, self.solves) if other is not None))
 
 
 @dataclass(frozen=True, eq=False)

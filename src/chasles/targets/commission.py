@@ -40,7 +40,7 @@ def _heading(entry: Entry, decision: Decision, request: Request) -> Heading:
     standing, said = decision.verdict, _word(decision.verdict)
     if not standing.true and decision.correction is not None:
         standing = decision.correction.verdict
-        how = "as read" if decision.correction.form == "reading" else decision.correction.form
+        how = {"reading": "as read", "repair": "as repaired", "corrected": "as corrected"}[decision.correction.form]
         said = f"{said} as printed, {_word(standing)} {how}"
     needs = standing.needs if isinstance(standing, HoldsUnder) else _assumed(standing, request)
     section = f"section_{entry.section.number.replace('.', '_')}"

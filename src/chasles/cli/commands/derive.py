@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from chasles.cli.book import as_data, of_numbers
+from chasles.cli.book import as_data, chapter, of_numbers
 from chasles.cli.failures import complain
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> int:
     from chasles.report.screen import Screen
     from chasles.report.waiting import watched
 
-    chosen, judge = chosen_roads(numbers), Judge()
+    chosen, judge = chosen_roads(numbers), Judge(book=chapter())
     walked = {name: walk(road, judge) for name, road in watched(iter(chosen.items()), len(chosen), "Walking")}
     if json:
         click.echo(as_json({"roads": [road_record(name, road) for name, road in walked.items()]}))

@@ -40,7 +40,8 @@ def command(check: bool, out: Path | None, json: bool) -> int:
 
     folder = out or generated_folder(Path.cwd())
     started = perf_counter()
-    book, judge = chapter(), Judge()
+    book = chapter()
+    judge = Judge(book=book)
     kernels = commissioned(book.entries, judge)
     texts = emitted(kernels, pages(book, judge))
     head = f"{len(kernels)} kernels, each proved equal to its statement"

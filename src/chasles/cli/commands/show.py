@@ -15,6 +15,7 @@ __all__ = ["command"]
 @as_data
 def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:
     """Show an equation, what it rests on, its verdict and its certificate or counterexample."""
+    from chasles.proof.judge import Judge
     from chasles.report.records import as_json, described, record
     from chasles.report.screen import Screen
     from chasles.report.statement_page import statement_page
@@ -22,7 +23,7 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:
     book = chapter()
     # The parts of a number stand in the order of the proofs; here they are read in the book's.
     entries = sorted(chosen(book, numbers, ()), key=lambda e: (book.numbers.index(e.number), e.statement.part))
-    decided = list(decisions(entries))
+    decided = list(decisions(entries, Judge(book=book)))
     if json:
         click.echo(as_json({"statements": [described(entry) | record(entry, found) for entry, found in decided]}))
         return

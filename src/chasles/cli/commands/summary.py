@@ -31,8 +31,9 @@ def command(sections: tuple[str, ...], samples: int, json: bool) -> int:
     from chasles.cli.verification import verified
     from chasles.proof.judge import Judge
 
-    judge = Judge()
-    entries = chosen(chapter(), (), sections)
+    book = chapter()
+    judge = Judge(book=book)
+    entries = chosen(book, (), sections)
     outcome = decide(entries, judge)
     asking = [entry for entry in entries if entry.statement.kernel is not None]
     verification = verified(asking, installed_kernels(), ("generic",), samples, judge)

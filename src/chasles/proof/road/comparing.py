@@ -17,7 +17,12 @@ from chasles.vocabulary import Contract, Identity, Inverse, Negative, Node, Sum,
 
 __all__ = ["Comparison", "compare"]
 
-FORMS = {"printed": "the print", "reading": "the print as read", "corrected": "the print as corrected"}
+FORMS = {
+    "printed": "the print",
+    "reading": "the print as read",
+    "repair": "the print as repaired",
+    "corrected": "the print as corrected",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,10 +74,7 @@ def compare(step: Compare, state: State) -> Comparison:
     using = tuple(dict.fromkeys((*step.using, *(s for s in rules_behind_all(statement) if s is not statement))))
     printed: Verdict | None = None
     last: Verdict | None = None
-    for form in FORMS:
-        if not statement.form_exists(form):
-            continue
-        left, right = statement.form(form)
+    for form, (left, right) in _forms(statement, state):
         if left.fault or right.fault or (form == "printed" and statement.fault):
             printed = printed or IllFormed(statement.fault or left.fault or right.fault or "")
             continue
@@ -83,6 +85,15 @@ def compare(step: Compare, state: State) -> Comparison:
             return Comparison(statement, found, printed, form, verdict, chosen)
     assert printed is not None
     return Comparison(statement, _nearest(state, without_brackets(statement.left)), printed, None, printed, (), last)
+
+
+def _forms(statement: Statement, state: State) -> Iterator[tuple[str, Equation]]:
+    """The print, and what may stand in for it."""
+    for form in FORMS:
+        if form != "repair" and statement.form_exists(form):
+            yield form, statement.form(form)
+        elif form == "repair" and (correction := state.judge.decide(statement).correction) is not None:
+            yield from ((form, (found.left, found.right)) for found in correction.repairs)
 
 
 def rules_behind_all(statement: Statement) -> Iterator[Statement]:

@@ -38,14 +38,14 @@ class State:
     def sides(self, statement: Statement) -> Equation:
         """The sides of a statement: as found on the road, or in the form that stands for it."""
         found = self.found.get(id(statement))
-        left, right = statement.form(self._relied_on(statement)) if found is None else found.printed
+        left, right = self._relied_on(statement) if found is None else found.printed
         return without_brackets(left), without_brackets(right)
 
-    def _relied_on(self, statement: Statement) -> str:
-        """The form in which a statement may be used; raises ValueError for a claim of which no form holds."""
+    def _relied_on(self, statement: Statement) -> Equation:
+        """The sides with which a statement may be used; raises ValueError for a claim of which no form holds."""
         if isinstance(statement, Claim):
             decision = self.judge.decide(statement)
-            if not decision.verdict.true and not (decision.correction and decision.correction.verdict.true):
+            if not decision.stands:
                 raise ValueError(f"{cited(statement)} is used, and it {decision.verdict.name}")
         return self.judge.standing(statement)
 
@@ -58,8 +58,10 @@ class State:
         kept = tuple(rule for rule in problem.rules if rule[0] not in dict(rules))
         return with_fields(problem, goals=(), rules=(*kept, *rules))
 
-    def _standing(self, statement: Statement) -> str:
-        return "printed" if any(statement is found for found in self.found.values()) else self._relied_on(statement)
+    def _standing(self, statement: Statement) -> Equation:
+        if any(statement is found for found in self.found.values()):
+            return statement.printed
+        return self._relied_on(statement)
 
     def decide(self, goals: Sequence[tuple[str, Node, Node]], problem: Problem) -> Verdict:
         """The verdict on equations that must all hold; without any, there was nothing to prove."""

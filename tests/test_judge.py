@@ -1,0 +1,77 @@
+"""What stands in for a print that does not, and how later statements use it."""
+
+from __future__ import annotations
+
+import pytest
+
+from chasles.proof.certificate import Rejected, check
+from chasles.proof.judge import Judge
+from chasles.proof.verdict import Fails, Holds, Undecided
+from chasles.statements import Chapter, Claim, Definition, Entry, Section, Statement
+from chasles.vocabulary import column, cross, dot, number, plain, scalar, vector
+
+x, y, z, w = (vector(name, name, name) for name in "xyzw")
+c = scalar("c", "c", "c")
+product = Definition("9.1", z, cross(x, y))
+wrong = Claim("9.2", w, 2 * cross(x, y), given=(Definition("9.0", w, 3 * cross(x, y)),))
+resting = Claim("9.3", w, 3 * z, given=(wrong, product))
+hopeless = Claim("9.4", w, column(c, c, c), given=(Definition("9.0", w, x),), sic=True)
+
+
+def book(*statements: Statement) -> Chapter:
+    section = Section("9", "Slips")
+    known: dict[int, Statement] = {}
+    for statement in statements:
+        known |= {id(given): given for given in statement.given}
+        known[id(statement)] = statement
+    return Chapter("Slips", tuple(Entry(f"s{k}", section, s) for k, s in enumerate(known.values())))
+
+
+def test_a_repair_stands_in_for_a_claim_that_fails() -> None:
+    judge = Judge(book=book(wrong, product, resting))
+    decision = judge.decide(wrong)
+    assert isinstance(decision.verdict, Fails)
+    assert decision.correction is not None
+    assert decision.correction.form == decision.correction.found == "repair"
+    assert decision.sides == judge.standing(wrong) == (w, decision.correction.repairs[0].right)
+    assert plain(decision.sides[1]) == "3 (x x y)"
+
+
+def test_what_rests_on_it_is_decided_with_the_repair() -> None:
+    judge = Judge(book=book(wrong, product, resting))
+    decision = judge.decide(resting)
+    assert isinstance(decision.verdict, Holds)
+    assert {key: used.form for key, used in decision.given.items()} == {"9.2/1": "repair", "9.1/1": "printed"}
+    check(decision.repaired, "printed", decision.certificate, decision.standing)
+    with pytest.raises(Rejected):
+        check(decision.repaired, "printed", decision.certificate)
+
+
+def test_without_a_book_nothing_is_repaired() -> None:
+    judge = Judge()
+    assert not judge.decide(wrong).stands
+    assert isinstance(judge.decide(resting).verdict, Undecided)
+    with pytest.raises(TypeError, match="does not stand"):
+        judge.standing(wrong)
+
+
+def test_a_declared_form_stands_in_where_the_search_finds_nothing() -> None:
+    far = Claim("9.5", cross(x, cross(y, w)), dot(x, y) * z, corrected=dot(x, w) * y - dot(x, y) * w)
+    decision = Judge(book=book(far)).decide(far)
+    assert decision.correction is not None
+    assert decision.correction.repairs == ()
+    assert (decision.correction.form, decision.correction.found) == ("corrected", "declared")
+    assert decision.stands
+
+
+def test_what_restates_or_solves_says_what_it_used() -> None:
+    halved = Claim("9.6", w / 3, z, given=(product,), restates=wrong, by=number(1) / 3)
+    decision = Judge(book=book(wrong, product, halved)).decide(halved)
+    assert decision.given["9.2/1"].form == "repair"
+    assert decision.verdict.true
+
+
+def test_what_cannot_be_repaired_does_not_stand() -> None:
+    decision = Judge(book=book(hopeless)).decide(hopeless)
+    assert not decision.stands
+    assert decision.sides == hopeless.printed
