@@ -82,10 +82,9 @@ def decided(section: str) -> Iterator[tuple[Entry, Sentence, Verdict]]:
         decision = JUDGE.decide(entry.statement)
         forms: list[tuple[Sentence, Verdict]] = [(decision.statement, decision.verdict)]
         correction = decision.correction
-        while correction is not None:
+        for tried in () if correction is None else (correction, *correction.others):
             assert isinstance(decision.statement, Statement)
-            forms.append((decision.statement.saying(*correction.sides), correction.verdict))
-            correction = correction.instead_of
+            forms.append((decision.statement.saying(*tried.sides), tried.verdict))
         for sentence, verdict in forms:
             if isinstance(verdict, Holds | HoldsUnder | Posed | Fails):
                 yield entry, sentence, verdict

@@ -28,9 +28,10 @@ def decisions() -> list[tuple[Entry, Decision]]:
 def line(entry: Entry, decision: Decision) -> str:
     """One statement's record."""
     record = {"name": json.dumps(entry.name, ensure_ascii=False), **recorded(decision.verdict)}
-    if decision.correction is not None:
-        standing = {"form": json.dumps(decision.correction.form), **recorded(decision.correction.verdict)}
-        record["stands"] = table(standing)
+    correction = decision.correction
+    for place, tried in enumerate(() if correction is None else (correction, *correction.others)):
+        key = tried.form if place else "stands"
+        record[key] = table({"form": json.dumps(tried.form), **recorded(tried.verdict)})
     return f'"{entry.number} / {entry.statement.part}" = {table(record)}'
 
 

@@ -73,10 +73,9 @@ def decide(entries: Sequence[Entry], judge: Judge, recheck: bool = True) -> Outc
 
 def _stands_in_wrongly(decision: Decision) -> bool:
     """Whether what is declared to be right is not; a likely reading that fails is a finding about the print."""
-    stands_in = decision.correction
-    if decision.verdict.true or stands_in is None:
-        return False
-    return stands_in.form == "corrected" and not stands_in.verdict.true
+    correction = decision.correction
+    tried = () if correction is None else (correction, *correction.others)
+    return any(each.form == "corrected" and not each.verdict.true for each in tried)
 
 
 def _numbers(entries: Sequence[Entry]) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
+from dataclasses import replace as with_fields
 from time import perf_counter
 from typing import Any
 
@@ -40,14 +41,14 @@ class Correction:
     """What stands in for a print that does not: its form, its sides and the verdict on it.
 
     The form is "reading", "repair" or "corrected". `repairs` are all that the search found, the nearest first;
-    `instead_of` is a form that was tried before and is not true.
+    `others` are the other forms that are declared.
     """
 
     form: str
     sides: Equation
     verdict: Verdict
     repairs: tuple[Repair, ...] = ()
-    instead_of: Correction | None = None
+    others: tuple[Correction, ...] = ()
 
     @property
     def found(self) -> str:
@@ -168,18 +169,18 @@ class Judge:
         return Decision(sentence, verdict, correction, given, (perf_counter() - started) * 1000)
 
     def _correction(self, sentence: Statement) -> Correction | None:
-        """The reading if it is true, else the nearest repair, else what is declared; or the last one tried."""
+        """The reading if it is true, else the nearest repair, else what is declared, true or not."""
         repairs = self._repairs(sentence)
-        tried = None
-        for form in ("reading", "repair", "corrected"):
-            if form == "repair" and repairs:
-                return Correction(form, (repairs[0].left, repairs[0].right), repairs[0].verdict, repairs, tried)
-            if form != "repair" and sentence.form_exists(form):
+        forms = [Correction("repair", (r.left, r.right), r.verdict) for r in repairs[:1]]
+        for place, form in ((0, "reading"), (len(forms) + 1, "corrected")):
+            if sentence.form_exists(form):
                 sides = sentence.form(form)
-                tried = Correction(form, sides, self._form(sentence.saying(*sides)), repairs, tried)
-                if tried.verdict.true:
-                    break
-        return tried
+                forms.insert(place, Correction(form, sides, self._form(sentence.saying(*sides))))
+        if not forms:
+            return None
+        stands = next((each for each in forms if each.verdict.true), forms[-1])
+        declared = tuple(each for each in forms if each is not stands and each.form != "repair")
+        return with_fields(stands, repairs=repairs, others=declared)
 
     def _repairs(self, sentence: Statement) -> tuple[Repair, ...]:
         """What the search finds. A claim is repaired by what comes before it, so that it never waits for itself."""

@@ -68,11 +68,10 @@ def _why(entry: Entry, decision: Decision) -> Iterator[str]:
         case other:
             yield f"It is {escaped(said(other))}: {escaped(str(getattr(other, 'reason', '')))}."
     yield ""
-    tried = decision.correction
-    while tried is not None:
+    correction = decision.correction
+    for tried in () if correction is None else (*correction.others, correction):
         if isinstance(entry.statement, Statement) and isinstance(tried.verdict, Fails):
             yield from _in_vain(entry.statement.saying(*tried.sides), tried.form, tried.verdict, decision)
-        tried = tried.instead_of
 
 
 def _in_vain(statement: Statement, form: str, verdict: Fails, decision: Decision) -> Iterator[str]:
