@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+import os
+
 import pytest
+
+# No test sees what another run has decided, nor leaves anything behind.
+os.environ["CHASLES_CACHE"] = ""
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

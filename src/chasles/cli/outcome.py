@@ -8,11 +8,12 @@ from time import perf_counter
 from typing import TYPE_CHECKING
 
 from chasles.cli.book import decisions
+from chasles.proof.foresight import foresee
 from chasles.proof.judge import Decision, Judge
 from chasles.report.decisions import Decided
 from chasles.report.details import number_in_words
 from chasles.report.words import counted, seconds
-from chasles.statements import Entry
+from chasles.statements import Chapter, Entry
 
 if TYPE_CHECKING:
     from chasles.cli.rechecking import Rechecked
@@ -59,16 +60,33 @@ class Outcome:
             yield f"so are those on {_numbers([entry for entry, _ in rejected[SHOWN:]])}"
 
 
-def decide(entries: Sequence[Entry], judge: Judge, recheck: bool = True) -> Outcome:
-    """Decide the statements and, unless told otherwise, check the verdicts again without the prover."""
+def decide(entries: Sequence[Entry], book: Chapter, recheck: bool = True) -> tuple[Outcome, Judge]:
+    """Decide the statements and, unless told otherwise, check the verdicts again without the prover.
+
+    What was decided in an earlier run is only checked again. Where that is not asked for, or something is rejected, all
+    is decided anew.
+    """
     started = perf_counter()
-    decided = tuple(decisions(entries, judge))
-    deciding = perf_counter() - started
     if not recheck:
-        return Outcome(decided, deciding)
+        judge = Judge(book=book)
+        return Outcome(_decided(entries, judge), perf_counter() - started), judge
+    from chasles.cli.cache import forget, recalled, retained
     from chasles.cli.rechecking import recheck as check_again
 
-    return Outcome(decided, deciding, check_again(decided))
+    memory = recalled()
+    judge = Judge(book=book, memory=memory)
+    decided = _decided(entries, judge)
+    outcome = Outcome(decided, perf_counter() - started, check_again(decided))
+    if outcome.rechecked and outcome.rechecked.rejected and memory.has_recalled:
+        forget()
+        return decide(entries, book)
+    retained(memory)
+    return outcome, judge
+
+
+def _decided(entries: Sequence[Entry], judge: Judge) -> tuple[Decided, ...]:
+    foresee(judge, [entry.statement for entry in entries])
+    return tuple(decisions(entries, judge))
 
 
 def _stands_in_wrongly(decision: Decision) -> bool:

@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from time import perf_counter
 
 from chasles.proof.certificate import Rejected, check
 from chasles.proof.judge import Decision
 from chasles.proof.refutation import check_counterexample
+from chasles.proof.spreading import spread
 from chasles.proof.verdict import Fails
 from chasles.report.decisions import Decided
-from chasles.report.waiting import watched
 from chasles.statements import Entry, Inverse, problem_of
 
 __all__ = ["Rechecked", "recheck"]
+
+
+A_CHECK = 0.004
+"""About how many seconds one takes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,14 +36,20 @@ def recheck(decided: Sequence[Decided]) -> Rechecked:
     started = perf_counter()
     certified = [(entry, decision, _prove) for entry, decision in decided if decision.certificate is not None]
     refuted = [(entry, decision, _refute) for entry, decision in decided if _is_refuted(decision)]
-    rejected = []
-    total = len(certified) + len(refuted)
-    for entry, decision, check_again in watched([*certified, *refuted], total, "Checking again"):
-        try:
-            check_again(decision)
-        except Rejected as reason:
-            rejected.append((entry, str(reason)))
-    return Rechecked(len(certified), len(refuted), perf_counter() - started, tuple(rejected))
+    asked = [*certified, *refuted]
+    reasons = spread(_rejection, [(check_again, decision) for _, decision, check_again in asked], A_CHECK)
+    rejected = tuple((entry, why) for (entry, _, _), why in zip(asked, reasons, strict=True) if why is not None)
+    return Rechecked(len(certified), len(refuted), perf_counter() - started, rejected)
+
+
+def _rejection(asked: tuple[Callable[[Decision], None], Decision]) -> str | None:
+    """Why a decision is rejected; None if it is not."""
+    check_again, decision = asked
+    try:
+        check_again(decision)
+    except Rejected as reason:
+        return str(reason)
+    return None
 
 
 def _is_refuted(decision: Decision) -> bool:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
 from time import perf_counter
 from typing import Any
 
 from chasles.proof.decide import BUDGET, decide_problem, determining, pose
+from chasles.proof.decision import Correction, Decision, Sentence, Used, key_of
+from chasles.proof.memory import Memory
 from chasles.proof.repair import Repair, repair
 from chasles.proof.verdict import Assumed, Defined, Holds, HoldsUnder, IllFormed, Undecided, Verdict
 from chasles.statements import (
@@ -17,6 +18,7 @@ from chasles.statements import (
     Condition,
     Definition,
     Entry,
+    Hypothesis,
     Inverse,
     Postulate,
     Problem,
@@ -31,96 +33,22 @@ from chasles.vocabulary import Misfit
 
 __all__ = ["Correction", "Decision", "Judge", "Used"]
 
-Sentence = Statement | Theorem | Inverse
 PATIENCE = 60.0
 """Seconds for the search of one repair: so many that what is found does not depend on the machine."""
-
-
-@dataclass(frozen=True, slots=True)
-class Correction:
-    """What stands in for a print that does not: its form, its sides and the verdict on it.
-
-    The form is "reading", "repair" or "corrected". `repairs` are all that the search found, the nearest first;
-    `others` are the other forms that are declared.
-    """
-
-    form: str
-    sides: Equation
-    verdict: Verdict
-    repairs: tuple[Repair, ...] = ()
-    others: tuple[Correction, ...] = ()
-
-    @property
-    def found(self) -> str:
-        """Who found it: "repair" if the search did, else "declared"."""
-        return "repair" if any((r.left, r.right) == self.sides for r in self.repairs) else "declared"
-
-
-@dataclass(frozen=True, slots=True)
-class Used:
-    """The form in which a statement was used, and its sides in that form."""
-
-    form: str
-    sides: Equation
-
-
-@dataclass(frozen=True, slots=True)
-class Decision:
-    """The verdict on a sentence as printed, what stands in for it, and how long it took.
-
-    `given` says how each statement was used on whose sides it rests, by number and part: "3.96a/1".
-    """
-
-    statement: Sentence
-    verdict: Verdict
-    correction: Correction | None = None
-    given: dict[str, Used] = field(default_factory=dict)
-    milliseconds: float = 0.0
-
-    @property
-    def stands(self) -> bool:
-        """Whether the sentence is true as printed, or something stands in for it."""
-        return self.verdict.true or (self.correction is not None and self.correction.verdict.true)
-
-    @property
-    def sides(self) -> Equation:
-        """The sides of what stands; as printed if nothing does. Only of an equation."""
-        assert isinstance(self.statement, Statement)
-        if self.verdict.true or self.correction is None or not self.correction.verdict.true:
-            return self.statement.printed
-        return self.correction.sides
-
-    @property
-    def repaired(self) -> Sentence:
-        """The sentence as it would be printed if it said what stands."""
-        if self.verdict.true or not isinstance(self.statement, Statement):
-            return self.statement
-        return self.statement.saying(*self.sides)
-
-    @property
-    def certificate(self) -> Any:
-        """The certificate of the form that stands, if one was made."""
-        verdict = self.correction.verdict if self.correction and not self.verdict.true else self.verdict
-        return getattr(verdict, "certificate", None)
-
-    def standing(self, given: Statement) -> Equation:
-        """The sides with which the decision used a given statement."""
-        used = self.given.get(_key(given))
-        return default_sides(given) if used is None else used.sides
 
 
 class Judge:
     """Decides sentences, each once; a given claim that fails is used in the form that stands in for it.
 
     With `book`, what does not stand as printed is repaired: what the book says about a symbol tells which freedom it
-    has, and claims that rest on a definition tell what it is.
+    has, and claims that rest on a definition tell what it is. What is in `memory` is not decided again.
     """
 
-    def __init__(self, budget: float = BUDGET, book: Chapter | None = None) -> None:
+    def __init__(self, budget: float = BUDGET, book: Chapter | None = None, memory: Memory | None = None) -> None:
         self.budget = budget
+        self.memory = memory or Memory()
         self._decisions: dict[int, Decision] = {}
-        self._branches: dict[Problem, Verdict] = {}
-        self._searches = book is not None
+        self.searches = book is not None
         self._book = tuple(entry.statement for entry in book or () if isinstance(entry.statement, Statement))
         self._place = {id(statement): k for k, statement in enumerate(self._book)}
 
@@ -157,7 +85,7 @@ class Judge:
         started = perf_counter()
         try:
             relied_on = sentence.relied_on if isinstance(sentence, Statement) else sentence.given
-            given = {_key(statement): self._used(statement) for statement in relied_on}
+            given = {key_of(statement): self._used(statement) for statement in relied_on}
         except TypeError as error:
             if not isinstance(sentence, Definition):
                 return Decision(sentence, Undecided(str(error)), milliseconds=(perf_counter() - started) * 1000)
@@ -183,11 +111,34 @@ class Judge:
         return with_fields(stands, repairs=repairs, others=declared)
 
     def _repairs(self, sentence: Statement) -> tuple[Repair, ...]:
-        """What the search finds. A claim is repaired by what comes before it, so that it never waits for itself."""
-        if not self._searches:
+        """What the search finds, if there is a book to search."""
+        if not self.searches:
             return ()
-        place = None if isinstance(sentence, Definition) else self._place.get(id(sentence))
-        return repair(sentence, self.standing, PATIENCE, self._book[:place])
+        key, found = self.search(sentence)
+        self.memory.remember(key, found)
+        return found
+
+    def search(self, sentence: Statement) -> tuple[str, tuple[Repair, ...]]:
+        """The repairs of a statement, and the key by which they are remembered.
+
+        A claim is repaired by what comes before it, so that it never waits for itself. Raises TypeError if something
+        that it rests on does not stand.
+        """
+        before = self._book[: None if isinstance(sentence, Definition) else self._place.get(id(sentence))]
+        used = [self.standing(given) for given in sentence.relied_on]
+        key = self.memory.key_of_repairs(sentence, used, before)
+        known = self.memory.recalled(key)
+        if isinstance(known, tuple):
+            return key, known
+        return key, repair(sentence, self.standing, PATIENCE, before)
+
+    def _verdict(self, problem: Problem, own: tuple[Hypothesis, ...] = ()) -> Verdict:
+        key = self.memory.key_of_verdict(problem, own)
+        found = self.memory.recalled(key)
+        if not isinstance(found, Verdict):
+            found = decide_problem(problem, own, self.budget)
+            self.memory.remember(key, found)
+        return found
 
     def _form(self, sentence: Statement | Theorem) -> Verdict:
         """The verdict on a sentence as printed."""
@@ -206,7 +157,7 @@ class Judge:
             case Condition():
                 return self._posed(sentence, problem)
             case _:
-                return decide_problem(problem, sentence.assuming, self.budget)
+                return self._verdict(problem, sentence.assuming)
 
     def _posed(self, sentence: Condition, problem: Problem) -> Verdict:
         """A condition is posed if a point satisfies it.
@@ -216,7 +167,7 @@ class Judge:
         """
         if sentence.on and sentence.solution is None:
             return pose(determining(problem, sentence.on))
-        verdict = decide_problem(problem, sentence.assuming, self.budget)
+        verdict = self._verdict(problem, sentence.assuming)
         return pose(problem) if verdict.true else verdict
 
     def _inverse(self, sentence: Inverse) -> Verdict:
@@ -225,9 +176,7 @@ class Judge:
         certificates: dict[str, Any] = {}
         verdict: Verdict | None = None
         for says, problem in problems_of_inverse(sentence, self.standing):
-            if problem not in self._branches:
-                self._branches[problem] = decide_problem(problem, (), self.budget)
-            verdict = self._branches[problem]
+            verdict = self._verdict(problem)
             if not isinstance(verdict, Holds | HoldsUnder):
                 return verdict
             needs |= dict.fromkeys(h.text for h in sentence.assuming if h.text in verdict.needs)
@@ -235,7 +184,3 @@ class Judge:
         assert isinstance(verdict, Holds | HoldsUnder)
         unused = tuple(h.text for h in sentence.assuming if h.text not in needs)
         return HoldsUnder(tuple(needs), {"branches": certificates}, verdict.witness, unused)
-
-
-def _key(statement: Statement) -> str:
-    return f"{statement.number}/{statement.part}"

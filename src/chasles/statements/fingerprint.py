@@ -9,12 +9,16 @@ from fractions import Fraction
 from hashlib import sha256
 from typing import Any
 
+from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.inversion import Inverse
+from chasles.statements.problem import Problem
 from chasles.statements.statement import Statement, Theorem
+from chasles.vocabulary import Node
 
-__all__ = ["fingerprint"]
+__all__ = ["Fingerprints", "fingerprint"]
 
 Sentence = Statement | Theorem | Inverse
+Known = dict[int, tuple[Any, Any]]
 PROSE = ("says", "meaning")
 DERIVED = ("fault",)
 """Fields that are computed from the others."""
@@ -25,18 +29,19 @@ def fingerprint(sentence: Sentence) -> str:
 
     Equal declarations have equal hashes in every process; a sign, a hypothesis or a `given` that changes changes it.
     """
-    return _Serialiser().hash_of(sentence)
+    return Fingerprints().of(sentence)
 
 
-class _Serialiser:
-    """Each sentence is hashed once and stands in others by its hash, each node is serialised once."""
+class Fingerprints:
+    """The hashes of many declarations: each sentence is hashed once, each node is serialised once."""
 
     def __init__(self) -> None:
-        self._known: dict[int, Any] = {}
+        self._known: Known = {}
+        self._hashes: Known = {}
 
-    def hash_of(self, sentence: Sentence) -> str:
-        """The hash of one sentence."""
-        return str(self._once(sentence, self._hashed))
+    def of(self, declared: Sentence | Problem | Hypothesis | Node) -> str:
+        """The hash of one sentence, as `fingerprint` gives it, or of a problem, a hypothesis or an expression."""
+        return str(self._once(declared, self._hashed, self._hashes))
 
     def _hashed(self, sentence: Any) -> str:
         text = json.dumps(self._declared(sentence), separators=(",", ":"), ensure_ascii=False)
@@ -57,17 +62,17 @@ class _Serialiser:
             case tuple():
                 return [self._plain(part) for part in value]
             case Statement() | Theorem() | Inverse():
-                return ["rests on", self.hash_of(value)]
+                return ["rests on", self.of(value)]
             case _ if is_dataclass(value):
-                return self._once(value, self._declared)
+                return self._once(value, self._declared, self._known)
             case _:
                 raise TypeError(f"a declaration cannot hold {value!r}")
 
-    def _once(self, value: Any, make: Callable[[Any], Any]) -> Any:
-        """What `make` makes of the value, made once: its identity is enough, the declarations outlive this object."""
-        if id(value) not in self._known:
-            self._known[id(value)] = make(value)
-        return self._known[id(value)]
+    def _once(self, value: Any, make: Callable[[Any], Any], known: Known) -> Any:
+        """What `make` makes of the value, made once: its identity is enough, as the value is kept."""
+        if id(value) not in known:
+            known[id(value)] = value, make(value)
+        return known[id(value)][1]
 
 
 def _is_said(value: Any, each: Field[Any]) -> bool:

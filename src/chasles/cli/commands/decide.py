@@ -32,11 +32,10 @@ def command(numbers: tuple[str, ...], sections: tuple[str, ...], json: bool, bri
     declared to stand in for a print is not proved, or that a verdict was rejected when it was checked again.
     """
     from chasles.cli.outcome import decide
-    from chasles.proof.judge import Judge
     from chasles.report.records import as_json, record
 
     book = chapter()
-    outcome = decide(chosen(book, numbers, sections), Judge(book=book), recheck=recheck)
+    outcome, _ = decide(chosen(book, numbers, sections), book, recheck=recheck)
     if json:
         click.echo(as_json({"statements": [record(entry, decision) for entry, decision in outcome.decided]}))
     else:

@@ -29,12 +29,10 @@ def command(sections: tuple[str, ...], samples: int, json: bool) -> int:
     from chasles.cli.comparison import installed_kernels
     from chasles.cli.outcome import decide
     from chasles.cli.verification import verified
-    from chasles.proof.judge import Judge
 
     book = chapter()
-    judge = Judge(book=book)
     entries = chosen(book, (), sections)
-    outcome = decide(entries, judge)
+    outcome, judge = decide(entries, book)
     asking = [entry for entry in entries if entry.statement.kernel is not None]
     verification = verified(asking, installed_kernels(), ("generic",), samples, judge)
     if json:

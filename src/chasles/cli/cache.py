@@ -1,0 +1,86 @@
+"""Where verdicts are kept from one run to the next: a file for this version of the engine, written whole or not at all.
+
+CHASLES_CACHE names another folder; empty, it turns the cache off. Nothing in the file is believed: what comes from it
+is checked again like everything else.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from contextlib import suppress
+from hashlib import sha256
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import Any
+
+import chasles
+from chasles.proof.memory import Memory
+
+__all__ = ["forget", "recalled", "retained"]
+
+ENGINE = ("vocabulary", "statements", "proof")
+"""The packages on which a verdict depends."""
+LIBRARIES = ("sympy", "python-flint")
+MOST = 4096
+"""Answers that are kept: some ten books of this size."""
+
+
+def recalled() -> Memory:
+    """What was decided in earlier runs by this engine; nothing where nothing can be read."""
+    path = _path()
+    kept: Any = {}
+    if path is not None:
+        with suppress(OSError, ValueError):
+            kept = json.loads(path.read_text(encoding="utf-8"))
+    return Memory(kept if isinstance(kept, dict) else {})
+
+
+def retained(memory: Memory) -> None:
+    """Keep what was decided for the next run. A cache that cannot be written is none: nothing is said."""
+    path = _path()
+    if path is None or not memory.has_learned:
+        return
+    with suppress(OSError):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        draft = path.with_suffix(f".{os.getpid()}.part")
+        draft.write_text(json.dumps(memory.as_data(MOST), separators=(",", ":")), encoding="utf-8")
+        draft.replace(path)
+        for other in path.parent.glob("verdicts-*.json"):
+            if other != path:
+                other.unlink()
+
+
+def forget() -> None:
+    """Remove what is kept."""
+    path = _path()
+    if path is not None:
+        path.unlink(missing_ok=True)
+
+
+def _path() -> Path | None:
+    """The file of this engine; None where nothing is to be kept."""
+    named = os.environ.get("CHASLES_CACHE")
+    if named == "":
+        return None
+    if named is not None:
+        folder = Path(named)
+    else:
+        from platformdirs import user_cache_path
+
+        folder = user_cache_path("chasles", appauthor=False)
+    return folder / f"verdicts-{_engine()[:16]}.json"
+
+
+def _engine() -> str:
+    """The hash of the engine: its source, and the libraries that it computes with."""
+    found = sha256()
+    root = Path(chasles.__file__).parent
+    for package in ENGINE:
+        for source in sorted((root / package).rglob("*.py")):
+            found.update(source.relative_to(root).as_posix().encode())
+            found.update(source.read_bytes())
+    for library in LIBRARIES:
+        with suppress(PackageNotFoundError):
+            found.update(f"{library} {version(library)}".encode())
+    return found.hexdigest()

@@ -1,0 +1,205 @@
+"""Verdicts that are remembered are those that were found; what is remembered is checked again; work is spread."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from chasles.cli import cache
+from chasles.cli.outcome import decide
+from chasles.proof import spreading
+from chasles.proof.decision import Decision
+from chasles.proof.foresight import foresee
+from chasles.proof.judge import Judge
+from chasles.proof.memory import Memory
+from chasles.proof.plain_data import from_data, to_data
+from chasles.proof.spreading import spread
+from chasles.proof.verdict import Fails, Holds, Undecided
+from chasles.statements import Claim, Statement, load
+from chasles.vocabulary import cross, vector, walk
+
+a, b = (vector(name, name, name) for name in "ab")
+BOOK = load()
+
+
+def outcome(decision: Decision) -> Any:
+    """All but the time it took."""
+    return decision.verdict, decision.correction, decision.given
+
+
+@pytest.fixture(scope="module")
+def decisions() -> tuple[Judge, list[Decision]]:
+    judge = Judge(book=BOOK)
+    return judge, [judge.decide(entry.statement) for entry in BOOK]
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("CHASLES_CACHE", str(tmp_path / "kept"))
+    return tmp_path / "kept"
+
+
+def section(number: str) -> list[Any]:
+    return [entry for entry in BOOK if entry.section.number == number]
+
+
+def as_text(value: Any) -> Any:
+    return json.loads(json.dumps(value))
+
+
+def test_every_word_and_verdict_survives_as_plain_data(decisions: tuple[Judge, list[Decision]]) -> None:
+    sides = [side for e in BOOK if isinstance(e.statement, Statement) for side in e.statement.printed]
+    nodes = {node for side in sides for node in walk(side)}
+    fitting = [node for node in nodes if node.fault is None]
+    assert len(fitting) > 1000
+    assert all(from_data(as_text(to_data(node))) == node for node in fitting)
+    for decision in decisions[1]:
+        if decision.verdict.name not in ("defined", "assumed"):
+            assert from_data(as_text(to_data(decision.verdict))) == from_data(to_data(decision.verdict))
+
+
+def test_nothing_else_is_made_of_data() -> None:
+    with pytest.raises(ValueError, match="no verdict and no repair"):
+        from_data(["Path", "/"])
+    with pytest.raises(ValueError, match="zip"):
+        from_data(["Index"])
+    with pytest.raises(TypeError, match="Path is not kept"):
+        to_data(Path("/"))
+
+
+def test_what_is_remembered_is_what_was_decided(decisions: tuple[Judge, list[Decision]]) -> None:
+    judge, found = decisions
+    kept = as_text(judge.memory.as_data(10_000))
+    again = Judge(book=BOOK, memory=Memory(kept))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("chasles.proof.judge.decide_problem", forbidden)
+        patch.setattr("chasles.proof.judge.repair", forbidden)
+        for entry, decision in zip(BOOK, found, strict=True):
+            assert as_text_of(again.decide(entry.statement)) == as_text_of(decision)
+    assert not again.memory.has_learned
+
+
+def forbidden(*_: object) -> None:
+    raise AssertionError("asked for again")
+
+
+def as_text_of(decision: Decision) -> str:
+    """A certificate may hold tuples where JSON has lists."""
+    return json.dumps([to_data(each) if each else None for each in kept_of(decision)])
+
+
+def kept_of(decision: Decision) -> Iterator[Any]:
+    if decision.verdict.name not in ("defined", "assumed"):
+        yield decision.verdict
+    if decision.correction is not None:
+        yield decision.correction.repairs
+        yield decision.correction.sides
+
+
+def test_another_question_is_not_answered_by_the_old_answer() -> None:
+    right = Claim("9.1", cross(a, b), -cross(b, a))
+    wrong = Claim("9.1", cross(a, b), cross(b, a))
+    judge = Judge()
+    assert isinstance(judge.decide(right).verdict, Holds)
+    later = Judge(memory=Memory(as_text(judge.memory.as_data(10))))
+    assert isinstance(later.decide(wrong).verdict, Fails)
+
+
+def test_what_is_not_decided_is_asked_again() -> None:
+    memory = Memory()
+    memory.remember("key", Undecided("no time"))
+    memory.remember("other", ())
+    assert memory.as_data(10) == {}
+
+
+def test_old_answers_give_way_to_new_ones() -> None:
+    memory = Memory({str(k): ["tuple"] for k in range(5)})
+    memory.recalled("3")
+    assert list(memory.as_data(3)) == ["3", "0", "1"]
+    assert memory.recalled("7") is None
+
+
+def test_foresight_changes_no_verdict(decisions: tuple[Judge, list[Decision]], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(spreading, "processors", lambda: 2)
+    judge = Judge(book=BOOK)
+    foresee(judge, [entry.statement for entry in BOOK])
+    for entry, decision in zip(BOOK, decisions[1], strict=True):
+        assert outcome(judge.decide(entry.statement)) == outcome(decision)
+
+
+def test_work_is_spread_and_comes_back_in_order(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(spreading, "processors", lambda: 3)
+    pieces = list(range(50))
+    found = spread(lambda n: (n * n, os.getpid()), pieces, seconds=0.1)
+    assert [square for square, _ in found] == [n * n for n in pieces]
+    if spreading.sys.platform.startswith("linux"):
+        assert os.getpid() not in {worker for _, worker in found}
+    assert {worker for _, worker in spread(lambda _: (0, os.getpid()), pieces, seconds=0.0001)} == {os.getpid()}
+    with pytest.raises(ZeroDivisionError):
+        spread(lambda n: 1 // n, pieces, seconds=0.1)
+
+
+def test_a_second_run_only_checks_again(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    first, _ = decide(section("3.3"), BOOK)
+    (kept,) = folder.iterdir()
+    before = kept.read_bytes()
+    monkeypatch.setattr("chasles.proof.judge.decide_problem", forbidden)
+    monkeypatch.setattr("chasles.proof.foresight.decide_problem", forbidden)
+    second, _ = decide(section("3.3"), BOOK)
+    assert [outcome(d) for _, d in second.decided] == [outcome(d) for _, d in first.decided]
+    assert second.rechecked is not None
+    assert second.rechecked.certificates == first.rechecked.certificates > 0  # type: ignore[union-attr]
+    assert kept.read_bytes() == before
+
+
+def test_what_was_tampered_with_is_decided_anew(folder: Path) -> None:
+    first, _ = decide(section("3.3"), BOOK)
+    (kept,) = folder.iterdir()
+    answers = json.loads(kept.read_text())
+    proofs = sorted(key for key, answer in answers.items() if answer[0] in ("Holds", "HoldsUnder"))
+    answers[proofs[0]], answers[proofs[-1]] = answers[proofs[-1]], answers[proofs[0]]
+    kept.write_text(json.dumps(answers))
+    second, _ = decide(section("3.3"), BOOK)
+    assert not list(second.failures)
+    assert [outcome(d) for _, d in second.decided] == [outcome(d) for _, d in first.decided]
+    assert json.loads(kept.read_text()) != answers
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", '{"a": 1}'])
+def test_a_broken_cache_is_none(folder: Path, text: str) -> None:
+    decide(section("3.3"), BOOK)
+    (kept,) = folder.iterdir()
+    good = kept.read_text()
+    kept.write_text(text)
+    found, _ = decide(section("3.3"), BOOK)
+    assert not list(found.failures)
+    assert set(json.loads(good)) <= set(json.loads(kept.read_text()))
+
+
+def test_a_cache_that_cannot_be_written_is_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "file").write_text("")
+    monkeypatch.setenv("CHASLES_CACHE", str(tmp_path / "file"))
+    found, _ = decide(section("3.3"), BOOK)
+    assert not list(found.failures)
+
+
+def test_another_engine_has_another_cache(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    decide(section("3.3"), BOOK)
+    (first,) = folder.iterdir()
+    monkeypatch.setattr(cache, "LIBRARIES", ())
+    decide(section("3.3"), BOOK)
+    (second,) = folder.iterdir()
+    assert first != second
+
+
+def test_a_verdict_that_is_rejected_without_a_cache_is_a_failure(monkeypatch: pytest.MonkeyPatch) -> None:
+    from chasles.cli import rechecking
+
+    monkeypatch.setattr(rechecking, "spread", lambda work, pieces, seconds: ["not proved" for _ in pieces])
+    found, _ = decide(section("3.3"), BOOK)
+    assert any("is rejected: not proved" in line for line in found.failures)
