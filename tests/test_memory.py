@@ -149,7 +149,6 @@ def test_a_second_run_only_checks_again(folder: Path, monkeypatch: pytest.Monkey
     (kept,) = folder.iterdir()
     before = kept.read_bytes()
     monkeypatch.setattr("chasles.proof.judge.decide_problem", forbidden)
-    monkeypatch.setattr("chasles.proof.foresight.decide_problem", forbidden)
     second, _ = decide(section("3.3"), BOOK)
     assert [outcome(d) for _, d in second.decided] == [outcome(d) for _, d in first.decided]
     assert second.rechecked is not None

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from chasles.proof.decide import decide_problem
 from chasles.proof.decision import Sentence
 from chasles.proof.judge import Judge
 from chasles.proof.repair import Repair
@@ -35,7 +34,7 @@ def foresee(judge: Judge, sentences: Iterable[Sentence]) -> None:
     }
 
     def verdict_on(question: Question) -> Verdict:
-        return decide_problem(*question, judge.budget)
+        return judge.verdict_on(*question)
 
     for key, verdict in zip(questions, spread(verdict_on, list(questions.values()), A_VERDICT), strict=True):
         judge.memory.remember(key, verdict)

@@ -132,7 +132,8 @@ class Judge:
             return key, known
         return key, repair(sentence, self.standing, PATIENCE, before)
 
-    def _verdict(self, problem: Problem, own: tuple[Hypothesis, ...] = ()) -> Verdict:
+    def verdict_on(self, problem: Problem, own: tuple[Hypothesis, ...] = ()) -> Verdict:
+        """The verdict on a problem; `own` are the hypotheses whose use it reports."""
         key = self.memory.key_of_verdict(problem, own)
         found = self.memory.recalled(key)
         if not isinstance(found, Verdict):
@@ -157,7 +158,7 @@ class Judge:
             case Condition():
                 return self._posed(sentence, problem)
             case _:
-                return self._verdict(problem, sentence.assuming)
+                return self.verdict_on(problem, sentence.assuming)
 
     def _posed(self, sentence: Condition, problem: Problem) -> Verdict:
         """A condition is posed if a point satisfies it.
@@ -167,7 +168,7 @@ class Judge:
         """
         if sentence.on and sentence.solution is None:
             return pose(determining(problem, sentence.on))
-        verdict = self._verdict(problem, sentence.assuming)
+        verdict = self.verdict_on(problem, sentence.assuming)
         return pose(problem) if verdict.true else verdict
 
     def _inverse(self, sentence: Inverse) -> Verdict:
@@ -176,7 +177,7 @@ class Judge:
         certificates: dict[str, Any] = {}
         verdict: Verdict | None = None
         for says, problem in problems_of_inverse(sentence, self.standing):
-            verdict = self._verdict(problem)
+            verdict = self.verdict_on(problem)
             if not isinstance(verdict, Holds | HoldsUnder):
                 return verdict
             needs |= dict.fromkeys(h.text for h in sentence.assuming if h.text in verdict.needs)
