@@ -14,7 +14,6 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
-import chasles
 from chasles.proof.memory import Memory
 
 __all__ = ["forget", "recalled", "retained"]
@@ -75,7 +74,7 @@ def _path() -> Path | None:
 def _engine() -> str:
     """The hash of the engine: its source, and the libraries that it computes with."""
     found = sha256()
-    root = Path(chasles.__file__).parent
+    root = Path(__file__).parents[1]
     for package in ENGINE:
         for source in sorted((root / package).rglob("*.py")):
             found.update(source.relative_to(root).as_posix().encode())
