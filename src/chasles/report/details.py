@@ -16,7 +16,16 @@ from chasles.report.records import certificate_hash
 from chasles.report.words import point_in_words, reason, said
 from chasles.statements import Entry, Inverse, Statement
 
-__all__ = ["Lines", "evidence", "indented", "number_in_words", "objections", "printed", "rests_on"]
+__all__ = [
+    "Lines",
+    "evidence",
+    "indented",
+    "number_in_words",
+    "objections",
+    "objections_to_print",
+    "printed",
+    "rests_on",
+]
 
 Lines = Iterator[tuple[str, str]]
 HOW = {"reading": "as read", "repair": "as repaired", "corrected": "as corrected"}
@@ -55,14 +64,19 @@ def rests_on(entry: Entry, decision: Decision) -> Lines:
 
 def objections(entry: Entry, decision: Decision) -> Lines:
     """Why the print does not stand and what stands in, or which hypotheses it does not need."""
-    if why := reason(decision.verdict):
-        yield "because", why
-    if isinstance(decision.verdict, Fails):
-        yield from _refuted(decision.verdict.counterexample)
+    yield from objections_to_print(decision)
     if decision.correction is not None and isinstance(entry.statement, Statement):
         yield from _instead(entry.statement, decision.correction)
     if unused := getattr(decision.verdict, "unused", ()):
         yield "unused", f"assumes {', '.join(unused)}, which it does not need"
+
+
+def objections_to_print(decision: Decision) -> Lines:
+    """Why the print does not stand."""
+    if why := reason(decision.verdict):
+        yield "because", why
+    if isinstance(decision.verdict, Fails):
+        yield from _refuted(decision.verdict.counterexample)
 
 
 def evidence(decision: Decision) -> Lines:

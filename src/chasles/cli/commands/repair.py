@@ -1,0 +1,39 @@
+"""`chasles repair`: what is right instead?"""
+
+from __future__ import annotations
+
+import click
+
+from chasles.cli.book import as_data, chapter, chosen, decisions, of_numbers
+
+__all__ = ["command"]
+
+
+@click.command(
+    name="repair",
+    short_help="Find the nearest true equations.",
+    epilog="Example: chasles repair 3.96e, or chasles repair",
+)
+@of_numbers
+@click.option("--latex", is_flag=True, help="Show the equations in LaTeX as well.")
+@as_data
+def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:
+    """Find what is right instead of a print that is wrong: the nearest true equations, and what they change.
+
+    Without a number, all prints that do not stand are repaired. What stands as printed has nothing to repair, and
+    nothing may be found: both are said, and neither is a failure.
+    """
+    from chasles.proof.judge import Judge
+    from chasles.report.records import as_json
+    from chasles.report.repair_page import repair_page, repair_record
+    from chasles.report.screen import Screen
+
+    book = chapter()
+    decided = list(decisions(chosen(book, numbers, ()), Judge(book=book)))
+    shown = [(entry, found) for entry, found in decided if numbers or not found.verdict.true]
+    if json:
+        click.echo(as_json({"statements": [repair_record(entry, found) for entry, found in shown]}))
+        return
+    screen = Screen()
+    for place, (entry, found) in enumerate(shown):
+        screen.show(*([""] if place else []), *repair_page(screen, entry, found, latex))
