@@ -1,0 +1,142 @@
+"""The counterexample that a person evaluates most easily: one entry, and only what it depends on, in small numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import islice
+from typing import Protocol
+
+from chasles.proof import points
+from chasles.proof.conditions import Solved
+from chasles.proof.context import Context, entries
+from chasles.proof.ratios import Ratio
+from chasles.proof.rings import Polynomial
+from chasles.proof.values import is_zero, shown
+from chasles.proof.verdict import Counterexample
+from chasles.statements import Goal
+
+__all__ = ["refute", "solved_ratios"]
+
+PLAIN, SAMPLES = 100, 40
+FRUITLESS = 30
+"""So many points are tried in vain before the best counterexample so far is taken."""
+
+
+class Suspect(Protocol):
+    """An entry of a goal that did not reduce to zero."""
+
+    @property
+    def goal(self) -> Goal: ...
+    @property
+    def place(self) -> tuple[int, int]: ...
+    @property
+    def ratio(self) -> Ratio: ...
+
+
+def refute(context: Context, solved: tuple[Solved, ...], suspects: Sequence[Suspect]) -> Counterexample | None:
+    """The counterexample that is easiest to evaluate by hand among those that a number of sample points give.
+
+    Points of axes, quarter turns, ones and zeros come first; others are tried if none of these refutes.
+    """
+    used = _used_by_each(context, solved, suspects)
+    ratios = solved_ratios(context, solved)
+    for drawn in (points.plain(context, ratios, PLAIN), islice(points.sample(context, ratios), SAMPLES)):
+        found = _easiest(context, suspects, used, drawn)
+        if found is not None:
+            return found
+    return None
+
+
+def solved_ratios(context: Context, solved: tuple[Solved, ...]) -> dict[str, tuple[Polynomial, Polynomial]]:
+    """Numerator and denominator of each variable that the conditions determine."""
+    return {s.variable: (s.value.numerator, context.field.power_product(s.value.denominator)) for s in solved}
+
+
+def _easiest(
+    context: Context, suspects: Sequence[Suspect], used: Sequence[Sequence[str]], drawn: Iterator[points.Point]
+) -> Counterexample | None:
+    best: tuple[int, Counterexample] | None = None
+    fruitless = 0
+    for point in drawn:
+        fruitless += 1
+        if best is not None and fruitless > FRUITLESS:
+            break
+        for entry, names in zip(suspects, used, strict=True):
+            least = len(names) + 2 * sum(_height(point[name]) for name in names)
+            if best is not None and least >= best[0]:
+                continue
+            found = _refuted(context, entry, point, names)
+            if found is not None:
+                cost = least + 2 * (len(found.left) + len(found.right))
+                if best is None or cost < best[0]:
+                    best, fruitless = (cost, found), 0
+    return best[1] if best else None
+
+
+def _refuted(context: Context, entry: Suspect, point: points.Point, names: Sequence[str]) -> Counterexample | None:
+    """The entry at the point, if its two sides differ there."""
+    value = points.ratio_at(context, entry.ratio, point)
+    if value is None or is_zero(value):
+        return None
+    row, column = entry.place
+    sides = [
+        points.ratio_at(context, context.unfold(side)[row - 1][column - 1], point)
+        for side in (entry.goal.left, entry.goal.right)
+    ]
+    if sides[0] is None or sides[1] is None:
+        return None
+    left, right = (shown(side, _transcendental_name(context)) for side in sides if side is not None)
+    return Counterexample({name: point[name] for name in names}, entry.place, left, right, entry.goal.label)
+
+
+def _transcendental_name(context: Context) -> str:
+    if context.pi_measures or not context.transcendental:
+        return "pi"
+    return context.variables[min(context.transcendental)].name
+
+
+def _height(value: Fraction) -> int:
+    """How much there is to calculate with: nothing for zero, little for one."""
+    return (
+        0
+        if value == 0
+        else 1
+        + 2 * (abs(value) != 1)
+        + len(str(value.numerator))
+        + 3 * (len(str(value.denominator)) if value.denominator != 1 else 0)
+    )
+
+
+def _used_by_each(context: Context, solved: tuple[Solved, ...], suspects: Sequence[Suspect]) -> list[Sequence[str]]:
+    """The variables on which each entry depends; all together where conditions tie what one entry leaves out."""
+    if solved:
+        together = _used(context, solved, suspects)
+        return [together] * len(suspects)
+    return [_used(context, (), [entry]) for entry in suspects]
+
+
+def _used(context: Context, solved: tuple[Solved, ...], suspects: Sequence[Suspect]) -> list[str]:
+    """The variables on which entries depend, in a reader's order: those that were solved for left out."""
+    ring = context.field.ring
+    polynomials = [p for e in suspects for p in (e.ratio.numerator, context.field.power_product(e.ratio.denominator))]
+    for entry in suspects:
+        for side in (entry.goal.left, entry.goal.right):
+            if solved:
+                polynomials += [r.numerator for _, _, r in entries(context.unfold(side))]
+            else:
+                row, column = entry.place
+                ratio = context.unfold(side)[row - 1][column - 1]
+                polynomials += [ratio.numerator, context.field.power_product(ratio.denominator)]
+    places = {k for p in polynomials for exponents, _ in ring.terms(p) for k, e in enumerate(exponents) if e}
+    touched = {context.variables[k].symbol for k in places} - {None}
+    circular = {context.variables[k].symbol for k in places if context.variables[k].kind in ("cos", "sin")}
+    names = [
+        v.name
+        for k, v in enumerate(context.variables)
+        if k in places
+        or (v.symbol in touched and v.kind == "entry" and v.order == 0 and k not in context.transcendental)
+        or (v.symbol in circular and v.kind in ("cos", "sin"))
+    ]
+    gone = {s.variable for s in solved} | {context.variables[k].name for k in context.transcendental}
+    return sorted(name for name in names if name not in gone)
