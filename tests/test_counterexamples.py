@@ -46,10 +46,16 @@ def test_only_what_the_entry_depends_on_is_named() -> None:
     assert sorted(map(abs, shown.at.values())) == [0, 0, 1]
 
 
-def test_what_a_hypothesis_ties_to_the_entry_follows_from_what_is_named() -> None:
+def test_what_a_hypothesis_ties_to_the_entry_is_named_too() -> None:
     shown = refuted(Claim("1", rate(e), 2 * rate(e), assuming=(unit(e),)))
-    assert len([name for name in shown.at if name.startswith("e_dot")]) == 1
-    assert {name for name in shown.at if not name.startswith("e_dot")} == {"e_1", "e_2", "e_3"}
+    assert set(shown.at) == {f"{name}_{k}" for name in ("e", "e_dot") for k in (1, 2, 3)}
+    shown = refuted(Claim("1", S @ S, one, assuming=(symmetric(S),)))
+    assert {"S_12", "S_21"} <= set(shown.at) or {"S_13", "S_31"} <= set(shown.at) or {"S_23", "S_32"} <= set(shown.at)
+
+
+def test_of_a_matrix_that_nothing_ties_single_entries_are_named() -> None:
+    shown = refuted(Claim("1", S, 2 * S))
+    assert len(shown.at) == 1
 
 
 @pytest.mark.parametrize(

@@ -11,10 +11,11 @@ from chasles.proof import points
 from chasles.proof.conditions import Solved
 from chasles.proof.context import Context, entries
 from chasles.proof.ratios import Ratio
-from chasles.proof.rings import Polynomial
+from chasles.proof.rings import Polynomial, Ring
 from chasles.proof.values import is_zero, shown
 from chasles.proof.verdict import Counterexample
 from chasles.statements import Goal
+from chasles.vocabulary import Symbol
 
 __all__ = ["refute", "solved_ratios"]
 
@@ -117,26 +118,38 @@ def _used_by_each(context: Context, solved: tuple[Solved, ...], suspects: Sequen
 
 
 def _used(context: Context, solved: tuple[Solved, ...], suspects: Sequence[Suspect]) -> list[str]:
-    """The variables on which entries depend, in a reader's order: those that were solved for left out."""
+    """The variables on which entries depend and what is tied to them; those that were solved for left out."""
     ring = context.field.ring
     polynomials = [p for e in suspects for p in (e.ratio.numerator, context.field.power_product(e.ratio.denominator))]
     for entry in suspects:
         for side in (entry.goal.left, entry.goal.right):
+            row, column = entry.place
+            ratios = [context.unfold(side)[row - 1][column - 1]]
             if solved:
-                polynomials += [r.numerator for _, _, r in entries(context.unfold(side))]
-            else:
-                row, column = entry.place
-                ratio = context.unfold(side)[row - 1][column - 1]
-                polynomials += [ratio.numerator, context.field.power_product(ratio.denominator)]
-    places = {k for p in polynomials for exponents, _ in ring.terms(p) for k, e in enumerate(exponents) if e}
-    touched = {context.variables[k].symbol for k in places} - {None}
-    circular = {context.variables[k].symbol for k in places if context.variables[k].kind in ("cos", "sin")}
-    names = [
-        v.name
-        for k, v in enumerate(context.variables)
-        if k in places
-        or (v.symbol in touched and v.kind == "entry" and v.order == 0 and k not in context.transcendental)
-        or (v.symbol in circular and v.kind in ("cos", "sin"))
-    ]
+                ratios = [ratio for _, _, ratio in entries(context.unfold(side))]
+            polynomials += [r.numerator for r in ratios]
+            polynomials += [context.field.power_product(r.denominator) for r in ratios]
+    ties = [_places(ring, g.polynomial) for g in context.generators]
+    ties += [_places(ring, atom) for _, atom in context.atoms]
+    ties += _together(context)
+    places = {place for polynomial in polynomials for place in _places(ring, polynomial)}
+    while more := [tied for tied in ties if tied & places and not tied <= places]:
+        places = places.union(*more)
     gone = {s.variable for s in solved} | {context.variables[k].name for k in context.transcendental}
-    return sorted(name for name in names if name not in gone)
+    return sorted(context.variables[k].name for k in places if context.variables[k].name not in gone)
+
+
+def _places(ring: Ring, polynomial: Polynomial) -> set[int]:
+    return {place for exponents, _ in ring.terms(polynomial) for place, exponent in enumerate(exponents) if exponent}
+
+
+def _together(context: Context) -> Iterator[set[int]]:
+    """What is named together: a cosine and its sine, the components of a vector or of its rate."""
+    groups: dict[tuple[Symbol, int], set[int]] = {}
+    for place, variable in enumerate(context.variables):
+        symbol = variable.symbol
+        if symbol is not None and variable.kind in ("cos", "sin"):
+            groups.setdefault((symbol, -1), set()).add(place)
+        elif symbol is not None and variable.kind == "entry" and symbol.shape[1] == 1 < symbol.shape[0]:
+            groups.setdefault((symbol, variable.order), set()).add(place)
+    yield from groups.values()
