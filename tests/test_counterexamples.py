@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import islice
+
 import pytest
 
 from chasles.proof.decide import decide_problem
@@ -25,6 +27,8 @@ from chasles.vocabulary import (
     square,
     vector,
 )
+
+from .explanations import completions
 
 e, a, b = (vector(name, name, "a vector") for name in "eab")
 phi, x = (scalar(name, name, "a number") for name in ("phi", "x"))
@@ -88,6 +92,19 @@ def test_the_book_is_refuted_by_numbers_to_calculate_with_by_hand() -> None:
         values = [value for value in shown.at.values() if value]
         assert len(values) <= 4
         assert all(abs(value) <= 2 and value.denominator == 1 for value in values)
+
+
+def test_what_is_not_named_may_have_any_value_that_is_possible() -> None:
+    claim = Claim("1", column(dot(e, b) * e, sin(phi) * a), column(e, sin(phi) * a), assuming=(unit(e),))
+    shown = refuted(claim)
+    asked, (row, _) = problem_of(claim), shown.entry
+    assert not any(name in shown.at for name in ("a_1", "cos(phi)", "sin(phi)"))
+    found = list(islice(completions(asked, shown), 5))
+    assert len(found) == 5
+    assert len({str(words.value(a)) for words in found}) > 1
+    for words in found:
+        left, right = words.sides(claim.left, claim.right)
+        assert (str(left[row - 1][0]), str(right[row - 1][0])) == (shown.left, shown.right)
 
 
 def test_a_counterexample_is_found_where_no_plain_point_is_one() -> None:

@@ -17,8 +17,8 @@ from chasles.proof.verdict import Counterexample, Fails, Holds, HoldsUnder, Verd
 from chasles.statements import Chapter, Claim, Problem, Statement, Theorem, load, nonzero, problem_of, unit
 from chasles.vocabulary import Misfit, Symbol, cos, dot, scalar, symbols_of, vector
 
-from .exact_words import Words, number_of
-from .explanations import evaluations, explanation
+from .exact_words import number_of
+from .explanations import completions, evaluations, explanation
 from .meaning import Meaning
 from .mutation import Mutant, mutants_of
 from .slips import without_marks
@@ -77,8 +77,7 @@ def problem(sentence: Claim | Theorem, form: str, judge: Judge, refused: list[st
 def refute_again(asked: Problem, shown: Counterexample) -> None:
     """The counterexample is right by the package's own checker, and by values that know nothing of it."""
     check_counterexample(asked, shown)
-    words = Words(asked, shown.at)
-    words.require()
+    words = next(completions(asked, shown))
     i, j = shown.entry
     said = number_of(shown.left), number_of(shown.right)
     assert said[0] != said[1]
