@@ -94,6 +94,11 @@ def test_the_book_is_refuted_by_numbers_to_calculate_with_by_hand() -> None:
         assert all(abs(value) <= 2 and value.denominator == 1 for value in values)
 
 
+def test_by_which_fraction_an_angle_is_measured_is_said() -> None:
+    shown = refuted(Claim("1", column(cos(phi), sin(phi / 2), 2 * x), column(cos(phi), sin(phi / 2), x)))
+    assert {"cos(phi/2)", "sin(phi/2)", "x"} == set(shown.at)
+
+
 def test_what_is_not_named_may_have_any_value_that_is_possible() -> None:
     claim = Claim("1", column(dot(e, b) * e, sin(phi) * a), column(e, sin(phi) * a), assuming=(unit(e),))
     shown = refuted(claim)

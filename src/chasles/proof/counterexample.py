@@ -132,7 +132,9 @@ def _used(context: Context, solved: tuple[Solved, ...], suspects: Sequence[Suspe
     ties = [_places(ring, g.polynomial) for g in context.generators]
     ties += [_places(ring, atom) for _, atom in context.atoms]
     ties += _together(context)
-    places = {place for polynomial in polynomials for place in _places(ring, polynomial)}
+    # By which fraction of an angle its cosine and sine are measured is told from their names alone.
+    places = {place for place, variable in enumerate(context.variables) if variable.unit != 1}
+    places = places.union(*(_places(ring, polynomial) for polynomial in polynomials))
     while more := [tied for tied in ties if tied & places and not tied <= places]:
         places = places.union(*more)
     gone = {s.variable for s in solved} | {context.variables[k].name for k in context.transcendental}
