@@ -19,8 +19,8 @@ from chasles.vocabulary import Symbol
 
 __all__ = ["refute", "solved_ratios"]
 
-PLAIN, SAMPLES = 100, 40
-FRUITLESS = 30
+PLAIN, SAMPLES = 60, 40
+FRUITLESS = 15
 """So many points are tried in vain before the best counterexample so far is taken."""
 
 
