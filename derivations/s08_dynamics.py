@@ -690,7 +690,7 @@ matrix_suggested_by_steiner = Definition(
 steiner_by_dyads = Claim(
     "3.148",
     M_A, M_C + m * P_dyad @ P_dyad.T,
-    says="The inertia dyad at A as a definite matrix plus a semidefinite one.",
+    says="The inertia dyad at A as a definite matrix plus a semidefinite one; no P makes it so unless A is C.",
     given=(
         inertia_dyad,
         inertia_about_point_by_matrices,

@@ -10,7 +10,7 @@ from chasles.vocabulary import Symbol
 
 from .exact_series import Broken, rational_root
 
-__all__ = ["STAND_IN", "Point"]
+__all__ = ["STAND_IN", "Point", "entries"]
 
 STAND_IN = Fraction(22, 7)
 """Stands for pi, and for an angle whose cosine and sine are given."""
@@ -34,9 +34,7 @@ class Point:
 
     def speaks_of(self, symbol: Symbol) -> bool:
         """Whether it has a value for an entry of the symbol, or for its cosine or sine."""
-        rows, columns = symbol.shape
-        names = (_name(symbol, 0, i, j) for i in range(rows) for j in range(columns))
-        return bool(self._measures(symbol)) or any(name in self.values for name in names)
+        return bool(self._measures(symbol)) or any(name in self.values for name in entries(symbol))
 
     def order(self, symbol: Symbol) -> int:
         """Up to which rate it has values for the symbol."""
@@ -85,6 +83,12 @@ class Point:
         if c * c + s * s != 1:
             raise Broken(f"cosine and sine of {name} are not on the unit circle")
         return c, s
+
+
+def entries(symbol: Symbol, order: int = 0) -> list[str]:
+    """The names of the entries of a symbol, or of its rate of some order."""
+    rows, columns = symbol.shape
+    return [_name(symbol, order, i, j) for i in range(rows) for j in range(columns)]
 
 
 def _name(symbol: Symbol, order: int, i: int, j: int) -> str:

@@ -310,7 +310,10 @@ def _body(moments: Mapping[tuple[str, ...], Fraction]) -> list[tuple[Fraction, d
         {name: Fraction(1 if name in densities else draw.randint(-9, 9)) for name in names}
         for _ in range(len(moments) + SPARE_ELEMENTS)
     ]
-    rows = [[*(prod(e[name] for name in factors) for e in elements), value] for factors, value in moments.items()]
+    rows = [
+        [*(prod((e[name] for name in factors), start=Fraction(1)) for e in elements), value]
+        for factors, value in moments.items()
+    ]
     return list(zip(solution(rows, len(elements)), elements, strict=True))
 
 

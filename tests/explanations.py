@@ -8,18 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import islice
+from itertools import chain, islice
 
 from chasles.proof import points
 from chasles.proof.context import build
 from chasles.proof.decide import decide_problem
-from chasles.proof.verdict import Holds, HoldsUnder
+from chasles.proof.verdict import Counterexample, Holds, HoldsUnder
 from chasles.statements import Goal, Problem
 from chasles.vocabulary import Negative, Node, Sum
 
 from .exact_words import Broken, Words
 
-__all__ = ["evaluations", "explanation"]
+__all__ = ["completions", "evaluations", "explanation"]
 
 
 def explanation(original: Problem, mutant: Problem) -> str:
@@ -71,6 +71,27 @@ def _resting_on(problem: Problem) -> str:
 
 def _holds(problem: Problem) -> bool:
     return isinstance(decide_problem(problem), Holds | HoldsUnder)
+
+
+def completions(problem: Problem, shown: Counterexample) -> Iterator[Words]:
+    """The words at the point of a counterexample: what it leaves out is zero, or has any value that is possible.
+
+    Raises `Broken` if the point satisfies the hypotheses with none of these.
+    """
+    found = 0
+    for point in chain(({},), islice(points.sample(build(problem), {}, simple=False), 40)):
+        try:
+            words = Words(problem, {**point, **shown.at})
+            words.require()
+            for goal in problem.goals:
+                words.sides(goal.left, goal.right)
+        except Broken as broken:
+            reason = broken
+            continue
+        yield words
+        found += 1
+    if not found:
+        raise reason
 
 
 def evaluations(problem: Problem, count: int) -> Iterator[bool]:

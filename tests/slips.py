@@ -1,48 +1,41 @@
-"""Slips of the pen: a sign turned round, a term left out, a transpose added or lost, two factors or blocks in the wrong
-order, a cosine for a sine, a wrong number or exponent, a wrong letter of the same kind.
+"""Slips of the pen: a sign turned round, a factor of two; a term, factor, bracket, dot, mark or block left out; a
+transpose added or lost; two factors, blocks or letters exchanged; a cosine for a sine, half an angle; a wrong number,
+exponent, index or letter of the same kind.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any
 
 from chasles.statements import Hypothesis, nonzero
 from chasles.vocabulary import (
     Block,
     Call,
-    Contract,
-    Cross,
-    Entry,
-    Group,
-    Identity,
-    Index,
+    Integral,
     Inverse,
-    Member,
     Misfit,
-    Negative,
     Node,
-    Number,
-    Power,
     Quotient,
     Rate,
-    Scale,
     Sum,
     Symbol,
-    Transpose,
-    Zero,
     children,
+    printed,
     rebuilt,
     symbols_of,
     walk,
 )
 
-__all__ = ["Mutated", "Spoken", "is_zero", "written"]
+from . import slips_of_amount as amount
+from . import slips_of_form as form
+from .slips_of_amount import Slip, is_zero
 
-Slip = tuple[str, Node]
+__all__ = ["Mutated", "Spoken", "without_marks", "written"]
+
 Slips = Callable[[Node], Iterator[Slip]]
+MARKS = "~'"
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,6 +57,12 @@ def written(write: Callable[[], Any], refused: list[str]) -> Any:
         return None
 
 
+def without_marks(letters: Iterable[Symbol], chapter: Mapping[str, Symbol]) -> dict[Symbol, Symbol]:
+    """What each letter with a tilde or primes means without them, if that means something in the chapter."""
+    bare = {letter: letter.name.rstrip(MARKS) for letter in letters}
+    return {letter: chapter[name] for letter, name in bare.items() if name != letter.name and name in chapter}
+
+
 def _divisors(nodes: Iterable[Node]) -> list[Node]:
     """What is divided by, numbers left out."""
     found = [part.denominator for node in nodes for part in walk(node) if isinstance(part, Quotient)]
@@ -73,40 +72,75 @@ def _divisors(nodes: Iterable[Node]) -> list[Node]:
 class Spoken:
     """What a statement speaks of, which is what may be mistaken for something else in it.
 
-    An angle is mistaken for an angle only, and what has a rate for something else that has one.
+    An angle is mistaken for an angle only, and what has a rate for something else that has one. `chapter` has the
+    letters of the chapter, by name.
     """
 
-    def __init__(self, sides: tuple[Node, ...], is_symmetric: Callable[[Node], bool]) -> None:
+    def __init__(
+        self, sides: tuple[Node, ...], is_symmetric: Callable[[Node], bool], chapter: Mapping[str, Symbol]
+    ) -> None:
         parts = [part for side in sides for part in walk(side)]
         self.sides = sides
         self.letters = tuple(dict.fromkeys(part for part in parts if isinstance(part, Symbol)))
         self.angles = {symbol for part in parts if isinstance(part, Call) for symbol in symbols_of(part.argument)}
-        self.indices = tuple(dict.fromkeys(index for side in sides for index in _indices(side)))
+        self.indices = tuple(dict.fromkeys(index for side in sides for index in form.indices_of(side)))
+        self.marked = without_marks(self.letters, chapter)
         self.moving = _moving(sides)
-        self.slips = (
-            _signs,
-            _left_out,
-            lambda node: _transposes(node, is_symmetric),
-            _order,
-            _circular,
-            _numbers,
-            lambda node: _letters(node, tuple(s for s in self.letters if (s in self.angles) == (node in self.angles))),
-            lambda node: _other_indices(node, self.indices),
+        self.running = {symbol for part in parts if isinstance(part, Integral) for symbol in part.running}
+        self.slips: tuple[Slips, ...] = (
+            amount.signs,
+            amount.left_out,
+            lambda node: form.transposes(node, is_symmetric),
+            form.order,
+            amount.circular,
+            amount.numbers,
+            lambda node: form.letters(node, self._alike(node)),
+            lambda node: form.other_indices(node, self.indices),
+            amount.doubled,
+            amount.factors,
+            amount.rates,
+            form.blocks,
+            amount.angles,
+            lambda node: form.lost_marks(node, self.marked),
         )
 
-    def mutated(self, node: Node, refused: list[str], *, signed: bool) -> Iterator[Mutated]:
-        """The expression with one slip, at any depth; the sign of the whole is turned only if it is `signed`."""
-        if signed and not isinstance(node, Sum | Block | Inverse) and not is_zero(node):
-            yield Mutated("sign", node, _turned(node), _turned(node))
+    def _alike(self, letter: Node) -> tuple[Symbol, ...]:
+        """The letters that may be mistaken for one."""
+        return tuple(s for s in self.letters if (s in self.angles) == (letter in self.angles))
+
+    def mutated(self, node: Node, refused: list[str], *, signed: bool, sized: bool) -> Iterator[Mutated]:
+        """The expression with one slip, at any depth.
+
+        The sign of the whole is turned only if it is `signed`, the whole is doubled only if it is `sized`.
+        """
+        for change in self._mutated(node, refused, signed=signed, sized=sized):
+            running = [d for d in self._divisors(change.whole) if self.running.intersection(symbols_of(d))]
+            if running:
+                refused.append(f"cannot divide by {running[0]}, which differs from element to element")
+            elif _moving((change.whole,)) <= self.moving:
+                yield change
+
+    def _mutated(self, node: Node, refused: list[str], *, signed: bool, sized: bool) -> Iterator[Mutated]:
+        if not isinstance(node, Sum | Block | Inverse) and not is_zero(node):
+            if signed:
+                yield Mutated("sign", node, amount.turned(node), amount.turned(node))
+            if sized:
+                yield Mutated("factor of two", node, amount.twice(node), amount.twice(node))
         for slip in self.slips:
-            for change in _everywhere(node, slip, refused):
-                if _moving((change.whole,)) <= self.moving:
-                    yield change
+            yield from _everywhere(node, slip, refused)
+        angles = tuple(letter for letter in self.letters if letter in self.angles)
+        for letters in (angles, tuple(letter for letter in self.letters if letter not in self.angles)):
+            for whole in _fitting(lambda letters=letters: list(form.exchanged_letters(node, letters)), refused):
+                yield Mutated("letters exchanged", node, whole, whole)
 
     def new_divisors(self, changed: Node) -> tuple[Hypothesis, ...]:
         """Hypotheses that what a slip made into a divisor is not zero, so that the slip itself is judged."""
+        return tuple(map(nonzero, self._divisors(changed)))
+
+    def _divisors(self, changed: Node) -> list[Node]:
+        """What is divided by, and was not."""
         old = _divisors(self.sides)
-        return tuple(nonzero(divisor) for divisor in _divisors((changed,)) if divisor not in old)
+        return [divisor for divisor in _divisors((changed,)) if divisor not in old]
 
 
 def _moving(nodes: Iterable[Node]) -> set[Symbol]:
@@ -115,11 +149,11 @@ def _moving(nodes: Iterable[Node]) -> set[Symbol]:
 
 
 def _everywhere(node: Node, slip: Slips, refused: list[str]) -> Iterator[Mutated]:
-    try:
-        for kind, after in slip(node):
+    for kind, after in printed(lambda: list(slip(node))):  # type: ignore[type-var]
+        if after.fault is None:
             yield Mutated(kind, node, after, after)
-    except Misfit as misfit:
-        refused.append(str(misfit))
+        else:
+            refused.append(after.fault)
     parts = children(node)
     for place, part in enumerate(parts):
         for inner in _everywhere(part, slip, refused):
@@ -129,130 +163,10 @@ def _everywhere(node: Node, slip: Slips, refused: list[str]) -> Iterator[Mutated
                 yield Mutated(inner.slip, inner.before, inner.after, whole)
 
 
-def _turned(term: Node) -> Node:
-    return term.term if isinstance(term, Negative) else Negative(term)
-
-
-def is_zero(node: Node) -> bool:
-    """Whether it is spelled as zero."""
-    return isinstance(node, Zero) or node == Number(Fraction(0))
-
-
-def _signs(node: Node) -> Iterator[Slip]:
-    match node:
-        case Sum(terms):
-            for place, term in enumerate(terms):
-                yield "sign", Sum((*terms[:place], _turned(term), *terms[place + 1 :]))
-        case Block(rows):
-            for i, row in enumerate(rows):
-                for j, block in enumerate(row):
-                    if not isinstance(block, Sum | Block) and not is_zero(block):
-                        yield "sign", _with_block(rows, i, j, _turned(block))
-
-
-def _with_block(rows: tuple[tuple[Node, ...], ...], i: int, j: int, block: Node) -> Block:
-    row = (*rows[i][:j], block, *rows[i][j + 1 :])
-    return Block((*rows[:i], row, *rows[i + 1 :]))
-
-
-def _left_out(node: Node) -> Iterator[Slip]:
-    if isinstance(node, Sum):
-        for place in range(len(node.terms)):
-            rest = node.terms[:place] + node.terms[place + 1 :]
-            yield "term left out", rest[0] if len(rest) == 1 else Sum(rest)
-
-
-def _transposes(node: Node, is_symmetric: Callable[[Node], bool]) -> Iterator[Slip]:
-    """A lost transpose, and an extra one on a square matrix that is not symmetric."""
-    rows, columns = node.shape
-    if isinstance(node, Negative | Sum | Inverse) or (rows == columns and is_symmetric(node)):
-        return
-    if isinstance(node, Transpose):
-        yield "transpose lost", node.of
-    elif rows == columns > 1:
-        factors = _factors(node)
-        if [_mirrored(factor) for factor in reversed(factors)] != factors:
-            yield "transpose added", Transpose(node)
-
-
-def _factors(node: Node) -> list[Node]:
-    """The matrices of a product, scalars and brackets left out."""
-    match node:
-        case Contract(factors):
-            return [inner for factor in factors for inner in _factors(factor)]
-        case Scale(factor, of):
-            return _factors(of if factor.is_scalar else factor)
-        case Quotient(of, _) | Group(of):
-            return _factors(of)
-        case _:
-            return [node]
-
-
-def _mirrored(node: Node) -> Node:
-    match node:
-        case Identity() | Zero():
-            return node
-        case Transpose(of):
-            return of
-        case _:
-            return node if node.is_scalar else Transpose(node)
-
-
-def _order(node: Node) -> Iterator[Slip]:
-    match node:
-        case Cross(left, right) if left != right:
-            yield "operands swapped", Cross(right, left)
-        case Contract(factors):
-            for k in range(len(factors) - 1):
-                swapped = (*factors[:k], factors[k + 1], factors[k], *factors[k + 2 :])
-                if swapped != factors:
-                    yield "factors swapped", Contract(swapped)
-        case Block(rows):
-            for k in range(len(rows) - 1):
-                yield "rows swapped", Block((*rows[:k], rows[k + 1], rows[k], *rows[k + 2 :]))
-            for k in range(len(rows[0]) - 1):
-                exchanged = tuple((*row[:k], row[k + 1], row[k], *row[k + 2 :]) for row in rows)
-                yield "columns swapped", Block(exchanged)
-
-
-def _circular(node: Node) -> Iterator[Slip]:
-    if isinstance(node, Call):
-        yield "sine and cosine", Call({"sin": "cos", "cos": "sin"}[node.function], node.argument)
-
-
-def _numbers(node: Node) -> Iterator[Slip]:
-    match node:
-        case Number(value):
-            yield "number", Number(value + 1)
-            if value > 1:
-                yield "number", Number(value - 1)
-        case Power(base, exponent):
-            yield "exponent", Power(base, exponent + 1)
-            if exponent > 1:
-                yield "exponent", base if exponent == 2 else Power(base, exponent - 1)
-
-
-def _letters(node: Node, letters: tuple[Symbol, ...]) -> Iterator[Slip]:
-    if isinstance(node, Symbol):
-        for letter in letters:
-            if letter != node and letter.size == node.size:
-                yield "letter", letter
-
-
-def _indices(node: Node) -> Iterator[Index]:
-    for part in walk(node):
-        match part:
-            case Member(_, index):
-                yield index
-            case Entry(_, i, j, _):
-                yield from (i, j)
-
-
-def _other_indices(node: Node, indices: tuple[Index, ...]) -> Iterator[Slip]:
-    match node:
-        case Member(family, index):
-            for other in indices:
-                if other != index:
-                    yield "index", Member(family, other)
-        case Entry(of, i, j, letter):
-            yield "indices swapped", Entry(of, j, i, letter)
+def _fitting(write: Callable[[], list[Node]], refused: list[str]) -> Iterator[Node]:
+    """Of the expressions that `write` makes, those that fit."""
+    for made in printed(write):  # type: ignore[type-var]
+        if made.fault is None:
+            yield made
+        else:
+            refused.append(made.fault)

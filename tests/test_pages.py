@@ -13,6 +13,7 @@ import pytest
 from chasles.proof.judge import Decision, Judge
 from chasles.proof.verdict import Counterexample, Fails, Undecided
 from chasles.report.errata_page import errata_page
+from chasles.report.lost_marks import lost_marks
 from chasles.report.markdown import code, escaped
 from chasles.report.pages import pages
 from chasles.report.verdict_page import verdict_page
@@ -120,6 +121,38 @@ def test_a_lost_mark_is_told_from_a_slip() -> None:
     assert "another of the print" in slip(errata, "(9.6)")
     assert "and fails:" in slip(errata, "(9.6)")
     assert "Nothing that stands instead" in slip(errata, "(9.3)")
+
+
+@pytest.mark.parametrize(
+    ("printed", "read", "lost"),
+    [
+        (
+            r"\begin{bmatrix} a b \end{bmatrix}",
+            r"\begin{bmatrix} a & b \end{bmatrix}",
+            "a separator between two blocks",
+        ),
+        (r"\dot{\mathbf{F}}", r"\dot{\tilde{\mathbf{F}}}", "a tilde"),
+        (r"\dot{\mathbf{e}}", r"\dot{\mathbf{e}}^T", "a superscript"),
+        (r"\sin \theta", r"\sin \phi", "theta for phi"),
+        (r"\dot{\mathbf{v}}", r"\dot{\boldsymbol{\nu}}", "v for nu"),
+        (r"a + b", r"a - b", ""),
+        (r"\sin \theta + b", r"\sin \phi", ""),
+        (r"a", r"a", ""),
+    ],
+)
+def test_a_lost_mark_is_named(printed: str, read: str, lost: str) -> None:
+    found = lost_marks(printed, read)
+    assert " ".join((*found.marks, *found.letters)) == lost
+
+
+def test_the_slips_of_the_scan_are_named(whole: dict[str, str]) -> None:
+    for number, words in (
+        ("3.77a", "of the scan, which has v for nu."),
+        ("3.77b", "of the scan, which has lost a separator between two blocks."),
+        ("3.94", "of the scan, which has lost a tilde."),
+        ("3.96a", "of the scan, which has lost a superscript, and another of the print."),
+    ):
+        assert f"More likely a slip {words}" in slip(whole["ERRATA.md"], f"({number})")
 
 
 def test_only_what_does_not_stand_is_an_erratum() -> None:

@@ -48,6 +48,7 @@ from chasles.vocabulary import (
 )
 
 from .exact_words import Broken, Words, number_of
+from .explanations import completions
 
 a, b, e, u, v, w = (vector(name, name, "a vector") for name in "abeuvw")
 x, y, phi = (scalar(name, name, "a scalar") for name in ("x", "y", "phi"))
@@ -227,8 +228,7 @@ def judged(claim: Claim, draw: Random) -> str:
             assert left == right, f"{claim.left} = {claim.right} is said to hold under {verdict.needs}: {point}"
     elif isinstance(verdict, Fails):
         shown = verdict.counterexample
-        words = Words(problem, shown.at)
-        words.require()
+        words = next(completions(problem, shown))
         i, j = shown.entry
         left, right = (side[i - 1][j - 1] for side in words.sides(claim.left, claim.right))
         assert left != right, f"{claim.left} = {claim.right}: {shown}"

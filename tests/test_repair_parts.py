@@ -3,15 +3,22 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from itertools import product
+
+import pytest
 
 from chasles.proof.ansatz import palette_of
 from chasles.proof.coefficients import Function, scaled, spelled, split
+from chasles.proof.context import build
 from chasles.proof.linear import MODULUS, Span, combination, multiple, rational
 from chasles.proof.places import linear_places, put, separate_sums
+from chasles.proof.residues import Sampled, generic_points
+from chasles.statements import Goal, Problem
 from chasles.vocabulary import (
     CPM,
     FREQUENCY,
     Dimension,
+    Node,
     Number,
     column,
     cos,
@@ -26,7 +33,7 @@ from chasles.vocabulary import (
 
 x, y, z, e = (vector(name, name, "a vector") for name in "xyze")
 w = vector("w", "w", "a spin", FREQUENCY)
-phi = scalar("phi", "phi", "an angle")
+phi, theta = (scalar(name, name, "an angle") for name in ("phi", "theta"))
 
 
 def test_terms_have_the_shape_and_dimension_asked_for() -> None:
@@ -76,3 +83,23 @@ def test_places_are_where_the_whole_is_linear() -> None:
     assert [plain(place.node) for place, _ in separate_sums(node)] == ["x + y", "x x |x| y"]
     assert plain(put(node, (0, 1, 0), None)) == "[2 y; x x |x| y]"
     assert plain(put(node, (1,), Number(Fraction(0)) * x)) == "[2 (x + y); 0 x]"
+
+
+def _at_points(functions: list[Node]) -> tuple[Sampled, Sampled]:
+    context = build(Problem(tuple(Goal("", node, node) for node in functions)))
+    varied, fixed = generic_points(context, (), 2 * len(functions))
+    assert len(varied) == len(fixed) == 2 * len(functions)
+    return Sampled(context, varied), Sampled(context, fixed)
+
+
+@pytest.mark.parametrize("other", [cos(theta), theta * cos(theta)])
+def test_two_angles_are_independent_at_generic_points(other: Node) -> None:
+    powers = range(1, 4)
+    functions = [cos(phi) ** i * other**j for i, j in product(powers, powers)]
+    varied, fixed = _at_points(functions)
+    span = Span()
+    assert all(span.add(varied.flat(function)) for function in functions)
+    for function in functions:
+        values = fixed.flat(function)
+        assert set(values) == {values[0]}
+    assert fixed.flat(cos(phi)) != fixed.flat(cos(theta))

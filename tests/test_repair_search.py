@@ -38,6 +38,7 @@ from chasles.vocabulary import (
     dot,
     matrix,
     norm,
+    over,
     paren,
     plain,
     printed,
@@ -100,6 +101,33 @@ def test_one_slip_is_one_change(slip: str) -> None:
     assert found[0].edits == len(found[0].changes) == 1
     assert all(proves(claim, each.left, each.right) for each in found)
     assert not expected or expected in [plain(each.right) for each in found]
+
+
+def kinds(claim: Claim) -> list[str]:
+    """The kinds of the single changes that repair a claim, the first one first."""
+    found = [each.changes[0] for each in repair(claim)]
+    names = {"the sign of": "sign", "the factor": "factor", "is left out": "left out", "is added": "missing"}
+    return [next((kind for words, kind in names.items() if words in change), "coefficient") for change in found]
+
+
+def test_the_smallest_change_comes_first() -> None:
+    by_half = over(1, 2) * column(CPM(x) @ y, dot(x, y))
+    sign = Claim("9", CPM(x) @ y, -cross(x, y))
+    factor = Claim("9", column(over(1, 2) * CPM(x) @ y, dot(x, y)), by_half)
+    term = Claim("9", 3 * dot(x, y) * z, 2 * dot(x, y) * z)
+    assert kinds(sign)[0] == "sign"
+    assert kinds(factor)[:2] == ["factor", "coefficient"]
+    assert kinds(term)[0] == "coefficient"
+    assert all(kind != "missing" for claim in (sign, factor, term) for kind in kinds(claim)[:1])
+
+
+def test_what_is_true_of_several_changes_is_told_as_it_is_for_one() -> None:
+    """A number times a printed term is a factor and its opposite a sign, beside other changes too."""
+    claim = Claim("9", M @ x, -along + 3 * cos(phi) * across + sin(phi) * cross(e, x), given=(turning,))
+    first, *_ = repair(claim)
+    assert first.edits == 2
+    assert any(change.startswith("the sign of") for change in first.changes)
+    assert plain(first.right) == "(e . x) e + cos(phi) (x - (e . x) e) + sin(phi) (e x x)"
 
 
 def test_two_changes_are_found_together() -> None:

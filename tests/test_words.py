@@ -122,6 +122,19 @@ def the_dimension(symbol: Symbol) -> Dimension | None:
 # Shapes and dimensions.
 
 
+def test_a_sum_that_fits_is_measured_without_spelling_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    def spelled(self: Node) -> str:
+        raise AssertionError("a term was spelled")
+
+    with monkeypatch.context() as patched:
+        patched.setattr(Node, "__str__", spelled)
+        assert (CPM(a) + a @ e.T + CPM(a)).shape == (3, 3)
+        with pytest.raises(AssertionError, match="a term was spelled"):
+            a + f
+    with pytest.raises(Misfit, match=r"cannot add CPM\(a\) \+ a e\^T \[m\] and f e\^T"):
+        CPM(a) + a @ e.T + f @ e.T
+
+
 @given(symbols("A"), symbols("B"))
 def test_a_sum_fits_if_shapes_and_dimensions_agree(A: Symbol, B: Symbol) -> None:
     assert fits(lambda: A + B) == (A.size == B.size) == fits(lambda: A - B)

@@ -13,10 +13,11 @@ from itertools import combinations, product
 from chasles.proof.ansatz import Palette
 from chasles.proof.coefficients import ONE, added, spelled, times
 from chasles.proof.deadline import check
-from chasles.proof.linear import Column, Span, multiple, plus
+from chasles.proof.linear import Column, Span, multiple, plus, rational
 from chasles.proof.places import Place, put, separate_sums
 from chasles.proof.residues import Sampled
 from chasles.proof.single import (
+    LEFT_OUT,
     Change,
     Coefficient,
     distinct_terms,
@@ -25,6 +26,8 @@ from chasles.proof.single import (
     missing,
     new_term,
     other_coefficient,
+    other_number,
+    rescaled,
 )
 from chasles.proof.trial import Trial
 from chasles.vocabulary import Node, plain
@@ -156,6 +159,10 @@ def _covers(gap: Column, columns: list[Column], size: int) -> Iterator[tuple[int
         yield from ((k, *(k + 1 + j for j in more)) for more in _covers(span.reduced(gap), rest, size - 1))
 
 
+_Term = tuple[Node | None, str | None, int]
+"""A term in the place of a printed one, None for none; the change in words, and its effort."""
+
+
 def _edited(trial: Trial, each: _Sum, chosen: tuple[int, ...], extra: tuple[int, ...]) -> _Edits | None:
     """The sum with the coefficients that close the gap; None if these are no functions that occur.
 
@@ -172,27 +179,40 @@ def _edited(trial: Trial, each: _Sum, chosen: tuple[int, ...], extra: tuple[int,
         return None
     changed = dict(zip(chosen, found, strict=False))
     stays = len(changed) < len(each.terms) or any(value for parts in changed.values() for value, _ in parts)
-    return _written(each, changed, dict(zip(extra, found[len(chosen) :], strict=True))) if stays else None
+    if not stays:
+        return None
+    terms = {k: _changed(trial, each.terms[k], each.cores[k], coefficient) for k, coefficient in changed.items()}
+    return _written(each, terms, dict(zip(extra, found[len(chosen) :], strict=True)))
 
 
-def _written(each: _Sum, changed: dict[int, Coefficient], new: dict[int, Coefficient]) -> _Edits | None:
+def _changed(trial: Trial, place: Place, core: Node, coefficient: Coefficient) -> _Term:
+    """A term with another coefficient: a number times what is printed if it is that."""
+    spelling = spelled(coefficient)
+    if spelling is None:
+        return None, f"the term {plain(place.node)} is left out", LEFT_OUT
+    new = times(spelling, core)
+    at = trial.varied
+    ratio = multiple(trial.share(at, place, new), trial.share(at, place))
+    number = None if ratio is None else rational(ratio)
+    if number is None:
+        return new, instead(new, place.node), other_coefficient(coefficient)
+    return *rescaled(place.node, number), other_number(number)
+
+
+def _written(each: _Sum, changed: dict[int, _Term], new: dict[int, Coefficient]) -> _Edits | None:
     """The sum with other coefficients of some terms and with new terms; None if one of these turns out to be zero."""
     nodes: list[Node] = []
     words: list[str] = []
+    effort = sum(map(new_term, new.values()))
     for k, place in enumerate(each.terms):
-        coefficient = spelled(changed[k]) if k in changed else None
-        if coefficient is not None:
-            nodes.append(times(coefficient, each.cores[k]))
-            words.append(instead(nodes[-1], place.node))
-        elif k in changed:
-            words.append(f"the term {plain(place.node)} is left out")
-        else:
-            nodes.append(place.node)
+        term, said, small = changed.get(k, (place.node, None, 0))
+        nodes += [] if term is None else [term]
+        words += [] if said is None else [said]
+        effort += small
     for k, parts in new.items():
         coefficient = spelled(parts)
         if coefficient is None:
             return None
         nodes.append(times(coefficient, each.new[k]))
         words.append(missing(nodes[-1]))
-    effort = sum(map(other_coefficient, changed.values())) + sum(map(new_term, new.values()))
     return _Edits(added(nodes), tuple(words), effort)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from itertools import islice
 from math import inf
 from typing import Any
@@ -13,15 +12,16 @@ from chasles.proof import points
 from chasles.proof.completion import Basis, Combination, completed, stated
 from chasles.proof.conditions import Solved, satisfying_point, solve_conditions
 from chasles.proof.context import Context, Generator, build, difference, entries
+from chasles.proof.counterexample import refute, solved_ratios
 from chasles.proof.deadline import OutOfTime, remaining, within
 from chasles.proof.polynomial_text import written
 from chasles.proof.ratios import Ratio
 from chasles.proof.rings import Polynomial
 from chasles.proof.search import Search
 from chasles.proof.unfold import UndeclaredDivisor
-from chasles.proof.values import is_zero, shown
+from chasles.proof.values import is_zero
 from chasles.proof.variables import Untreatable
-from chasles.proof.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed, Undecided, Verdict
+from chasles.proof.verdict import Fails, Holds, HoldsUnder, IllFormed, Posed, Undecided, Verdict
 from chasles.statements import Goal, Hypothesis, Problem
 from chasles.vocabulary import Symbol
 
@@ -30,8 +30,7 @@ __all__ = ["BUDGET", "decide_problem", "determining", "pose"]
 BUDGET = 20.0
 """Seconds that a single decision may take before it gives up as undecided."""
 SAMPLES = 40
-FRUITLESS = 10
-"""So many sample points are tried in vain before the best counterexample so far is taken."""
+"""So many sample points are looked at for one that satisfies all hypotheses."""
 
 
 @dataclass(slots=True)
@@ -74,13 +73,13 @@ def _decide(problem: Problem, own: tuple[Hypothesis, ...], search: Search | None
     if not proved:
         suspects = [e for e in unproved if e.cofactors is None]
         if search or not _vanish_here_and_there(context, solved, suspects):
-            found = search.refute(context, suspects) if search else _refute(context, solved, suspects)
+            found = search.refute(context, suspects) if search else refute(context, solved, suspects)
             if found:
                 return Fails(found)
         whole = completed(context.basis, lambda: remaining() > 0)
         if not _prove(context, whole, unproved):
             suspects = [e for e in unproved if e.cofactors is None]
-            found = search.refute(context, suspects) if search else _refute(context, solved, suspects)
+            found = search.refute(context, suspects) if search else refute(context, solved, suspects)
             return Fails(found) if found else Undecided("a remainder is left, and no counterexample was found")
     witness = search.witness(context) if search else _witness(context, solved)
     if witness is None:
@@ -122,94 +121,14 @@ def _prove(context: Context, basis: Basis, todo: list[_Entry]) -> bool:
     return all(entry.cofactors is not None for entry in todo)
 
 
-def _solved_ratios(context: Context, solved: tuple[Solved, ...]) -> dict[str, tuple[Polynomial, Polynomial]]:
-    return {s.variable: (s.value.numerator, context.field.power_product(s.value.denominator)) for s in solved}
-
-
 def _vanish_here_and_there(context: Context, solved: tuple[Solved, ...], suspects: list[_Entry]) -> bool:
     """Whether the entries vanish at a few rich points: then they likely vanish everywhere, and a proof is worth it."""
-    few = islice(points.sample(context, _solved_ratios(context, solved), simple=False), 3)
+    few = islice(points.sample(context, solved_ratios(context, solved), simple=False), 3)
     return all(is_zero(points.ratio_at(context, e.ratio, point) or {}) for point in few for e in suspects)
 
 
-def _refute(context: Context, solved: tuple[Solved, ...], suspects: list[_Entry]) -> Counterexample | None:
-    """The counterexample that is easiest to evaluate by hand among those that a number of sample points give."""
-    best: tuple[int, Counterexample] | None = None
-    used = _used_variables(context, solved, suspects)
-    fruitless = 0
-    for point in _limited(context, solved):
-        fruitless += 1
-        if best is not None and fruitless > FRUITLESS:
-            break
-        shown_point = {name: point[name] for name in used}
-        height = sum(map(_height, shown_point.values()))
-        if best is not None and height >= best[0]:
-            continue
-        for entry in suspects:
-            value = points.ratio_at(context, entry.ratio, point)
-            if value is None or is_zero(value):
-                continue
-            left, right = (
-                context.unfold(side)[entry.place[0] - 1][entry.place[1] - 1]
-                for side in (entry.goal.left, entry.goal.right)
-            )
-            sides = [points.ratio_at(context, side, point) for side in (left, right)]
-            if sides[0] is None or sides[1] is None:
-                continue
-            texts = [shown(side, _transcendental_name(context)) for side in sides if side is not None]
-            found = Counterexample(shown_point, entry.place, texts[0], texts[1], entry.goal.label)
-            cost = height + len(texts[0]) + len(texts[1])
-            if best is None or cost < best[0]:
-                best, fruitless = (cost, found), 0
-            break
-    return best[1] if best else None
-
-
-def _transcendental_name(context: Context) -> str:
-    if context.pi_measures or not context.transcendental:
-        return "pi"
-    return context.variables[min(context.transcendental)].name
-
-
-def _limited(context: Context, solved: tuple[Solved, ...]) -> Any:
-    """Sample points, as many as are useful, given up after a while where they are rare."""
-    return islice(points.sample(context, _solved_ratios(context, solved)), SAMPLES)
-
-
-def _height(value: Fraction) -> int:
-    return (
-        0
-        if value == 0
-        else 1
-        + 2 * (abs(value) != 1)
-        + len(str(abs(value.numerator)))
-        + 3 * (len(str(value.denominator)) if value.denominator != 1 else 0)
-    )
-
-
-def _used_variables(context: Context, solved: tuple[Solved, ...], suspects: list[_Entry]) -> list[str]:
-    """The variables on which the question depends, in a reader's order: those that were solved for left out."""
-    ring = context.field.ring
-    polynomials = [p for e in suspects for p in (e.ratio.numerator, context.field.power_product(e.ratio.denominator))]
-    for entry in suspects:
-        for side in (entry.goal.left, entry.goal.right):
-            polynomials += [r.numerator for _, _, r in entries(context.unfold(side))]
-    places = {k for p in polynomials for exponents, _ in ring.terms(p) for k, e in enumerate(exponents) if e}
-    touched = {context.variables[k].symbol for k in places} - {None}
-    circular = {context.variables[k].symbol for k in places if context.variables[k].kind in ("cos", "sin")}
-    names = [
-        v.name
-        for k, v in enumerate(context.variables)
-        if k in places
-        or (v.symbol in touched and v.kind == "entry" and v.order == 0 and k not in context.transcendental)
-        or (v.symbol in circular and v.kind in ("cos", "sin"))
-    ]
-    gone = {s.variable for s in solved} | {context.variables[k].name for k in context.transcendental}
-    return sorted(name for name in names if name not in gone)
-
-
 def _witness(context: Context, solved: tuple[Solved, ...]) -> points.Point | None:
-    return next(iter(_limited(context, solved)), None)
+    return next(islice(points.sample(context, solved_ratios(context, solved)), SAMPLES), None)
 
 
 def _certified(

@@ -52,7 +52,7 @@ def fitting(
     again = [
         _Said(node, (*said.words, words))
         for said in rights
-        for node, words in (*_separated(said.node), *_factored(left, said.node, palette))
+        for node, words, _ in (*_separated(said.node), *_factored(left, said.node, palette))
     ]
     return once, _pairs(lefts, rights) + _pairs(unchanged, again)
 
@@ -66,7 +66,7 @@ class _Said:
 
 
 def _said(found: Iterable[Undone]) -> list[_Said]:
-    return [_Said(node, (words,)) for node, words in found]
+    return [_Said(each.node, (each.words,)) for each in found]
 
 
 def _pairs(lefts: Sequence[_Said], rights: Sequence[_Said]) -> list[Fitting]:
@@ -86,7 +86,7 @@ def _separated(node: Node) -> Iterator[Undone]:
             for before, behind in _cut(block):
                 whole = placed(node, path, _row((*blocks[:k], before, behind, *blocks[k + 1 :])))
                 if whole.fault is None:
-                    yield whole, f"{plain(before)} and {plain(behind)} are separate blocks"
+                    yield Undone(whole, f"{plain(before)} and {plain(behind)} are separate blocks")
 
 
 def _cut(block: Node) -> Iterator[tuple[Node, Node]]:
@@ -124,7 +124,7 @@ def _factored(left: Node, right: Node, palette: Palette) -> Iterator[Undone]:
         for vector in palette.of_dimension((3, 1), one / other):
             # A pure number in front of it would be another change.
             if not isinstance(vector, Scale) or dimension_of(vector.factor) != NO_DIMENSION:
-                yield Scale(right, vector), f"the vector factor {plain(vector)} is added"
+                yield Undone(Scale(right, vector), f"the vector factor {plain(vector)} is added")
     elif left.shape == right.shape:
         for weight in palette.of_dimension((1, 1), one / other):
-            yield Scale(weight, right), f"the factor {plain(weight)} is added"
+            yield Undone(Scale(weight, right), f"the factor {plain(weight)} is added")

@@ -26,9 +26,6 @@ from chasles.vocabulary import Node, Rate, Symbol, children, symbols_of
 
 __all__ = ["Nearest", "given_sides"]
 
-SLIP = 3
-"""The effort of undoing a slip of form."""
-
 
 @dataclass
 class Nearest:
@@ -70,7 +67,7 @@ class Nearest:
         """One change to the right side; in a second turn, with letters that it does not have."""
         for turn, (trial, palette) in enumerate(islice(self._on_trial(left, right), turns)):
             others = in_letters(right, self.letters) if turn else undone(right)
-            slips = [Change(left, other, (words,), SLIP) for other, words in others if fit(left, other)]
+            slips = [Change(left, u.node, (u.words,), u.effort) for u in others if fit(left, u.node)]
             coefficients = () if turn else new_coefficients(trial)
             changes = (*coefficients, *slips, *other_terms(trial, palette))
             found = [change for change in changes if self._holds(trial, change)]
@@ -80,7 +77,7 @@ class Nearest:
 
     def _misread_letters(self, left: Node, right: Node) -> Iterator[Change]:
         """Another letter for one that nothing introduces, and one change more if need be."""
-        for meant, words in self.introduced(left, right):
+        for meant, words, _ in self.introduced(left, right):
             true = [Change(left, meant, ())] if self.agree(left, meant) else self.single_changes(left, meant, turns=1)
             yield from (with_fields(change, words=(words, *change.words)) for change in true)
 

@@ -14,6 +14,7 @@ from random import Random
 
 from chasles.proof.context import Context
 from chasles.proof.elimination import eliminated
+from chasles.proof.plain_draw import PlainDraw
 from chasles.proof.ratios import Ratio
 from chasles.proof.rings import Polynomial
 from chasles.proof.unfold import Matrix
@@ -21,7 +22,7 @@ from chasles.proof.values import Value, divided, is_zero
 from chasles.statements import Hypothesis
 from chasles.vocabulary import PI, Node, Symbol
 
-__all__ = ["Point", "evaluate", "ratio_at", "sample", "satisfies"]
+__all__ = ["Point", "evaluate", "plain", "ratio_at", "sample", "satisfies"]
 
 Point = dict[str, Fraction]
 Numbers = list[list[Fraction]]
@@ -107,6 +108,20 @@ def sample(
     for attempt in range(0 if simple else SIMPLE_ATTEMPTS, ATTEMPTS):
         point = _try(context, solved, draw, attempt)
         if point is not None and (satisfies(context, point) or _step(context, point, solved)):
+            yield point
+
+
+def plain(context: Context, solved: dict[str, tuple[Polynomial, Polynomial]], attempts: int) -> Iterator[Point]:
+    """Different points that satisfy the same, of axes, quarter turns, zeros and ones where that is possible."""
+    draw = PlainDraw(0)
+    seen: set[tuple[tuple[str, Fraction], ...]] = set()
+    for _ in range(attempts):
+        point = _try(context, solved, draw, 0)
+        key = None if point is None else tuple(point.items())
+        if point is None or key is None or key in seen:
+            continue
+        seen.add(key)
+        if satisfies(context, point) or _step(context, point, solved):
             yield point
 
 

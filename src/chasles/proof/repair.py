@@ -6,7 +6,7 @@ as possible. A definition that does not fit is what makes the claims that rest o
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Container, Iterable, Iterator
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 
@@ -19,14 +19,14 @@ from chasles.proof.single import Change
 from chasles.proof.verdict import Holds, HoldsUnder, Verdict
 from chasles.statements import Claim, Definition, Statement, problem_of
 from chasles.statements.problem import Standing, default_sides
-from chasles.vocabulary import Misfit, Node, plain
+from chasles.vocabulary import Misfit, Node, plain, walk
 from chasles.vocabulary.families import indices_of
 
 __all__ = ["SECONDS", "Repair", "repair"]
 
 SECONDS = 20.0
 """What the search for a repair, its proofs included, may take; it is limited by what it tries, not by this."""
-MORE_EFFORT, MOST = 1, 8
+MORE_EFFORT, MOST = 2, 8
 """Repairs of the same number of changes as the best are given if they take hardly more effort; so many are tried."""
 
 
@@ -117,7 +117,7 @@ def _words_of_reading(near: Nearest, left: Node, right: Node, found: Iterable[Fi
     for each in found:
         if each.left == left and each.right == right:
             return each.words
-        for other, words in near.introduced(each.left, each.right):
+        for other, words, _ in near.introduced(each.left, each.right):
             if each.left == left and other == right:
                 return (*each.words, words)
     return (f"it reads {plain(left)} = {plain(right)}",)
@@ -128,8 +128,9 @@ def _marked(fitting: Fitting, change: Change) -> Change:
 
 
 def _proved(near: Nearest, changes: Iterable[Change]) -> Iterator[Repair]:
-    """The candidates that the prover confirms: those of the least number of changes, the simplest first."""
-    ranked = sorted(changes, key=lambda c: (len(c.words), c.effort, len(plain(c.right)), plain(c.right), plain(c.left)))
+    """The candidates that the prover confirms: those of the least number of changes, the smallest changes first."""
+    known = {part for side in near.statement.printed for part in walk(side)}
+    ranked = sorted(changes, key=lambda change: _rank(change, known))
     best: Change | None = None
     seen: set[tuple[Node, Node]] = set()
     for change in ranked:
@@ -143,6 +144,13 @@ def _proved(near: Nearest, changes: Iterable[Change]) -> Iterator[Repair]:
             best = change if best is None else best
             edits = len(change.words)
             yield Repair(change.left, change.right, change.words, edits, verdict, change.modulo, marks=change.marks)
+
+
+def _rank(change: Change, known: Container[Node]) -> tuple[int, int, int, int, str, str]:
+    """The fewest changes first, then the smallest, then what keeps to the printed parts, then the shortest."""
+    strange = sum(part not in known for side in (change.left, change.right) for part in walk(side))
+    right = plain(change.right)
+    return len(change.words), change.effort, strange, len(right), right, plain(change.left)
 
 
 def _verdict(near: Nearest, claim: Statement) -> Holds | HoldsUnder | None:

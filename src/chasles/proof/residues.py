@@ -147,20 +147,20 @@ class Sampled:
 
 
 def generic_points(context: Context, solved: tuple[Solved, ...], count: int) -> tuple[list[Point], list[Point]]:
-    """Points of a context, in residues, with other angles at each; and the same with one angle at all of them.
+    """Points of a context, in residues, with other angles at each; and the same with the same angles at all of them.
 
-    There are fewer where they are hard to find.
+    No angle can be had from another. There are fewer points where they are hard to find.
     """
     field, draw = context.field, Random(0)
     ratios = {s.variable: (s.value.numerator, field.power_product(s.value.denominator)) for s in solved}
     generators = [_coded(context, g.polynomial) for g in context.generators]
     atoms = [_coded(context, atom) for _, atom in context.atoms]
-    same = draw.randrange(MODULUS)
+    same = _tangents(context, draw)
     varied: list[Point] = []
     fixed: list[Point] = []
     for point in islice(points.sample(context, ratios, simple=False), 2 * count):
         bare = {name: residue(value) for name, value in point.items()}
-        pair = [bare | dict(_turned(context, tangent)) for tangent in (draw.randrange(MODULUS), same)]
+        pair = [bare | dict(_turned(context, tangents)) for tangents in (_tangents(context, draw), same)]
         if all(not any(_value(g, p) for g in generators) and all(_value(a, p) for a in atoms) for p in pair):
             varied.append(pair[0])
             fixed.append(pair[1])
@@ -169,16 +169,23 @@ def generic_points(context: Context, solved: tuple[Solved, ...], count: int) -> 
     return varied, fixed
 
 
-def _turned(context: Context, tangent: int) -> Iterator[tuple[str, int]]:
+def _tangents(context: Context, draw: Random) -> dict[str, int]:
+    """A number for each angle: one for its cosine and sine, and one for itself where it stands alone."""
+    names = [variable.name for variable in context.variables if variable.kind == "cos"]
+    names += [context.variables[place].name for place in sorted(context.transcendental)]
+    return {name: draw.randrange(MODULUS) for name in names}
+
+
+def _turned(context: Context, tangents: Mapping[str, int]) -> Iterator[tuple[str, int]]:
     """Cosines, sines and bare angles, each generic."""
     for variable in context.variables:
         if variable.kind == "cos":
+            tangent = tangents[variable.name]
             below = inverse(1 + tangent * tangent)
             yield variable.name, (1 - tangent * tangent) * below % MODULUS
             yield "sin" + variable.name.removeprefix("cos"), 2 * tangent * below % MODULUS
-            tangent = tangent * tangent % MODULUS + 1
-    for place in sorted(context.transcendental):
-        yield context.variables[place].name, (tangent + place) * tangent % MODULUS
+    for place in context.transcendental:
+        yield context.variables[place].name, tangents[context.variables[place].name]
 
 
 def residue(value: Fraction) -> int:

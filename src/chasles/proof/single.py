@@ -18,7 +18,9 @@ from chasles.proof.trial import Trial
 from chasles.vocabulary import Block, Negative, Node, Sum, plain
 
 __all__ = [
+    "FACTOR",
     "LEFT_OUT",
+    "SIGN",
     "Change",
     "Coefficient",
     "distinct_terms",
@@ -28,6 +30,7 @@ __all__ = [
     "new_coefficients",
     "new_term",
     "other_coefficient",
+    "other_number",
     "other_terms",
     "rescaled",
 ]
@@ -51,8 +54,13 @@ class Change:
 
 Coefficient = list[tuple[Fraction, Function]]
 """A sum of numbers times functions."""
-LEFT_OUT, REPLACED = 3, 4
-"""The effort of leaving a term out, and of putting another in its place."""
+SIGN, FACTOR, LEFT_OUT, REPLACED = 0, 1, 3, 4
+"""The effort of turning a sign, of a factor, of leaving a term out, and of putting another in its place."""
+
+
+def other_number(number: Fraction) -> int:
+    """The effort of multiplying a term by a number: least for a sign, and less for whole numbers than for others."""
+    return LEFT_OUT if number == 0 else SIGN if number == -1 else FACTOR + (number.denominator > 1)
 
 
 def other_coefficient(coefficient: Coefficient) -> int:
@@ -62,8 +70,8 @@ def other_coefficient(coefficient: Coefficient) -> int:
 
 
 def new_term(coefficient: Coefficient) -> int:
-    """The effort of adding a term."""
-    return 1 + other_coefficient(coefficient)
+    """The effort of adding a term: more than that of any simple change of what is printed."""
+    return 2 + other_coefficient(coefficient)
 
 
 def instead(new: Node, old: Node) -> str:
@@ -87,8 +95,7 @@ def new_coefficients(trial: Trial) -> Iterator[Change]:
         number = None if ratio is None else rational(ratio)
         if number is not None:
             new, words = rescaled(place.node, number + 1)
-            effort = LEFT_OUT if new is None else 0 if number == -2 else min(number.denominator, 2)
-            yield Change(trial.left, put(trial.right, place.path, new), (words,), effort)
+            yield Change(trial.left, put(trial.right, place.path, new), (words,), other_number(number + 1))
         elif not place.inside and not (place.node.is_scalar and place.path):
             yield from _refitted(trial, place, gap, share)
 

@@ -8,10 +8,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace as with_fields
 from itertools import combinations
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 from chasles.proof.places import Path, everywhere, linear_places, put
-from chasles.proof.single import instead
+from chasles.proof.single import FACTOR, SIGN, instead
 from chasles.vocabulary import (
     Block,
     Call,
@@ -34,8 +34,16 @@ from chasles.vocabulary import (
 __all__ = ["Undone", "in_letters", "placed", "undone"]
 
 _T = TypeVar("_T")
-Undone = tuple[Node, str]
-"""An expression with one slip undone, and what was changed in words."""
+FORM = 3
+"""The effort of undoing a slip of form, or of a wrong letter."""
+
+
+class Undone(NamedTuple):
+    """An expression with one slip undone, what was changed in words, and how much that is."""
+
+    node: Node
+    words: str
+    effort: int = FORM
 
 
 def placed(node: Node, path: Path, new: Node) -> Node:
@@ -52,10 +60,10 @@ def undone(node: Node) -> Iterator[Undone]:
             changes += _flipped(part)
         if path not in linear:
             changes += _signs(part)
-        for new, words in changes:
+        for new, words, effort in changes:
             whole = placed(node, path, new)
             if whole.fault is None:
-                yield whole, words or instead(new, part)
+                yield Undone(whole, words or instead(new, part), effort)
 
 
 def in_letters(
@@ -74,26 +82,26 @@ def in_letters(
                 for path in chosen:
                     whole = placed(whole, path, letter)
                 if whole.fault is None:
-                    yield whole, instead(letter, symbol)
+                    yield Undone(whole, instead(letter, symbol))
 
 
 def _of_form(node: Node) -> Iterator[Undone]:
     match node:
         case Transpose(of):
-            yield of, ""
+            yield Undone(of, "")
         case Call(function, argument):
-            yield Call({"sin": "cos", "cos": "sin"}[function], argument), ""
+            yield Undone(Call({"sin": "cos", "cos": "sin"}[function], argument), "")
         case Power(base, exponent):
-            yield _raised(base, exponent + 1), ""
-            yield _raised(base, exponent - 1), ""
+            yield Undone(_raised(base, exponent + 1), "")
+            yield Undone(_raised(base, exponent - 1), "")
         case Cross(left, right) if left != right:
-            yield Cross(right, left), ""
+            yield Undone(Cross(right, left), "")
         case Contract(factors):
-            yield from ((_swapped(factors, k), "") for k in range(len(factors) - 1))
+            yield from (Undone(_swapped(factors, k), "") for k in range(len(factors) - 1))
         case Block(rows):
-            yield from ((_block(_exchanged(rows, k)), "") for k in range(len(rows) - 1))
+            yield from (Undone(_block(_exchanged(rows, k)), "") for k in range(len(rows) - 1))
             for k in range(len(rows[0]) - 1):
-                yield _block(tuple(_exchanged(row, k) for row in rows)), ""
+                yield Undone(_block(tuple(_exchanged(row, k) for row in rows)), "")
 
 
 def _raised(base: Node, exponent: int) -> Node:
@@ -115,7 +123,7 @@ def _exchanged(items: tuple[_T, ...], k: int) -> tuple[_T, ...]:
 def _flipped(node: Node) -> Iterator[Undone]:
     """A lost transpose."""
     if isinstance(node, Symbol | Rate | Contract) and node.measure is not None and max(node.shape) > 1:
-        yield Transpose(node), ""
+        yield Undone(Transpose(node), "")
 
 
 def _signs(node: Node) -> Iterator[Undone]:
@@ -123,7 +131,7 @@ def _signs(node: Node) -> Iterator[Undone]:
     if isinstance(node, Sum):
         for k, term in enumerate(node.terms):
             turned = term.term if isinstance(term, Negative) else Negative(term)
-            yield Sum((*node.terms[:k], turned, *node.terms[k + 1 :])), ""
+            yield Undone(Sum((*node.terms[:k], turned, *node.terms[k + 1 :])), "", SIGN)
 
 
 def _with_factor(node: Node) -> Iterator[Undone]:
@@ -142,7 +150,7 @@ def _for_some(whole: Block | Sum, times: Callable[[Node], Node], factor: str) ->
         for chosen in combinations(places, size):
             new = [_signed(part, times) if k in chosen else part for k, part in enumerate(parts)]
             names = " and ".join(plain(parts[k]) for k in chosen)
-            yield _like(whole, new), f"the factor {factor} is that of {names} only"
+            yield Undone(_like(whole, new), f"the factor {factor} is that of {names} only", FACTOR)
 
 
 def _signed(part: Node, times: Callable[[Node], Node]) -> Node:

@@ -1,8 +1,9 @@
-"""What does a counterexample come to? The values of the quantities that the given statements define, worked out."""
+"""What does a counterexample come to? What goes into its entry by the given statements, worked out or referred to."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
 
 from chasles.proof.context import Context, build
 from chasles.proof.judge import Decision
@@ -11,41 +12,73 @@ from chasles.proof.unfold import UndeclaredDivisor
 from chasles.proof.values import shown
 from chasles.proof.variables import Untreatable, entry_name
 from chasles.proof.verdict import Counterexample
+from chasles.report.entry_parts import Part, parts_of_entry
 from chasles.statements import Statement, problem_of
-from chasles.vocabulary import Node, Symbol, symbols_of
+from chasles.vocabulary import Node, Rate, Symbol
 
-__all__ = ["worked_out"]
-
-LARGEST = 9
-"""Entries of an array that is shown: those of six-dimensional arrays are in the equations that define them."""
+__all__ = ["ByHand", "worked_out"]
 
 
-def worked_out(statement: Statement, decision: Decision, found: Counterexample) -> dict[str, str]:
-    """The entries, by name, of the symbols in the equation that have a definition, at the counterexample.
+@dataclass(frozen=True, slots=True)
+class ByHand:
+    """The `values`, by name, of what goes into an entry and has a definition; for each side, what defines the rest."""
 
-    Empty where the equation has none, or where they depend on what the counterexample leaves open.
+    values: dict[str, str] = field(default_factory=dict)
+    left: tuple[Statement, ...] = ()
+    right: tuple[Statement, ...] = ()
+
+
+def worked_out(statement: Statement, decision: Decision, found: Counterexample) -> ByHand:
+    """What goes into the entry of the counterexample: vectors, single entries of matrices, and how to get the sides.
+
+    There are no values where they depend on what the counterexample leaves open.
     """
-    problem = problem_of(statement, "printed", decision.standing)
-    rules = dict(problem.rules)
+    sides = statement.printed
+    place = found.entry[0] - 1, found.entry[1] - 1
+    if found.goal or any(place[0] >= side.shape[0] or place[1] >= side.shape[1] for side in sides):
+        return ByHand()
+    values: dict[str, str] = {}
+    definitions: list[tuple[Statement, ...]] = []
     try:
-        context = build(problem)
-        named = dict.fromkeys(s for side in statement.printed for s in symbols_of(side) if s in rules)
-        return {name: text for s in named for name, text in _entries(context, s, found)}
+        context = build(problem_of(statement, standing=decision.standing))
+        for side in sides:
+            parts = [part for part in parts_of_entry(side, place) if part[0] in context.unfold.rules]
+            rest: list[Symbol] = []
+            for part in parts:
+                known = {} if part[0] in map(_rated, sides) else dict(_entries(context, part, found))
+                values |= known
+                rest += [] if known else [part[0]]
+            definitions.append(_definitions(statement, rest))
     except (Untreatable, UndeclaredDivisor, KeyError):
-        return {}
+        return ByHand()
+    return ByHand(values, *definitions)
 
 
-def _entries(context: Context, symbol: Symbol, found: Counterexample) -> Iterator[tuple[str, str]]:
-    rows, columns = symbol.shape
-    if rows * columns > LARGEST or _is_side(context, symbol):
+def _entries(context: Context, part: Part, found: Counterexample) -> Iterator[tuple[str, str]]:
+    """The entries of a scalar or a vector, or the one entry of a matrix that counts."""
+    symbol, order, place = part
+    is_matrix = symbol.shape[1] > 1
+    if is_matrix and place is None:
         return
-    for i, row in enumerate(context.unfold(symbol)):
+    node: Node = symbol
+    for _ in range(order):
+        node = Rate(node)
+    for i, row in enumerate(context.unfold(node)):
         for j, ratio in enumerate(row):
-            value = ratio_at(context, ratio, dict(found.at))
-            if value is not None:
-                yield entry_name(symbol, 0, i, j), shown(value, "phi")
+            if not is_matrix or (i, j) == place:
+                value = ratio_at(context, ratio, dict(found.at))
+                if value is not None:
+                    yield entry_name(symbol, order, i, j), shown(value, "phi")
 
 
-def _is_side(context: Context, node: Node) -> bool:
-    """Whether it is one of the two sides, whose values are said anyway."""
-    return any(node in (goal.left, goal.right) for goal in context.problem.goals)
+def _rated(side: Node) -> Node:
+    """What the side is, or is the rate of: its value is said anyway."""
+    while isinstance(side, Rate):
+        side = side.of
+    return side
+
+
+def _definitions(statement: Statement, symbols: Iterable[Symbol]) -> tuple[Statement, ...]:
+    """What the statement is given on the symbols."""
+    found = (each for symbol in symbols for each in statement.given if each.left == symbol)
+    return tuple(dict.fromkeys(found))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from chasles.proof.judge import Decision
 from chasles.proof.verdict import Counterexample, Fails, IllFormed
@@ -87,15 +87,29 @@ def _in_vain(statement: Statement, form: str, verdict: Fails, decision: Decision
 
 
 def _by_hand(statement: Statement, decision: Decision, found: Counterexample) -> Iterator[str]:
-    """Three lines: the values, the left side and the right side there."""
+    """The values, the left side and the right side there, and by which definitions."""
     row, column = found.entry
-    defined = worked_out(statement, decision, found)
-    so = f", so that {code(point_in_words(defined))}" if defined else ""
+    by_hand = worked_out(statement, decision, found)
+    so = f", so that {code(point_in_words(by_hand.values))}" if by_hand.values else ""
     if found.goal:
         yield f"- {escaped(found.goal)}:"
     yield f"- at {code(point_in_words(found.at) or 'every point')}{so}"
-    yield f"- the left side is {code(found.left)} in row {row}, column {column}"
-    yield f"- the right side is {code(found.right)}"
+    yield f"- the left side is {code(found.left)} in row {row}, column {column}{_by(by_hand.left)}"
+    yield f"- the right side is {code(found.right)}{_by(by_hand.right)}"
+
+
+def _by(definitions: Iterable[Statement]) -> str:
+    listed = ", ".join(map(_definition, definitions))
+    return f", by {listed}" if listed else ""
+
+
+def _definition(given: Statement) -> str:
+    """The number of a definition; if the book does not number it, what it says."""
+    number = number_in_words(given.number, given.part)
+    if given.number[0].isdigit():
+        return escaped(number)
+    left, right = given.printed
+    return code(f"{plain(left)} = {plain(right)}")
 
 
 def _instead(standing: Standing, *, first: bool) -> Iterator[str]:

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 
 from chasles.proof.judge import Decision
 from chasles.proof.verdict import Verdict
+from chasles.report.lost_marks import lost_marks
 from chasles.statements import Chapter, Entry, Statement
-from chasles.vocabulary import Node
+from chasles.vocabulary import Node, latex
 
 __all__ = ["Decisions", "Pairs", "Standing", "likely_slip", "ordered", "stands_in"]
 
@@ -63,6 +64,20 @@ def likely_slip(entry: Entry, decision: Decision) -> str:
     statement, correction = entry.statement, decision.correction
     if not isinstance(statement, Statement) or statement.reading is None:
         return "of the print"
+    lost = lost_marks(*(_in_latex(statement, form) for form in ("printed", "reading")))
+    said = [f"has lost {_listed(lost.marks)}"] if lost.marks else []
+    said += [f"has {_listed(lost.letters)}"] if lost.letters else []
     if correction is not None and correction.form == "reading" and correction.verdict.true:
-        return "of the scan"
-    return "of the scan, which has lost a mark, and another of the print"
+        return "of the scan" + (f", which {' and '.join(said)}" if said else "")
+    return f"of the scan, which {' and '.join(said) or 'has lost a mark'}, and another of the print"
+
+
+def _in_latex(statement: Statement, form: str) -> str:
+    left, right = statement.form(form)
+    return f"{latex(left)} {statement.sign} {latex(right)}"
+
+
+def _listed(words: Sequence[str]) -> str:
+    """As one says it: a, b and c."""
+    *others, last = words
+    return f"{', '.join(others)} and {last}" if others else last

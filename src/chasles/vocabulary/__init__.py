@@ -18,38 +18,14 @@ from chasles.vocabulary.dimension import (
     Dimension,
 )
 from chasles.vocabulary.families import Entry, Family, Index, Kronecker, Member, members_of
+from chasles.vocabulary.fitting import printed
 from chasles.vocabulary.latex import latex
+from chasles.vocabulary.layout import At, Block, Call, Group, Rate
+from chasles.vocabulary.letters import Identity, Symbol, Zero
 from chasles.vocabulary.measure import Measure, Misfit, uniform
-from chasles.vocabulary.nodes import (
-    At,
-    Block,
-    Call,
-    Cofactor,
-    Contract,
-    Cross,
-    Determinant,
-    Dot,
-    Group,
-    Identity,
-    Inverse,
-    Negative,
-    Node,
-    Norm,
-    Number,
-    Power,
-    Quotient,
-    Rate,
-    Scale,
-    Skew,
-    Sum,
-    Symbol,
-    Trace,
-    Transpose,
-    Vect,
-    Zero,
-    printed,
-)
+from chasles.vocabulary.nodes import Contract, Negative, Node, Number, Power, Quotient, Scale, Sum, Transpose
 from chasles.vocabulary.plain import plain
+from chasles.vocabulary.spatial import Cofactor, Cross, Determinant, Dot, Inverse, Norm, Skew, Trace, Vect
 from chasles.vocabulary.tree import children, rebuilt, replace, symbols_of, walk
 from chasles.vocabulary.words import (
     CPM,

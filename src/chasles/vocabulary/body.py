@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from chasles.vocabulary.dimension import LENGTH
+from chasles.vocabulary.fitting import measured, word
+from chasles.vocabulary.letters import Symbol
 from chasles.vocabulary.measure import Measure, scaled
-from chasles.vocabulary.nodes import Node, Symbol, _word, measured
+from chasles.vocabulary.nodes import Node
 
 __all__ = ["Integral"]
 
 
-@_word
+@word
 class Integral(Node):
     """The integral over the volume of a body.
 

@@ -11,8 +11,11 @@ from fractions import Fraction
 from itertools import product
 
 from chasles.vocabulary.dimension import NO_DIMENSION
+from chasles.vocabulary.fitting import measured, word
+from chasles.vocabulary.layout import Block
+from chasles.vocabulary.letters import Zero
 from chasles.vocabulary.measure import Measure, uniform
-from chasles.vocabulary.nodes import Contract, Node, Number, Transpose, Zero, _word, measured
+from chasles.vocabulary.nodes import Contract, Node, Number, Transpose
 from chasles.vocabulary.tree import children, rebuilt, walk
 
 __all__ = ["Entry", "Family", "Index", "Kronecker", "Member", "indices_of", "members_of"]
@@ -37,7 +40,7 @@ class Family:
         return Member(self, index)
 
 
-@_word
+@word
 class Member(Node):
     """The i-th quantity of a family."""
 
@@ -48,7 +51,7 @@ class Member(Node):
         return measured(self.family.members[0])
 
 
-@_word
+@word
 class Entry(Node):
     """The entry in row i and column j of a matrix, printed with a small letter."""
 
@@ -64,7 +67,7 @@ class Entry(Node):
         return uniform((1, 1), measured(self.of).the_dimension(self.of))
 
 
-@_word
+@word
 class Kronecker(Node):
     """One if the two indices are equal, else zero."""
 
@@ -109,6 +112,4 @@ def _instance(node: Node, value: Mapping[Index, int]) -> Node:
 
 
 def _unit_column(k: int) -> Node:
-    from chasles.vocabulary.nodes import Block
-
     return Block(tuple((Number(Fraction(int(i == k))) if i == k else Zero(1, 1),) for i in range(3)))

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import re
 
-from chasles.vocabulary.nodes import At, Identity, Node, Number, Symbol, Zero
+from chasles.vocabulary.layout import At
+from chasles.vocabulary.letters import Identity, Symbol, Zero
+from chasles.vocabulary.nodes import Node, Number
 from chasles.vocabulary.spelling import Level, Piece, spell
 
 __all__ = ["plain"]

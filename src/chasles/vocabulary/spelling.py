@@ -15,34 +15,10 @@ from typing import Protocol
 
 from chasles.vocabulary.body import Integral
 from chasles.vocabulary.families import Entry, Kronecker, Member
-from chasles.vocabulary.nodes import (
-    At,
-    Block,
-    Call,
-    Cofactor,
-    Contract,
-    Cross,
-    Determinant,
-    Dot,
-    Group,
-    Identity,
-    Inverse,
-    Negative,
-    Node,
-    Norm,
-    Number,
-    Power,
-    Quotient,
-    Rate,
-    Scale,
-    Skew,
-    Sum,
-    Symbol,
-    Trace,
-    Transpose,
-    Vect,
-    Zero,
-)
+from chasles.vocabulary.layout import At, Block, Call, Group, Rate
+from chasles.vocabulary.letters import Identity, Symbol, Zero
+from chasles.vocabulary.nodes import Contract, Negative, Node, Number, Power, Quotient, Scale, Sum, Transpose
+from chasles.vocabulary.spatial import Cofactor, Cross, Determinant, Dot, Inverse, Norm, Skew, Trace, Vect
 
 __all__ = ["Level", "Piece", "Style", "spell"]
 

@@ -9,7 +9,9 @@ from functools import cache
 from typing import Any
 
 from chasles.vocabulary.body import Integral
-from chasles.vocabulary.nodes import Block, Contract, Node, Sum, Symbol
+from chasles.vocabulary.layout import Block
+from chasles.vocabulary.letters import Symbol
+from chasles.vocabulary.nodes import Contract, Node, Sum
 
 __all__ = ["children", "rebuilt", "replace", "symbols_of", "walk"]
 

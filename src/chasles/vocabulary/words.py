@@ -6,26 +6,11 @@ from fractions import Fraction
 
 from chasles.vocabulary.body import Integral
 from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
+from chasles.vocabulary.layout import At, Block, Call, Group, Rate
+from chasles.vocabulary.letters import Symbol
 from chasles.vocabulary.measure import Measure, uniform
-from chasles.vocabulary.nodes import (
-    At,
-    Block,
-    Call,
-    Cross,
-    Determinant,
-    Dot,
-    Group,
-    Inverse,
-    Node,
-    Norm,
-    Quotient,
-    Rate,
-    Skew,
-    Symbol,
-    Trace,
-    Vect,
-    lifted,
-)
+from chasles.vocabulary.nodes import Node, Quotient, lifted
+from chasles.vocabulary.spatial import Cross, Determinant, Dot, Inverse, Norm, Skew, Trace, Vect
 
 __all__ = [
     "CPM",

@@ -5,16 +5,15 @@ They are found from a linear system at generic points, and are a conjecture unti
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace as with_fields
 from fractions import Fraction
 from itertools import combinations_with_replacement
-from random import Random
 
 from chasles.proof.ansatz import fit
 from chasles.proof.coefficients import ONE, Function, added, spelled, times
 from chasles.proof.conditions import solve_conditions
-from chasles.proof.context import Context, build
+from chasles.proof.context import build
 from chasles.proof.linear import MODULUS, Span, combination
 from chasles.proof.residues import Sampled, generic_points
 from chasles.statements import Goal, Problem
@@ -70,26 +69,8 @@ def _sampled(node: Node, terms: list[Node], problem: Problem) -> tuple[Sampled, 
     points, _ = generic_points(context, solved, count)
     if len(points) < count:
         raise NoCombination(f"not enough points were found at which {node} could be compared with {_listed(terms)}")
-    sampled = Sampled(context, _each_angle_generic(context, points))
+    sampled = Sampled(context, points)
     return sampled, [list(_independent(stage, sampled)) for stage in stages]
-
-
-def _each_angle_generic(context: Context, points: Sequence[Mapping[str, int]]) -> list[Mapping[str, int]]:
-    """The points with every angle drawn by itself, where there are several: else one could be had from another."""
-    angles = [variable.name.removeprefix("cos") for variable in context.variables if variable.kind == "cos"]
-    if len(angles) < 2 or any(variable.kind == "norm" for variable in context.variables):
-        return list(points)
-    draw = Random(0)
-    turned: list[Mapping[str, int]] = []
-    for point in points:
-        values = dict(point)
-        for angle in angles:
-            tangent = draw.randrange(MODULUS)
-            below = pow(1 + tangent * tangent, -1, MODULUS)
-            values["cos" + angle] = (1 - tangent * tangent) * below % MODULUS
-            values["sin" + angle] = 2 * tangent * below % MODULUS
-        turned.append(values)
-    return turned
 
 
 def _independent(functions: Sequence[Function], sampled: Sampled) -> Iterator[Function]:

@@ -1,0 +1,85 @@
+"""Words that set others out: blocks, rates, arguments, functions, brackets."""
+
+from __future__ import annotations
+
+from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
+from chasles.vocabulary.fitting import SCALAR, measured, word
+from chasles.vocabulary.measure import Measure, Misfit, entrywise, stacked, uniform
+from chasles.vocabulary.nodes import Node
+
+__all__ = ["At", "Block", "Call", "Group", "Rate"]
+
+
+@word
+class Block(Node):
+    """A matrix of blocks, row by row."""
+
+    rows: tuple[tuple[Node, ...], ...]
+
+    def _parts(self) -> tuple[Node, ...]:
+        return sum(self.rows, ())
+
+    def _measured(self) -> Measure:
+        measures = [[measured(block) for block in row] for row in self.rows]
+        return stacked(measures, self.rows)
+
+
+@word
+class Call(Node):
+    """A function of a dimensionless scalar: "sin" or "cos"."""
+
+    function: str
+    argument: Node
+
+    def _parts(self) -> tuple[Node, ...]:
+        return (self.argument,)
+
+    def _measured(self) -> Measure:
+        if not self.argument.is_scalar or measured(self.argument).grid[0][0] not in (None, NO_DIMENSION):
+            raise Misfit(f"{self.function} takes an angle in radians, and {self.argument} is not one")
+        return uniform(SCALAR)
+
+
+@word
+class Rate(Node):
+    """The time derivative."""
+
+    of: Node
+
+    def _parts(self) -> tuple[Node, ...]:
+        return (self.of,)
+
+    def _measured(self) -> Measure:
+        return entrywise(lambda d: Dimension(d.length, d.mass, d.time - 1), measured(self.of))
+
+
+@word
+class At(Node):
+    """The quantity, printed with its argument: p(t)."""
+
+    of: Node
+    argument: str
+
+    def _parts(self) -> tuple[Node, ...]:
+        return (self.of,)
+
+    def _measured(self) -> Measure:
+        return measured(self.of)
+
+
+@word
+class Group(Node):
+    """A term that the author puts between brackets which its meaning does not ask for.
+
+    With a `frame`, the brackets say in which coordinate frame the components are given, and bear its letter.
+    """
+
+    of: Node
+    brackets: str = "()"
+    frame: str = ""
+
+    def _parts(self) -> tuple[Node, ...]:
+        return (self.of,)
+
+    def _measured(self) -> Measure:
+        return measured(self.of)

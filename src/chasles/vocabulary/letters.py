@@ -1,0 +1,55 @@
+"""Words that no other words make up: named quantities, the identity, zero."""
+
+from __future__ import annotations
+
+from chasles.vocabulary.dimension import NO_DIMENSION
+from chasles.vocabulary.fitting import word
+from chasles.vocabulary.measure import Measure, uniform
+from chasles.vocabulary.nodes import Node
+
+__all__ = ["Identity", "Symbol", "Zero"]
+
+
+@word
+class Symbol(Node):
+    """A named quantity. `stands_for` makes it an abbreviation, as E is for the cross-product matrix of e.
+
+    `constant` says that it does not change with time. Two symbols of different `name` are different even where the
+    book prints the same letter.
+    """
+
+    name: str
+    letter: str
+    size: Measure
+    meaning: str = ""
+    constant: bool = False
+    stands_for: Node | None = None
+
+    def _measured(self) -> Measure:
+        return self.size
+
+
+@word
+class Identity(Node):
+    """The identity matrix of the given size."""
+
+    size: int
+    letter: str = r"\mathbf{1}"
+
+    def _measured(self) -> Measure:
+        one_on_the_diagonal = tuple(
+            tuple(NO_DIMENSION if i == j else None for j in range(self.size)) for i in range(self.size)
+        )
+        return Measure(one_on_the_diagonal)
+
+
+@word
+class Zero(Node):
+    """A zero matrix; it fits every dimension."""
+
+    rows: int
+    columns: int
+    letter: str = r"\mathbf{O}"
+
+    def _measured(self) -> Measure:
+        return uniform((self.rows, self.columns), None)
