@@ -11,9 +11,9 @@ from fractions import Fraction
 from math import isqrt
 from typing import Protocol
 
-from chasles.proof.certificate import QUARTERS, Point, point_of, require, value_at
 from chasles.proof.recheck.reading import Reading
-from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected
+from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected, cleared, product
+from chasles.proof.recheck.witness import QUARTERS, Point, point_of, require, value_at
 from chasles.statements import Goal, Problem
 from chasles.vocabulary import Node
 
@@ -200,8 +200,8 @@ def _root(square: Fraction) -> Fraction | None:
 
 def _quotient(reading: Reading, polynomial: Polynomial, point: Point) -> Value:
     """The value of an expression, its inverses of atoms evaluated too."""
-    numerator, powers = reading.cleared(polynomial)
-    below = value_at(reading.product(powers), point)
+    numerator, powers = cleared(polynomial, reading.atoms)
+    below = value_at(product(reading.atoms, powers), point)
     if len(below) != 1:
         raise Rejected("what is divided by is zero at the point, or a sum in a transcendental number")
     ((shift, divisor),) = below.items()
