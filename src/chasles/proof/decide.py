@@ -21,7 +21,7 @@ from chasles.proof.values import is_zero, shown
 from chasles.proof.variables import Untreatable
 from chasles.proof.verdict import Counterexample, Fails, IllFormed, Posed, Undecided, Verdict
 from chasles.statements import Hypothesis, Problem
-from chasles.vocabulary import Symbol
+from chasles.vocabulary import PI, Symbol, symbols_of
 
 __all__ = ["BUDGET", "decide_problem", "determining", "pose"]
 
@@ -182,7 +182,9 @@ def _used_variables(context: Context, solved: tuple[Solved, ...], suspects: list
         for side in (entry.goal.left, entry.goal.right):
             polynomials += [r.numerator for _, _, r in entries(context.unfold(side))]
     places = {k for p in polynomials for exponents, _ in ring.terms(p) for k, e in enumerate(exponents) if e}
+    of_norms = [node for k in places if (node := context.variables[k].node) is not None]
     touched = {context.variables[k].symbol for k in places} - {None}
+    touched |= {symbol for node in of_norms for symbol in symbols_of(node)}
     circular = {context.variables[k].symbol for k in places if context.variables[k].kind in ("cos", "sin")}
     names = [
         v.name
@@ -191,7 +193,8 @@ def _used_variables(context: Context, solved: tuple[Solved, ...], suspects: list
         or (v.symbol in touched and v.kind == "entry" and v.order == 0 and k not in context.transcendental)
         or (v.symbol in circular and v.kind in ("cos", "sin"))
     ]
-    gone = {s.variable for s in solved} | {context.variables[k].name for k in context.transcendental}
+    multiples = {k for k in context.transcendental if context.pi_measures and context.variables[k].symbol != PI}
+    gone = {s.variable for s in solved} | {context.variables[k].name for k in context.transcendental - multiples}
     return sorted(name for name in names if name not in gone)
 
 

@@ -12,7 +12,7 @@ from chasles.proof.recheck.reading import Reading
 from chasles.proof.recheck.sparse import Polynomial, Rejected, exponents
 from chasles.vocabulary import PI
 
-__all__ = ["QUARTERS", "Point", "point_of", "require", "value_at"]
+__all__ = ["Point", "point_of", "require", "value_at"]
 
 QUARTERS = tuple((Fraction(cosine), Fraction(sine)) for cosine, sine in ((1, 0), (0, 1), (-1, 0), (0, -1)))
 """Cosine and sine of none, one, two and three quarter turns."""
