@@ -6,6 +6,7 @@ import json
 import re
 import subprocess
 import sys
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -151,10 +152,7 @@ def test_a_forged_certificate_fails(run, chapter_is, monkeypatch: pytest.MonkeyP
 
     def forged(*of: object):
         verdict = decide(*of)
-        entries = verdict.certificate["entries"]
-        for entry in entries.values():
-            entry["cofactors"] = {label: f"2 + {text}" for label, text in entry["cofactors"].items()}
-        return verdict
+        return replace(verdict, certificate=verdict.certificate | {"division": []})
 
     monkeypatch.setattr(judge, "decide_problem", forged)
     done = run("decide")

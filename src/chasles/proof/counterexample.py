@@ -15,7 +15,7 @@ from chasles.proof.rings import Polynomial, Ring
 from chasles.proof.values import is_zero, shown
 from chasles.proof.verdict import Counterexample
 from chasles.statements import Goal
-from chasles.vocabulary import Symbol
+from chasles.vocabulary import PI, Symbol, symbols_of
 
 __all__ = ["refute", "solved_ratios"]
 
@@ -131,18 +131,28 @@ def _used(context: Context, solved: tuple[Solved, ...], suspects: Sequence[Suspe
             polynomials += [context.field.power_product(r.denominator) for r in ratios]
     ties = [_places(ring, g.polynomial) for g in context.generators]
     ties += [_places(ring, atom) for _, atom in context.atoms]
-    ties += _together(context)
+    ties += [*_together(context), *_below_norms(context)]
     # By which fraction of an angle its cosine and sine are measured is told from their names alone.
     places = {place for place, variable in enumerate(context.variables) if variable.unit != 1}
     places = places.union(*(_places(ring, polynomial) for polynomial in polynomials))
     while more := [tied for tied in ties if tied & places and not tied <= places]:
         places = places.union(*more)
-    gone = {s.variable for s in solved} | {context.variables[k].name for k in context.transcendental}
+    multiples = {k for k in context.transcendental if context.pi_measures and context.variables[k].symbol != PI}
+    gone = {s.variable for s in solved} | {context.variables[k].name for k in context.transcendental - multiples}
     return sorted(context.variables[k].name for k in places if context.variables[k].name not in gone)
 
 
 def _places(ring: Ring, polynomial: Polynomial) -> set[int]:
     return {place for exponents, _ in ring.terms(polynomial) for place, exponent in enumerate(exponents) if exponent}
+
+
+def _below_norms(context: Context) -> Iterator[set[int]]:
+    """Each norm with the entries of what it is the norm of: without these, its value says nothing."""
+    for place, variable in enumerate(context.variables):
+        if variable.node is not None:
+            symbols = set(symbols_of(variable.node))
+            below = {k for k, v in enumerate(context.variables) if v.kind == "entry" and v.symbol in symbols}
+            yield {place, *(k for k in below if context.variables[k].order == 0 and k not in context.transcendental)}
 
 
 def _together(context: Context) -> Iterator[set[int]]:

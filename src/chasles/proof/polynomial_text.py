@@ -8,20 +8,22 @@ from __future__ import annotations
 
 from chasles.proof.rings import Polynomial, Ring
 
-__all__ = ["written"]
+__all__ = ["factors_text", "written"]
 
 
 def written(ring: Ring, polynomial: Polynomial) -> str:
     """The polynomial, as -1/2*e_1^2*cos(phi) + 3; zero is 0."""
-    names = [_squeezed(name) for name in ring.names]
     terms = []
     for exponents, coefficient in sorted(ring.terms(polynomial), reverse=True):
-        factors = [str(coefficient)]
-        for name, exponent in zip(names, exponents, strict=True):
-            if exponent:
-                factors.append(name if exponent == 1 else f"{name}^{exponent}")
-        terms.append("*".join(factors))
+        factors = factors_text(ring, exponents)
+        terms.append(f"{coefficient}*{factors}" if factors else str(coefficient))
     return " + ".join(terms) or "0"
+
+
+def factors_text(ring: Ring, exponents: tuple[int, ...]) -> str:
+    """A product of powers of the variables, as e_1^2*cos(phi); nothing where there are none."""
+    powers = [(_squeezed(name), power) for name, power in zip(ring.names, exponents, strict=False) if power]
+    return "*".join(name if power == 1 else f"{name}^{power}" for name, power in powers)
 
 
 def _squeezed(name: str) -> str:

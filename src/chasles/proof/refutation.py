@@ -11,9 +11,9 @@ from fractions import Fraction
 from math import isqrt
 from typing import Protocol
 
-from chasles.proof.certificate import QUARTERS, Point, point_of, require, value_at
 from chasles.proof.recheck.reading import Reading
-from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected
+from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected, cleared, product
+from chasles.proof.recheck.witness import Point, point_of, require, value_at
 from chasles.statements import Goal, Problem
 from chasles.vocabulary import Node
 
@@ -106,32 +106,20 @@ def _connected(reading: Reading, places: set[int]) -> set[int]:
 def _completed(reading: Reading, at: Mapping[str, Fraction], relevant: set[int]) -> Point:
     """The point, with values for what it leaves out."""
     point = point_of(reading, at)
-    _angles(reading, point, relevant)
+    angles = {reading.places[what[1].name] for what in reading.variables if what[0] == "cos"}
+    _angle(reading, point, angles & (relevant | point.keys()))
     _choose(reading, point, relevant)
     _norms(reading, point, relevant)
-    _linear(reading, point, [k for k in sorted(relevant - point.keys()) if reading.variables[k][0] == "entry"])
+    unknown = sorted(relevant - point.keys() - angles)
+    _linear(reading, point, [place for place in unknown if reading.variables[place][0] == "entry"])
     _norms(reading, point, relevant)
     return point
 
 
-def _angles(reading: Reading, point: Point, relevant: set[int]) -> None:
-    """A sine or cosine that is left out is not negative; an angle beside them is transcendental, or quarter turns."""
-    measured = {what[1]: (place, what[2]) for place, what in enumerate(reading.variables) if what[0] == "cos"}
-    for cosine, _ in measured.values():
-        for known, other in ((cosine, cosine + 1), (cosine + 1, cosine)):
-            root = _root(1 - point[known][0] ** 2) if known in point and other not in point else None
-            if root is not None:
-                point[other] = root, 0
-    symbols = {reading.places[symbol.name]: symbol for symbol in measured}
-    bare = {place: symbols[place] for place in relevant - point.keys() if place in symbols}
-    for place, symbol in bare.items():
-        point[place] = Fraction(1), 1
-        if len(bare) > 1 or "pi" in reading.places:
-            cosine, unit = measured[symbol]
-            turn = tuple(point[k][0] for k in (cosine, cosine + 1) if k in point)
-            if turn not in QUARTERS:
-                raise Rejected(f"{symbol} is measured by pi here, and its cosine and sine are not of quarter turns")
-            point[place] = Fraction(QUARTERS.index(turn), 2) / unit, 1
+def _angle(reading: Reading, point: Point, angles: set[int]) -> None:
+    """The only angle that occurs beside its own cosine and sine may be left out: it is transcendental."""
+    if len(angles) == 1 and "pi" not in reading.places and not angles & point.keys():
+        point[angles.pop()] = Fraction(1), 1
 
 
 def _choose(reading: Reading, point: Point, relevant: set[int]) -> None:
@@ -200,8 +188,8 @@ def _root(square: Fraction) -> Fraction | None:
 
 def _quotient(reading: Reading, polynomial: Polynomial, point: Point) -> Value:
     """The value of an expression, its inverses of atoms evaluated too."""
-    numerator, powers = reading.cleared(polynomial)
-    below = value_at(reading.product(powers), point)
+    numerator, powers = cleared(polynomial, reading.atoms)
+    below = value_at(product(reading.atoms, powers), point)
     if len(below) != 1:
         raise Rejected("what is divided by is zero at the point, or a sum in a transcendental number")
     ((shift, divisor),) = below.items()

@@ -1,9 +1,8 @@
-"""What does a declaration say? Its words are expanded a second time here, for the checker alone."""
+"""What do the words mean, entry by entry? They are expanded a second time here, for the checker alone."""
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Callable
 from fractions import Fraction
 from functools import reduce
 from itertools import chain
@@ -12,105 +11,54 @@ from operator import add, mul
 from chasles import vocabulary as w
 from chasles.proof.recheck.sparse import ONE, ZERO, Polynomial, Rejected, number
 
-__all__ = ["Expansion", "Matrix", "determinant"]
+__all__ = ["Matrix", "determinant", "expanded", "scaled"]
 
 Matrix = list[list[Polynomial]]
 
 
-class Expansion(ABC):
-    """Every expression as a matrix of polynomials, `rules` applied; raises `Rejected` for what has no such form."""
-
-    def __init__(self, rules: Mapping[w.Node, w.Node]) -> None:
-        self.rules = rules
-        self._known: dict[w.Node, Matrix] = {}
-
-    @abstractmethod
-    def symbol(self, node: w.Symbol | w.Rate) -> Matrix:
-        """The entries of a symbol that nothing replaces, or of a rate."""
-
-    @abstractmethod
-    def inverse(self, node: w.Node) -> Polynomial:
-        """One over a scalar."""
-
-    @abstractmethod
-    def norm(self, of: w.Node) -> Polynomial:
-        """The norm of a column."""
-
-    @abstractmethod
-    def integral(self, node: w.Integral) -> Matrix:
-        """The integral over a body."""
-
-    @abstractmethod
-    def circular(self, angle: w.Node) -> tuple[Polynomial, Polynomial]:
-        """Cosine and sine of an angle."""
-
-    def __call__(self, node: w.Node) -> Matrix:
-        """The entries of an expression."""
-        if node not in self._known:
-            self._known[node] = self(self.rules[node]) if node in self.rules else self._unfold(node)
-        return self._known[node]
-
-    def _unfold(self, node: w.Node) -> Matrix:
-        match node:
-            case w.Symbol(stands_for=w.Node() as of) | w.At(of) | w.Group(of):
-                return self(of)
-            case w.Rate(w.At(of) | w.Group(of)):
-                return self(w.Rate(of))
-            case w.Symbol() | w.Rate():
-                return self.symbol(node)
-            case w.Number(value):
-                return [[number(value)]]
-            case w.Identity(size):
-                return [[number(int(i == j)) for j in range(size)] for i in range(size)]
-            case w.Zero(rows, columns):
-                return [[ZERO] * columns] * rows
-            case w.Sum(terms):
-                return reduce(_plus, map(self, terms))
-            case w.Negative(term):
-                return [[-entry for entry in row] for row in self(term)]
-            case w.Scale(factor, term):
-                return _scaled(self(factor)[0][0], self(term))
-            case w.Quotient(numerator, denominator):
-                return _scaled(self.inverse(denominator), self(numerator))
-            case w.Contract(factors):
-                return reduce(_times, map(self, factors))
-            case w.Power(w.Norm(of), exponent) if exponent % 2 == 0:
-                return reduce(_times, [self(w.Dot(of, of))] * (exponent // 2))
-            case w.Power(base, exponent):
-                return reduce(_times, [self(base)] * exponent)
-            case w.Transpose(of):
-                return _flipped(self(of))
-            case w.Dot(left, right):
-                return _times(_flipped(self(left)), self(right))
-            case w.Block(rows):
-                return [list(chain(*parts)) for row in rows for parts in zip(*map(self, row), strict=True)]
-            case _:
-                return self._spatial(node)
-
-    def _spatial(self, node: w.Node) -> Matrix:
-        match node:
-            case w.Skew(of):
-                return _skew(self(of))
-            case w.Cross(left, right):
-                return _times(_skew(self(left)), self(right))
-            case w.Vect(of):
-                m, half = self(of), number(Fraction(1, 2))
-                return _scaled(half, [[m[2][1] - m[1][2]], [m[0][2] - m[2][0]], [m[1][0] - m[0][1]]])
-            case w.Trace(of):
-                return [[reduce(add, (row[i] for i, row in enumerate(self(of))))]]
-            case w.Determinant(of):
-                return [[determinant(self(of))]]
-            case w.Cofactor(of):
-                m, pairs = self(of), ((1, 2), (2, 0), (0, 1))
-                return [[m[a][c] * m[b][d] - m[a][d] * m[b][c] for c, d in pairs] for a, b in pairs]
-            case w.Norm(of):
-                return [[self.norm(of)]]
-            case w.Integral():
-                return self.integral(node)
-            case w.Call("cos" | "sin" as function, argument):
-                return [[self.circular(argument)[function == "sin"]]]
-            case _:
-                raise Rejected(f"{node} ({type(node).__name__}) has no polynomial form")
+def expanded(node: w.Node, of: Callable[[w.Node], Matrix]) -> Matrix:
+    """The entries of a word, made from those `of` its parts; raises `Rejected` for what has no polynomial form."""
+    match node:
+        case w.Number(value):
+            return [[number(value)]]
+        case w.Identity(size):
+            return [[number(int(i == j)) for j in range(size)] for i in range(size)]
+        case w.Zero(rows, columns):
+            return [[ZERO] * columns] * rows
+        case w.Sum(terms):
+            return reduce(_plus, map(of, terms))
+        case w.Negative(term):
+            return [[-entry for entry in row] for row in of(term)]
+        case w.Scale(factor, term):
+            return scaled(of(factor)[0][0], of(term))
+        case w.Contract(factors):
+            return reduce(_times, map(of, factors))
+        case w.Power(w.Norm(x), exponent) if exponent % 2 == 0:
+            return reduce(_times, [of(w.Dot(x, x))] * (exponent // 2))
+        case w.Power(base, exponent):
+            return reduce(_times, [of(base)] * exponent)
+        case w.Transpose(x):
+            return _flipped(of(x))
+        case w.Dot(left, right):
+            return _times(_flipped(of(left)), of(right))
+        case w.Block(rows):
+            return [list(chain(*parts)) for row in rows for parts in zip(*map(of, row), strict=True)]
+        case w.Skew(x):
+            return _skew(of(x))
+        case w.Cross(left, right):
+            return _times(_skew(of(left)), of(right))
+        case w.Vect(x):
+            m, half = of(x), number(Fraction(1, 2))
+            return scaled(half, [[m[2][1] - m[1][2]], [m[0][2] - m[2][0]], [m[1][0] - m[0][1]]])
+        case w.Trace(x):
+            return [[reduce(add, (row[i] for i, row in enumerate(of(x))))]]
+        case w.Determinant(x):
+            return [[determinant(of(x))]]
+        case w.Cofactor(x):
+            m, pairs = of(x), ((1, 2), (2, 0), (0, 1))
+            return [[m[a][c] * m[b][d] - m[a][d] * m[b][c] for c, d in pairs] for a, b in pairs]
+        case _:
+            raise Rejected(f"{node} ({type(node).__name__}) has no polynomial form")
 
 
 def _plus(left: Matrix, right: Matrix) -> Matrix:
@@ -121,7 +69,8 @@ def _times(left: Matrix, right: Matrix) -> Matrix:
     return [[reduce(add, map(mul, row, column)) for column in zip(*right, strict=True)] for row in left]
 
 
-def _scaled(factor: Polynomial, matrix: Matrix) -> Matrix:
+def scaled(factor: Polynomial, matrix: Matrix) -> Matrix:
+    """A scalar times a matrix."""
     return [[factor * entry for entry in row] for row in matrix]
 
 

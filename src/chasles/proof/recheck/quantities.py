@@ -2,50 +2,75 @@
 
 from __future__ import annotations
 
-from abc import abstractmethod
 from collections.abc import Mapping
 from fractions import Fraction
 from functools import reduce
-from operator import add
+from operator import mul
 from typing import Any
 
 from chasles import vocabulary as w
-from chasles.proof.recheck.expansion import Expansion, Matrix
-from chasles.proof.recheck.sparse import MOST_VARIABLES, ONE, ZERO, Polynomial, Rejected, exponents, number, variable
+from chasles.proof.recheck.expansion import Matrix, expanded, scaled
+from chasles.proof.recheck.sparse import ONE, ZERO, Polynomial, Rejected, cleared, exponents, number, product, variable
 
 __all__ = ["Quantities", "squeezed"]
 
 
-class Quantities(Expansion):
-    """Variables by place and by name, the `atoms` whose inverses come first among them, and all that is `vanishing`.
+class Quantities:
+    """Every expression, `rules` applied, as a matrix of polynomials; and all that is `vanishing`, by name.
 
-    `units` tell of which fraction of each angle, by its name, the cosine and sine are variables.
+    The variables, by place and by name: first the inverses of the `atoms`, as many as there are. `units` tell of which
+    fraction of each angle, by its name, the cosine and sine are variables.
     """
 
     def __init__(self, rules: Mapping[w.Node, w.Node], units: Mapping[str, Fraction]) -> None:
-        super().__init__(rules)
+        self.rules = rules
         self.variables: list[tuple[Any, ...]] = []
         self.places: dict[str, int] = {}
         self.atoms: list[Polynomial] = []
         self.vanishing: dict[str, Polynomial] = {}
         self._units = units
+        self._known: dict[w.Node, Matrix] = {}
         self._values: dict[int, Polynomial] = {}
         self._speeds: dict[int, Polynomial] = {}
         self._norms: dict[w.Node, int] = {}
 
-    @abstractmethod
-    def cleared(self, polynomial: Polynomial) -> tuple[Polynomial, int]:
-        """The polynomial times the least product of atoms that leaves no inverse in it, and the powers of these."""
+    def __call__(self, node: w.Node) -> Matrix:
+        """The entries of an expression; raises `Rejected` for what has no polynomial form."""
+        if node not in self._known:
+            self._known[node] = self(self.rules[node]) if node in self.rules else self._entries(node)
+        return self._known[node]
 
-    def _vanish(self, label: str, polynomial: Polynomial) -> None:
-        polynomial = self.cleared(polynomial)[0]
+    def _entries(self, node: w.Node) -> Matrix:
+        match node:
+            case w.Symbol(stands_for=w.Node() as of) | w.At(of) | w.Group(of):
+                return self(of)
+            case w.Rate(w.At(of) | w.Group(of)):
+                return self(w.Rate(of))
+            case w.Symbol() | w.Rate():
+                return self._symbol(node)
+            case w.Quotient(numerator, denominator):
+                return scaled(self.inverse(denominator), self(numerator))
+            case w.Norm(of):
+                return [[self._norm(of)]]
+            case w.Integral(of):
+                for symbol in node.running & self.rules.keys():
+                    if not self._is_running(symbol, node.running):
+                        raise Rejected(f"{node} is over {symbol}, and a rule makes it the same for all elements")
+                return [[self._integrated(entry, node.running, node.body) for entry in row] for row in self(of)]
+            case w.Call("cos" | "sin" as function, argument):
+                return [[self._turned(argument)[function == "sin"]]]
+            case _:
+                return expanded(node, self)
+
+    def vanish(self, label: str, polynomial: Polynomial) -> None:
+        """From here on, this is zero; raises `Rejected` where something else has that label."""
+        polynomial = cleared(polynomial, self.atoms)[0]
         if self.vanishing.setdefault(label, polynomial) - polynomial:
             raise Rejected(f"two different hypotheses are both called {label}")
 
-    def _variable(self, name: str, *what: Any) -> Polynomial:
+    def variable(self, name: str, *what: Any) -> Polynomial:
+        """The variable of a name, or its value; raises `Rejected` where that names something else."""
         place = self.places.setdefault(squeezed(name), len(self.variables))
-        if place == MOST_VARIABLES:
-            raise Rejected(f"there are more than {MOST_VARIABLES} variables")
         if place == len(self.variables):
             self.variables.append(what)
         elif self.variables[place] != what:
@@ -54,23 +79,22 @@ class Quantities(Expansion):
 
     def rate(self, polynomial: Polynomial) -> Polynomial:
         """The time derivative."""
-        return reduce(add, (partial * self._speed(place) for place, partial in polynomial.partials().items()), ZERO)
+        total = ZERO
+        for place, partial in polynomial.partials().items():
+            if place not in self._speeds:
+                self._speeds[place] = self._speed(place)
+            total += partial * self._speeds[place]
+        return total
 
     def _speed(self, place: int) -> Polynomial:
-        if place not in self._speeds:
-            self._speeds[place] = self._find_speed(place)
-        return self._speeds[place]
-
-    def _find_speed(self, place: int) -> Polynomial:
         match self.variables[place]:
             case ("inverse", int() as k):
                 return -variable(place, 2) * self.rate(self.atoms[k])
             case ("norm", w.Node() as of):
                 return self(w.Dot(of, w.Rate(of)))[0][0] * self.inverse(w.Norm(of))
-            case ("cos", w.Symbol() as angle, Fraction() as unit):
-                return variable(place + 1) * number(-unit) * self(w.Rate(angle))[0][0]
-            case ("sin", w.Symbol() as angle, Fraction() as unit):
-                return variable(place - 1) * number(unit) * self(w.Rate(angle))[0][0]
+            case ("cos" | "sin" as function, w.Symbol() as angle, Fraction() as unit):
+                other, turn = (place + 1, -unit) if function == "cos" else (place - 1, unit)
+                return variable(other) * number(turn) * self(w.Rate(angle))[0][0]
             case ("entry", w.Symbol() as of, int() as order, int() as i, int() as j):
                 node: w.Node = of
                 for _ in range(order + 1):
@@ -80,64 +104,41 @@ class Quantities(Expansion):
                 return self._integrated(self.rate(Polynomial({inside: 1})), running, body)
         raise AssertionError(self.variables[place])
 
-    def symbol(self, node: w.Symbol | w.Rate) -> Matrix:
+    def _symbol(self, node: w.Symbol | w.Rate) -> Matrix:
         """The variables of a symbol or of its rate; the rate of what has entries of its own is the rate of these."""
-        order = 0
         of: w.Node = node
+        order = 0
         while isinstance(of, w.Rate) and of not in self.rules:
-            order, of = order + 1, of.of
-        own = isinstance(of, w.Symbol) and of not in self.rules and of.stands_for is None
-        if isinstance(node, w.Rate) and not (own and not self._is_settled(of)):
+            of, order = of.of, order + 1
+        if isinstance(node, w.Rate) and not self._is_free(of):
             return [[self.rate(entry) for entry in row] for row in self(node.of)]
         assert isinstance(of, w.Symbol)
         if order and of.constant:
             return [[ZERO] * of.shape[1]] * of.shape[0]
         names = enumerate(_names(of, order))
-        return [[self._variable(name, "entry", of, order, i, j) for j, name in enumerate(row)] for i, row in names]
+        return [[self.variable(name, "entry", of, order, i, j) for j, name in enumerate(row)] for i, row in names]
 
-    def _is_settled(self, node: w.Node) -> bool:
-        return isinstance(node, w.Symbol) and self.places.get(_names(node, 0)[0][0]) in self._values
+    def _is_free(self, node: w.Node) -> bool:
+        """Whether nothing says what a symbol is."""
+        if not isinstance(node, w.Symbol) or node in self.rules or node.stands_for is not None:
+            return False
+        return self.places.get(_names(node, 0)[0][0]) not in self._values
 
-    def norm(self, of: w.Node) -> Polynomial:
-        """The variable of a norm; the same for expressions with the same entries, or with opposite ones."""
+    def _norm(self, of: w.Node) -> Polynomial:
+        """The variable of a norm; the same for all whose squares are the same, since none is negative."""
         if of not in self._norms:
-            same = [place for other, place in self._norms.items() if self._is_same_length(of, other)]
-            name, what = f"|{of}|", ("norm", of)
-            if same:
-                self.places.setdefault(squeezed(name), same[0])
-                what = self.variables[same[0]]
-            length = self._variable(name, *what)
+            name, what, square = f"|{of}|", ("norm", of), self(w.Dot(of, of))[0][0]
+            for other, place in self._norms.items():
+                if not self(w.Dot(other, other))[0][0] - square:
+                    self.places.setdefault(squeezed(name), place)
+                    what = self.variables[place]
+            length = self.variable(name, *what)
             self._norms[of] = self.places[squeezed(name)]
-            self._vanish(f"norm {name}", length * length - self(w.Dot(of, of))[0][0])
+            self.vanish(f"norm {name}", length * length - square)
         return variable(self._norms[of])
 
-    def _is_same_length(self, one: w.Node, other: w.Node) -> bool:
-        pairs = [(a, b) for (a,), (b,) in zip(self(one), self(other), strict=False)]
-        same = one.shape == other.shape
-        return same and (not any(a - b for a, b in pairs) or not any(a + b for a, b in pairs))
-
-    def integral(self, node: w.Integral) -> Matrix:
-        """The integral, which is linear: a moment of the body for each product of what differs between elements."""
-        for symbol in node.running & self.rules.keys():
-            if not self._is_running(symbol, node.running):
-                raise Rejected(f"{node} is over something that a rule defines, the same for all elements: {symbol}")
-        return [[self._integrated(entry, node.running, node.body) for entry in row] for row in self(node.of)]
-
-    def _is_running(self, node: w.Node, running: frozenset[w.Symbol]) -> bool:
-        """Whether an expression differs from element to element."""
-        while node in self.rules:
-            node = self.rules[node]
-        match node:
-            case w.Integral():
-                return False
-            case w.Symbol(stands_for=None):
-                return node in running
-            case w.Symbol(stands_for=w.Node() as of):
-                return self._is_running(of, running)
-            case _:
-                return any(self._is_running(part, running) for part in w.children(node))
-
     def _integrated(self, polynomial: Polynomial, running: frozenset[w.Symbol], body: str) -> Polynomial:
+        """The integral, which is linear: a moment of the body for each product of what differs between elements."""
         total = ZERO
         for monomial, coefficient in polynomial.terms.items():
             inside, factors = 0, []
@@ -148,9 +149,21 @@ class Quantities(Expansion):
                         factors += [_names(symbol, order)[i][j]] * power
                     case _ if self._differs(place, running):
                         raise Rejected("what is integrated is no polynomial in what differs from element to element")
-            moment = self._variable(f"int({' '.join(factors)})", "moment", inside, running, body)
+            moment = self.variable(f"int({' '.join(factors)})", "moment", inside, running, body)
             total += Polynomial({monomial - inside: coefficient}, polynomial.below) * moment
         return total
+
+    def _is_running(self, node: w.Node, running: frozenset[w.Symbol]) -> bool:
+        """Whether an expression differs from element to element."""
+        match self.rules.get(node, node):
+            case rule if rule is not node:
+                return self._is_running(rule, running)
+            case w.Integral():
+                return False
+            case w.Symbol(stands_for=of):
+                return self._is_running(of, running) if of is not None else node in running
+            case _:
+                return any(self._is_running(part, running) for part in w.children(node))
 
     def _differs(self, place: int, running: frozenset[w.Symbol]) -> bool:
         """Whether a variable differs from element to element."""
@@ -163,7 +176,7 @@ class Quantities(Expansion):
                 return symbol in running
         return False
 
-    def circular(self, angle: w.Node) -> tuple[Polynomial, Polynomial]:
+    def _turned(self, angle: w.Node) -> tuple[Polynomial, Polynomial]:
         """Cosine and sine of a sum of multiples of symbols, by the addition formulas."""
         cosine, sine = ONE, ZERO
         value = self(angle)[0][0]
@@ -175,9 +188,9 @@ class Quantities(Expansion):
                     raise Rejected(f"{angle} is no angle: an angle is a sum of rational multiples of symbols")
             name = f"{unit.numerator if unit.numerator > 1 else ''}{symbol.name}"
             name += f"/{unit.denominator}" if unit.denominator > 1 else ""
-            c = self._variable(f"cos({name})", "cos", symbol, unit)
-            s = self._variable(f"sin({name})", "sin", symbol, unit)
-            self._vanish(f"circle {name}", c * c + s * s - ONE)
+            c = self.variable(f"cos({name})", "cos", symbol, unit)
+            s = self.variable(f"sin({name})", "sin", symbol, unit)
+            self.vanish(f"circle {name}", c * c + s * s - ONE)
             turns = multiple / (unit * value.below)
             if turns.denominator != 1:
                 raise Rejected(f"{angle} is no whole multiple of {name}")
@@ -185,6 +198,29 @@ class Quantities(Expansion):
             for _ in range(abs(turns.numerator)):
                 cosine, sine = cosine * c - sine * s, sine * c + cosine * s
         return cosine, sine
+
+    def inverse(self, node: w.Node) -> Polynomial:
+        """One over a scalar; raises `Rejected` unless it is a number times a product of atoms."""
+        value, below = cleared(self(node)[0][0], self.atoms)
+        for inverse, atom in [(ONE, ONE), *((variable(k), atom) for k, atom in enumerate(self.atoms))]:
+            top = max(atom.terms, default=0)
+            if top in value.terms and top in atom.terms:
+                scale = Fraction(value.terms[top] * atom.below, atom.terms[top] * value.below)
+                if not value - atom * number(scale):
+                    return inverse * product(self.atoms, below) * number(1 / scale)
+        match self.rules.get(node, node):
+            case w.Negative(term):
+                return -self.inverse(term)
+            case w.Group(of) | w.At(of):
+                return self.inverse(of)
+            case w.Scale(factor, term):
+                return self.inverse(factor) * self.inverse(term)
+            case w.Power(base, exponent):
+                return reduce(mul, [self.inverse(base)] * exponent)
+            case rule if rule is not node:
+                return self.inverse(rule)
+            case _:
+                raise Rejected(f"the statement divides by {node}, which nothing declares nonzero")
 
 
 def squeezed(name: str) -> str:

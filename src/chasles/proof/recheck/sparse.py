@@ -5,12 +5,9 @@ from __future__ import annotations
 from fractions import Fraction
 from functools import reduce
 from math import lcm
-from operator import or_
+from operator import add, mul, or_
 
-__all__ = ["MOST_VARIABLES", "ONE", "ZERO", "Polynomial", "Rejected", "exponents", "number", "variable"]
-
-MOST_VARIABLES = 4096
-GUARD = int.from_bytes(b"\x80" * MOST_VARIABLES, "big")
+__all__ = ["ONE", "ZERO", "Polynomial", "Rejected", "cleared", "exponents", "number", "product", "variable"]
 
 
 class Rejected(ValueError):
@@ -23,37 +20,42 @@ class Polynomial:
     __slots__ = ("below", "terms")
 
     def __init__(self, terms: dict[int, int], below: int = 1) -> None:
-        # With every exponent below 128, two monomials are multiplied by adding them, and none spills over its byte.
-        if reduce(or_, terms, 0) & GUARD:
-            raise Rejected("an exponent is larger than 127")
         self.terms, self.below = terms, below
 
     def __bool__(self) -> bool:
         return bool(self.terms)
 
-    def __add__(self, other: Polynomial) -> Polynomial:
-        large, small = (self, other) if len(self.terms) > len(other.terms) else (other, self)
-        below = lcm(large.below, small.below)
-        one, another = below // large.below, below // small.below
-        total = dict(large.terms) if one == 1 else {monomial: c * one for monomial, c in large.terms.items()}
-        for monomial, coefficient in small.terms.items():
+    def plus(self, other: Polynomial, times: int) -> Polynomial:
+        """The sum with a multiple of another."""
+        below = lcm(self.below, other.below)
+        one, another = below // self.below, below // other.below * times
+        total = dict(self.terms) if one == 1 else {monomial: c * one for monomial, c in self.terms.items()}
+        for monomial, coefficient in other.terms.items():
             if value := total.get(monomial, 0) + coefficient * another:
                 total[monomial] = value
             else:
                 del total[monomial]
         return Polynomial(total, below)
 
-    def __neg__(self) -> Polynomial:
-        return Polynomial({monomial: -coefficient for monomial, coefficient in self.terms.items()}, self.below)
+    def __add__(self, other: Polynomial) -> Polynomial:
+        return self.plus(other, 1)
 
     def __sub__(self, other: Polynomial) -> Polynomial:
-        return self + -other
+        return self.plus(other, -1)
+
+    def __neg__(self) -> Polynomial:
+        return ZERO.plus(self, -1)
 
     def __mul__(self, other: Polynomial) -> Polynomial:
+        if not self or not other:
+            return ZERO
         total: dict[int, int] = {}
         for one, coefficient in self.terms.items():
             for another, factor in other.terms.items():
                 total[one + another] = total.get(one + another, 0) + coefficient * factor
+        # With every exponent below 128, two monomials are multiplied by adding them, and none spills over its byte.
+        if not _bytes(reduce(or_, total, 0)).isascii():
+            raise Rejected("an exponent is larger than 127")
         return Polynomial({monomial: c for monomial, c in total.items() if c}, self.below * other.below)
 
     @property
@@ -70,9 +72,35 @@ class Polynomial:
         return {place: Polynomial(terms, self.below) for place, terms in total.items()}
 
 
+def cleared(polynomial: Polynomial, atoms: list[Polynomial]) -> tuple[Polynomial, int]:
+    """The polynomial times the least product of atoms that leaves no inverse in it, and the powers of these.
+
+    Variable k is the inverse of atom k, as long as there are atoms.
+    """
+    parts: dict[int, dict[int, int]] = {}
+    for monomial, coefficient in polynomial.terms.items():
+        inverses = monomial & (1 << 8 * len(atoms)) - 1
+        parts.setdefault(inverses, {})[monomial - inverses] = coefficient
+    if parts.keys() <= {0}:
+        return polynomial, 0
+    powers = sorted(pair for inverses in parts for pair in exponents(inverses))
+    top = sum(power << 8 * place for place, power in dict(powers).items())
+    terms = (Polynomial(part, polynomial.below) * product(atoms, top - inverses) for inverses, part in parts.items())
+    return reduce(add, terms), top
+
+
+def product(atoms: list[Polynomial], powers: int) -> Polynomial:
+    """The product of the atoms to these powers, packed as in a monomial."""
+    return reduce(mul, (atoms[k] for k, power in exponents(powers) for _ in range(power)), ONE)
+
+
+def _bytes(monomial: int) -> bytes:
+    return monomial.to_bytes(monomial.bit_length() // 8 + 1, "little")
+
+
 def exponents(monomial: int) -> list[tuple[int, int]]:
     """The variables of a monomial with their exponents."""
-    return [(k, e) for k, e in enumerate(monomial.to_bytes(monomial.bit_length() // 8 + 1, "little")) if e]
+    return [(place, exponent) for place, exponent in enumerate(_bytes(monomial)) if exponent]
 
 
 def variable(place: int, power: int = 1) -> Polynomial:
