@@ -1023,8 +1023,8 @@ static const char linear_invariants_types[] = {
 
 /*
  * text 3.4.2 h The loops of natural_invariants.
- *   verdict: holds under; assumes Q is a rotation
- *   67 operations; derivation sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1
+ *   verdict: holds under; assumes Q is a rotation, phi != 0
+ *   67 operations; derivation sha256 b47265205c210a4a7575cf37f3397d247684ce5f8eb6bab8f2ac46e58c865d42
  */
 static void natural_invariants_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1075,7 +1075,7 @@ static const char natural_invariants_types[] = {
 /*
  * text 3.4.2 i The loops of euler_rodrigues_parameters.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6
+ *   49 operations; derivation sha256 4bcd6bea4208517545305bdeb66a4b0d6a8db1cf94307f4b20bec1257edd5cd4
  */
 static void euler_rodrigues_parameters_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1125,8 +1125,8 @@ static const char euler_rodrigues_parameters_types[] = {
 
 /*
  * text 3.4.2 j The loops of screw_of_motion.
- *   verdict: holds under; assumes Q is a rotation
- *   125 operations; derivation sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06
+ *   verdict: holds under; assumes Q is a rotation, phi != 0
+ *   125 operations; derivation sha256 5832ff407e89699a11b42b44a947cbd6406216827d35ca400f49ca98c93e57d0
  */
 static void screw_of_motion_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2980,8 +2980,9 @@ static const Kernel kernels[] = {
             "              phi: angle of rotation\n"
             "  verdict     holds under\n"
             "  assumes     Q is a rotation\n"
+            "              phi != 0\n"
             "  operations  67: 21 add, 10 subtract, 25 multiply, 5 divide, 5 square root, 1 arctangent2\n"
-            "  derivation  sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1\n"
+            "  derivation  sha256 b47265205c210a4a7575cf37f3397d247684ce5f8eb6bab8f2ac46e58c865d42\n"
             "  signature   (3,3)->(3),()\n"
             "",
         .loops = natural_invariants_loops,
@@ -3000,7 +3001,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     Q is a rotation\n"
             "  operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root\n"
-            "  derivation  sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6\n"
+            "  derivation  sha256 4bcd6bea4208517545305bdeb66a4b0d6a8db1cf94307f4b20bec1257edd5cd4\n"
             "  signature   (3,3)->(3),()\n"
             "",
         .loops = euler_rodrigues_parameters_loops,
@@ -3021,8 +3022,9 @@ static const Kernel kernels[] = {
             "              phi: angle of rotation\n"
             "  verdict     holds under\n"
             "  assumes     Q is a rotation\n"
+            "              phi != 0\n"
             "  operations  125: 35 add, 23 subtract, 53 multiply, 8 divide, 5 square root, 1 arctangent2\n"
-            "  derivation  sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06\n"
+            "  derivation  sha256 5832ff407e89699a11b42b44a947cbd6406216827d35ca400f49ca98c93e57d0\n"
             "  signature   (3,3),(3),(3)->(6),(),()\n"
             "",
         .loops = screw_of_motion_loops,

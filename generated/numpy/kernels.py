@@ -691,8 +691,9 @@ def natural_invariants(Q: Any, /, *, out: Any = None) -> Any:
                 phi: angle of rotation
     verdict     holds under
     assumes     Q is a rotation
+                phi != 0
     operations  67: 21 add, 10 subtract, 25 multiply, 5 divide, 5 square root, 1 arctangent2
-    derivation  sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1
+    derivation  sha256 b47265205c210a4a7575cf37f3397d247684ce5f8eb6bab8f2ac46e58c865d42
     signature   (3,3)->(3),()
     """
     batch, Q = prepared("natural_invariants", ("Q", Q, (3, 3)))
@@ -777,7 +778,7 @@ def euler_rodrigues_parameters(Q: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     Q is a rotation
     operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root
-    derivation  sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6
+    derivation  sha256 4bcd6bea4208517545305bdeb66a4b0d6a8db1cf94307f4b20bec1257edd5cd4
     signature   (3,3)->(3),()
     """
     batch, Q = prepared("euler_rodrigues_parameters", ("Q", Q, (3, 3)))
@@ -852,8 +853,9 @@ def screw_of_motion(Q: Any, a: Any, a_prime: Any, /, *, out: Any = None) -> Any:
                 phi: angle of rotation
     verdict     holds under
     assumes     Q is a rotation
+                phi != 0
     operations  125: 35 add, 23 subtract, 53 multiply, 8 divide, 5 square root, 1 arctangent2
-    derivation  sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06
+    derivation  sha256 5832ff407e89699a11b42b44a947cbd6406216827d35ca400f49ca98c93e57d0
     signature   (3,3),(3),(3)->(6),(),()
     """
     batch, Q, a, a_prime = prepared(

@@ -515,8 +515,9 @@ void chasles_linear_invariants_batchf(
  *               phi: angle of rotation
  *   verdict     holds under
  *   assumes     Q is a rotation
+ *               phi != 0
  *   operations  67: 21 add, 10 subtract, 25 multiply, 5 divide, 5 square root, 1 arctangent2
- *   derivation  sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1
+ *   derivation  sha256 b47265205c210a4a7575cf37f3397d247684ce5f8eb6bab8f2ac46e58c865d42
  */
 void chasles_natural_invariants(const double Q[9], double e[3], double *phi);
 void chasles_natural_invariantsf(const float Q[9], float e[3], float *phi);
@@ -539,7 +540,7 @@ void chasles_natural_invariants_batchf(
  *   verdict     holds under
  *   assumes     Q is a rotation
  *   operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root
- *   derivation  sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6
+ *   derivation  sha256 4bcd6bea4208517545305bdeb66a4b0d6a8db1cf94307f4b20bec1257edd5cd4
  */
 void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *q_0);
 void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_0);
@@ -564,8 +565,9 @@ void chasles_euler_rodrigues_parameters_batchf(
  *               phi: angle of rotation
  *   verdict     holds under
  *   assumes     Q is a rotation
+ *               phi != 0
  *   operations  125: 35 add, 23 subtract, 53 multiply, 8 divide, 5 square root, 1 arctangent2
- *   derivation  sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06
+ *   derivation  sha256 5832ff407e89699a11b42b44a947cbd6406216827d35ca400f49ca98c93e57d0
  */
 void chasles_screw_of_motion(
     const double Q[9],

@@ -653,8 +653,9 @@ void chasles_linear_invariants_batchf(
  *               phi: angle of rotation
  *   verdict     holds under
  *   assumes     Q is a rotation
+ *               phi != 0
  *   operations  67: 21 add, 10 subtract, 25 multiply, 5 divide, 5 square root, 1 arctangent2
- *   derivation  sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1
+ *   derivation  sha256 b47265205c210a4a7575cf37f3397d247684ce5f8eb6bab8f2ac46e58c865d42
  */
 void chasles_natural_invariants(const double Q[9], double e[3], double *phi)
 {
@@ -730,8 +731,8 @@ void chasles_natural_invariants(const double Q[9], double e[3], double *phi)
 
 /*
  * text 3.4.2 h chasles_natural_invariants in single precision.
- *   verdict: holds under; assumes Q is a rotation
- *   67 operations; derivation sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1
+ *   verdict: holds under; assumes Q is a rotation, phi != 0
+ *   67 operations; derivation sha256 b47265205c210a4a7575cf37f3397d247684ce5f8eb6bab8f2ac46e58c865d42
  */
 void chasles_natural_invariantsf(const float Q[9], float e[3], float *phi)
 {
@@ -807,8 +808,8 @@ void chasles_natural_invariantsf(const float Q[9], float e[3], float *phi)
 
 /*
  * text 3.4.2 h chasles_natural_invariants for a batch.
- *   verdict: holds under; assumes Q is a rotation
- *   67 operations; derivation sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1
+ *   verdict: holds under; assumes Q is a rotation, phi != 0
+ *   67 operations; derivation sha256 b47265205c210a4a7575cf37f3397d247684ce5f8eb6bab8f2ac46e58c865d42
  */
 void chasles_natural_invariants_batch(
     size_t count,
@@ -823,8 +824,8 @@ void chasles_natural_invariants_batch(
 
 /*
  * text 3.4.2 h chasles_natural_invariantsf for a batch.
- *   verdict: holds under; assumes Q is a rotation
- *   67 operations; derivation sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1
+ *   verdict: holds under; assumes Q is a rotation, phi != 0
+ *   67 operations; derivation sha256 b47265205c210a4a7575cf37f3397d247684ce5f8eb6bab8f2ac46e58c865d42
  */
 void chasles_natural_invariants_batchf(
     size_t count,
@@ -845,7 +846,7 @@ void chasles_natural_invariants_batchf(
  *   verdict     holds under
  *   assumes     Q is a rotation
  *   operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root
- *   derivation  sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6
+ *   derivation  sha256 4bcd6bea4208517545305bdeb66a4b0d6a8db1cf94307f4b20bec1257edd5cd4
  */
 void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *q_0)
 {
@@ -909,7 +910,7 @@ void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parameters in single precision.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6
+ *   49 operations; derivation sha256 4bcd6bea4208517545305bdeb66a4b0d6a8db1cf94307f4b20bec1257edd5cd4
  */
 void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_0)
 {
@@ -973,7 +974,7 @@ void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parameters for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6
+ *   49 operations; derivation sha256 4bcd6bea4208517545305bdeb66a4b0d6a8db1cf94307f4b20bec1257edd5cd4
  */
 void chasles_euler_rodrigues_parameters_batch(
     size_t count,
@@ -989,7 +990,7 @@ void chasles_euler_rodrigues_parameters_batch(
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parametersf for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6
+ *   49 operations; derivation sha256 4bcd6bea4208517545305bdeb66a4b0d6a8db1cf94307f4b20bec1257edd5cd4
  */
 void chasles_euler_rodrigues_parameters_batchf(
     size_t count,
@@ -1012,8 +1013,9 @@ void chasles_euler_rodrigues_parameters_batchf(
  *               phi: angle of rotation
  *   verdict     holds under
  *   assumes     Q is a rotation
+ *               phi != 0
  *   operations  125: 35 add, 23 subtract, 53 multiply, 8 divide, 5 square root, 1 arctangent2
- *   derivation  sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06
+ *   derivation  sha256 5832ff407e89699a11b42b44a947cbd6406216827d35ca400f49ca98c93e57d0
  */
 void chasles_screw_of_motion(
     const double Q[9],
@@ -1112,8 +1114,8 @@ void chasles_screw_of_motion(
 
 /*
  * text 3.4.2 j chasles_screw_of_motion in single precision.
- *   verdict: holds under; assumes Q is a rotation
- *   125 operations; derivation sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06
+ *   verdict: holds under; assumes Q is a rotation, phi != 0
+ *   125 operations; derivation sha256 5832ff407e89699a11b42b44a947cbd6406216827d35ca400f49ca98c93e57d0
  */
 void chasles_screw_of_motionf(
     const float Q[9],
@@ -1212,8 +1214,8 @@ void chasles_screw_of_motionf(
 
 /*
  * text 3.4.2 j chasles_screw_of_motion for a batch.
- *   verdict: holds under; assumes Q is a rotation
- *   125 operations; derivation sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06
+ *   verdict: holds under; assumes Q is a rotation, phi != 0
+ *   125 operations; derivation sha256 5832ff407e89699a11b42b44a947cbd6406216827d35ca400f49ca98c93e57d0
  */
 void chasles_screw_of_motion_batch(
     size_t count,
@@ -1237,8 +1239,8 @@ void chasles_screw_of_motion_batch(
 
 /*
  * text 3.4.2 j chasles_screw_of_motionf for a batch.
- *   verdict: holds under; assumes Q is a rotation
- *   125 operations; derivation sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06
+ *   verdict: holds under; assumes Q is a rotation, phi != 0
+ *   125 operations; derivation sha256 5832ff407e89699a11b42b44a947cbd6406216827d35ca400f49ca98c93e57d0
  */
 void chasles_screw_of_motion_batchf(
     size_t count,

@@ -115,7 +115,7 @@ def _step(context: Context, point: Point, solved: dict[str, tuple[Polynomial, Po
     if solved:
         return False
     ring = context.field.ring
-    bound = {subject for h in context.active if h.equations for subject in h.subjects}
+    bound = {subject for h in context.active if h.equations and not h.free for subject in h.subjects}
     violated = [g.polynomial for g in context.generators if not is_zero(evaluate(context, g.polynomial, point))]
     places = [
         k for k, v in enumerate(context.variables) if v.kind == "entry" and v.symbol not in bound and v.symbol != PI

@@ -115,6 +115,8 @@ class Chapter:
 def _bases(sentence: Sentence) -> Iterator[Statement]:
     """The statements that a sentence names: what is given, and what it restates, solves or inverts."""
     yield from sentence.given
+    if isinstance(sentence, Inverse):
+        yield from sentence.satisfying
     match sentence:
         case Claim(restates=Statement() as other) | Claim(solves=Statement() as other) | Inverse(of=other):
             yield other
