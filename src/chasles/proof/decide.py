@@ -16,14 +16,14 @@ from chasles.proof.context import Context, Generator, build, difference, entries
 from chasles.proof.deadline import OutOfTime, remaining, within
 from chasles.proof.polynomial_text import written
 from chasles.proof.ratios import Ratio
-from chasles.proof.rings import Polynomial
+from chasles.proof.rings import Polynomial, Ring
 from chasles.proof.search import Search
 from chasles.proof.unfold import UndeclaredDivisor
-from chasles.proof.values import is_zero, shown
+from chasles.proof.values import InPi, is_zero, shown
 from chasles.proof.variables import Untreatable
 from chasles.proof.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed, Undecided, Verdict
 from chasles.statements import Goal, Hypothesis, Problem
-from chasles.vocabulary import Symbol
+from chasles.vocabulary import PI, Symbol
 
 __all__ = ["BUDGET", "decide_problem", "determining", "pose"]
 
@@ -136,12 +136,13 @@ def _refute(context: Context, solved: tuple[Solved, ...], suspects: list[_Entry]
     """The counterexample that is easiest to evaluate by hand among those that a number of sample points give."""
     best: tuple[int, Counterexample] | None = None
     used = _used_variables(context, solved, suspects)
+    angles = {context.variables[k].name for k in context.transcendental}
     fruitless = 0
     for point in _limited(context, solved):
         fruitless += 1
         if best is not None and fruitless > FRUITLESS:
             break
-        shown_point = {name: point[name] for name in used}
+        shown_point = {name: InPi(point[name]) if name in angles else point[name] for name in used}
         height = sum(map(_height, shown_point.values()))
         if best is not None and height >= best[0]:
             continue
@@ -188,24 +189,41 @@ def _height(value: Fraction) -> int:
 
 
 def _used_variables(context: Context, solved: tuple[Solved, ...], suspects: list[_Entry]) -> list[str]:
-    """The variables on which the question depends, in a reader's order: those that were solved for left out."""
+    """The variables on which the question depends, and those tied to them, in a reader's order.
+
+    Those that were solved for are left out, and so is an angle beside its cosine and sine, but where pi measures it.
+    """
     ring = context.field.ring
     polynomials = [p for e in suspects for p in (e.ratio.numerator, context.field.power_product(e.ratio.denominator))]
     for entry in suspects:
         for side in (entry.goal.left, entry.goal.right):
             polynomials += [r.numerator for _, _, r in entries(context.unfold(side))]
-    places = {k for p in polynomials for exponents, _ in ring.terms(p) for k, e in enumerate(exponents) if e}
+    places = _tied(context, {k for p in polynomials for k in _places(ring, p)})
     touched = {context.variables[k].symbol for k in places} - {None}
     circular = {context.variables[k].symbol for k in places if context.variables[k].kind in ("cos", "sin")}
     names = [
         v.name
         for k, v in enumerate(context.variables)
         if k in places
-        or (v.symbol in touched and v.kind == "entry" and v.order == 0 and k not in context.transcendental)
+        or (v.symbol in touched and v.kind == "entry" and v.order == 0)
         or (v.symbol in circular and v.kind in ("cos", "sin"))
     ]
-    gone = {s.variable for s in solved} | {context.variables[k].name for k in context.transcendental}
+    hidden = {k for k in context.transcendental if not context.pi_measures or context.variables[k].symbol == PI}
+    gone = {s.variable for s in solved} | {context.variables[k].name for k in hidden}
     return sorted(name for name in names if name not in gone)
+
+
+def _places(ring: Ring, polynomial: Polynomial) -> set[int]:
+    return {k for exponents, _ in ring.terms(polynomial) for k, exponent in enumerate(exponents) if exponent}
+
+
+def _tied(context: Context, places: set[int]) -> set[int]:
+    """The variables, and all that equations tie to them: a norm to its vector, a rate to what it is of."""
+    ring = context.field.ring
+    equations = [_places(ring, generator.polynomial) for generator in context.generators]
+    while more := set().union(*(known for known in equations if known & places)) - places:
+        places = places | more
+    return places
 
 
 def _witness(context: Context, solved: tuple[Solved, ...]) -> points.Point | None:
@@ -222,7 +240,7 @@ def _certified(
 ) -> Verdict:
     unused = _drop_unneeded(context, solved, done, own)
     used = _used_hypotheses(context, solved, done)
-    needs = tuple(h.text for h in context.active if h in used)
+    needs = tuple(h.text for h in context.active if h in used and h.kind != "given")
     certificate = _certificate(context, conditions, solved, done, witness)
     if needs:
         return HoldsUnder(needs, certificate, witness, unused)

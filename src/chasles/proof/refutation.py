@@ -105,7 +105,7 @@ def _connected(reading: Reading, places: set[int]) -> set[int]:
 
 def _completed(reading: Reading, at: Mapping[str, Fraction], relevant: set[int]) -> Point:
     """The point, with values for what it leaves out."""
-    point = point_of(reading, at)
+    point = point_of(reading, {name: Fraction(value) for name, value in at.items()})
     _angles(reading, point, relevant)
     _choose(reading, point, relevant)
     _norms(reading, point, relevant)

@@ -310,7 +310,10 @@ class Unfolder:
                 node = Rate(node)
             if node in self.rules:
                 return self(self.rules[node])[variable.row][variable.column]
-            return self.variable(self._entry[symbol, variable.order + 1, variable.row, variable.column])
+            place = self._entry.get((symbol, variable.order + 1, variable.row, variable.column))
+            if place is None:
+                raise Untreatable(f"a condition determines {plain(symbol)}, and speaks of its rate")
+            return self.variable(place)
         unit = self.field.constant(self._units[symbol])
         speed = self(Rate(symbol))[0][0] * unit
         name = variable.name.removeprefix(variable.kind)

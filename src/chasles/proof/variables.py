@@ -91,7 +91,7 @@ class Variables:
     sought: dict[Node, int] = field(default_factory=dict)
 
     def listed(self, unknowns: tuple[Symbol, ...]) -> Iterator[Variable]:
-        """The variables from largest to smallest in the term order.
+        """The variables from largest to smallest in the term order; the rates of unknowns follow from their values.
 
         The entries of a vector's rates are ordered so that e.e - 1 and its derivatives have coprime leading terms:
         then they are a Groebner basis as they stand.
@@ -102,7 +102,7 @@ class Variables:
         highest = max(self.orders.values(), default=0)
         for order in range(highest, -1, -1):
             for symbol, known in ranked:
-                if order <= known:
+                if order <= known and not (order and symbol in unknowns):
                     yield from _entries(symbol, order)
         for symbol, unit in self.angles.items():
             name = angle_name(symbol, unit)

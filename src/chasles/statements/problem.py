@@ -27,6 +27,7 @@ from chasles.vocabulary import (
     children,
     column,
     members_of,
+    plain,
     replace,
     walk,
 )
@@ -104,7 +105,7 @@ def problem_of(
                 "state it as a Condition on what it determines"
             )
     _refuse_circles(statement, rules, unknowns)
-    hypotheses = tuple(dict.fromkeys(_hypotheses(statement)))
+    hypotheses = tuple(dict.fromkeys((*_hypotheses(statement), *_agreeing(dict(rules)))))
     problem = Problem((), tuple(rules), tuple(conditions), tuple(unknowns), hypotheses)
     if isinstance(statement, Theorem):
         goals = tuple(_theorem_goals(statement, problem))
@@ -188,6 +189,20 @@ def _presupposed(statement: Theorem, problem: Problem) -> Iterator[Hypothesis]:
                         "leave that statement out"
                     )
                 yield hypothesis
+
+
+def _agreeing(rules: Mapping[Node, Node]) -> Iterator[Hypothesis]:
+    """Where both a quantity and its rate are given, the rate of what is given for the other."""
+    for left, right in rules.items():
+        base, dots = left, 0
+        while isinstance(base, Rate) and (not dots or base not in rules):
+            base, dots = base.of, dots + 1
+        if dots and base in rules:
+            rate = rules[base]
+            for _ in range(dots):
+                rate = Rate(rate)
+            text = f"{plain(left)} is the rate of {plain(base)}"
+            yield Hypothesis("given", (Sum((rate, Negative(right))),), ((rate, right),), (), "", text)
 
 
 def _hypotheses(statement: Decidable) -> Iterator[Hypothesis]:

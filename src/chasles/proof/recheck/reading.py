@@ -54,19 +54,29 @@ class Reading(Quantities):
             self.positive.append((hypothesis.text, minor * self.product(below)))
 
     def _conditions(self) -> None:
+        """What the conditions say, and its rates up to the highest order of an unknown that occurs."""
+        unknown = [what[2] for what in self.variables if what[0] == "entry" and what[1] in self.problem.unknowns]
+        highest = max(unknown, default=0)
         for goal in self.problem.conditions:
             for i, j, polynomial in self.difference(goal.left, goal.right):
                 if polynomial:
                     self.conditions.append(self.cleared(polynomial)[0])
-                    self._vanish(f"{len(self.conditions)}. {goal.label} [{i + 1}, {j + 1}]", polynomial)
+                    label = f"{len(self.conditions)}. {goal.label} [{i + 1}, {j + 1}]"
+                    self._vanish(label, polynomial)
+                    rates = [polynomial]
+                    for order in range(1, highest + 1):
+                        rates.append(self.rate(rates[-1]))
+                        self._vanish(f"{label} ({'d' * order}ot)", rates[-1])
 
     def _hypotheses(self) -> None:
-        """What the hypotheses say, and its rates up to the highest order that occurs."""
+        """What the hypotheses say, and its rates up to the highest order that occurs, or of which a rule speaks."""
         highest = max((what[2] for what in self.variables if what[0] == "entry"), default=0)
+        ruled = {of: order for of, order in map(_undotted, self.rules) if order}
         for hypothesis in self.problem.hypotheses:
             for place, (left, right) in enumerate(hypothesis.equations):
                 entries = self.difference(left, right)
-                for order in range(highest + 1):
+                symbols = {self.variables[k][1] for _, _, entry in entries for k in entry.places}
+                for order in range(max(highest, *(ruled[symbol] for symbol in symbols & ruled.keys()), 0) + 1):
                     label = hypothesis.text + (f" ({'d' * order}ot)" if order else "")
                     entries = [(i, j, self.rate(entry)) for i, j, entry in entries] if order else entries
                     for i, j, entry in entries:
@@ -122,3 +132,11 @@ class Reading(Quantities):
                 return self.inverse(rule)
             case _:
                 raise Rejected(f"the statement divides by {node}, which nothing declares nonzero")
+
+
+def _undotted(node: w.Node) -> tuple[w.Node, int]:
+    """What a rate is the rate of, and how many times over."""
+    order = 0
+    while isinstance(node, w.Rate):
+        node, order = node.of, order + 1
+    return node, order
