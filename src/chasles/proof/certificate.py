@@ -129,7 +129,7 @@ def point_of(reading: Reading, values: Mapping[str, Any]) -> Point:
     An angle that occurs beside its own cosine and sine is transcendental, because these are rational (Lindemann). With
     pi, or another such angle, in play it is given in units of pi: its cosine and sine must be those of quarter turns.
     """
-    pi = {reading.places["pi"]} if "pi" in reading.places else set()
+    pi = {reading.places["pi"]} if "pi" in reading.places and "pi" in values else set()
     numbers = dict.fromkeys(pi, Fraction(1))
     for name, value in values.items():
         place = reading.places.get(squeezed(name))

@@ -240,7 +240,7 @@ def _certified(
 ) -> Verdict:
     unused = _drop_unneeded(context, solved, done, own)
     used = _used_hypotheses(context, solved, done)
-    needs = tuple(h.text for h in context.active if h in used and h.kind != "given")
+    needs = tuple(h.text for h in context.problem.hypotheses if h in used and h.kind != "given")
     certificate = _certificate(context, conditions, solved, done, witness)
     if needs:
         return HoldsUnder(needs, certificate, witness, unused)
@@ -279,8 +279,8 @@ def _drop_unneeded(
             dropped.add(hypothesis)
             for entry, (cofactors, _) in zip(done, attempts, strict=True):
                 entry.cofactors = {kept[k]: c for k, c in cofactors.items()}
-    used = _used_hypotheses(context, solved, done)
-    return tuple(h.text for h in own if h not in used)
+    used = {h.text for h in _used_hypotheses(context, solved, done)}
+    return tuple(h.text for h in own if h.text not in used)
 
 
 def _certificate(

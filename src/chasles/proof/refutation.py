@@ -105,7 +105,8 @@ def _connected(reading: Reading, places: set[int]) -> set[int]:
 
 def _completed(reading: Reading, at: Mapping[str, Fraction], relevant: set[int]) -> Point:
     """The point, with values for what it leaves out."""
-    point = point_of(reading, {name: Fraction(value) for name, value in at.items()})
+    pi = {"pi": Fraction(1)} if reading.places.get("pi") in relevant else {}
+    point = point_of(reading, {name: Fraction(value) for name, value in at.items()} | pi)
     _angles(reading, point, relevant)
     _choose(reading, point, relevant)
     _norms(reading, point, relevant)
@@ -126,7 +127,7 @@ def _angles(reading: Reading, point: Point, relevant: set[int]) -> None:
     bare = {place: symbols[place] for place in relevant - point.keys() if place in symbols}
     for place, symbol in bare.items():
         point[place] = Fraction(1), 1
-        if len(bare) > 1 or "pi" in reading.places:
+        if len(bare) > 1 or reading.places.get("pi") in point:
             cosine, unit = measured[symbol]
             turn = tuple(point[k][0] for k in (cosine, cosine + 1) if k in point)
             if turn not in QUARTERS:

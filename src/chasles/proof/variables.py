@@ -12,6 +12,7 @@ from fractions import Fraction
 from math import gcd, lcm
 
 from chasles.vocabulary import (
+    PI,
     At,
     Call,
     Group,
@@ -156,7 +157,10 @@ def scan(found: Variables, node: Node, order: int, rules: Mapping[Node, Node]) -
             if function not in ("sin", "cos"):
                 raise Untreatable(f"the function {function} in {plain(node)} is not treated: only sin and cos are")
             for symbol, multiple in angle_multiples(argument, rules).items():
-                _scan_angle(found, symbol, multiple, order)
+                if symbol != PI:
+                    _scan_angle(found, symbol, multiple, order)
+                elif (2 * multiple).denominator != 1:
+                    raise Untreatable(f"{plain(node)}: of angles in pi, only whole multiples of pi/2 are treated")
         case Power(Norm(of), exponent) if exponent % 2 == 0:
             scan(found, of, order, rules)
         case Quotient(numerator, denominator):

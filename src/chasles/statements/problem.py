@@ -9,8 +9,10 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 
+from chasles.statements.angles import determined_angle, turning
 from chasles.statements.forms import Definite, OnlyWhere
 from chasles.statements.hypotheses import Hypothesis
+from chasles.statements.lengths import Lengths
 from chasles.statements.squares import relied_on
 from chasles.statements.statement import Claim, Condition, Definition, Statement, Theorem, bare, is_rule
 from chasles.statements.varied import demands, visible
@@ -38,6 +40,7 @@ from chasles.vocabulary.nodes import lifted, measured
 __all__ = ["Goal", "Problem", "default_form", "problem_of"]
 
 Decidable = Statement | Theorem
+Equation = tuple[Node, Node]
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,6 +107,7 @@ def problem_of(
                 f"({statement.number}) is given ({given.number}), whose left side {left} is no symbol: "
                 "state it as a Condition on what it determines"
             )
+    rules += _angle_rules(statement, form, rules, conditions, unknowns)
     _refuse_circles(statement, rules, unknowns)
     hypotheses = tuple(dict.fromkeys((*_hypotheses(statement), *_agreeing(dict(rules)))))
     problem = Problem((), tuple(rules), tuple(conditions), tuple(unknowns), hypotheses)
@@ -114,7 +118,35 @@ def problem_of(
         goals = tuple(_goals(statement, form, standing))
     for goal in goals:
         added(measured(goal.left), measured(goal.right), (goal.left, goal.right), "equate")
-    return with_fields(problem, goals=goals)
+    return _with_simple_lengths(with_fields(problem, goals=goals))
+
+
+def _angle_rules(
+    statement: Decidable, form: str, rules: list[Equation], conditions: list[Goal], unknowns: dict[Symbol, None]
+) -> Iterator[Equation]:
+    """What conditions say that angles are, whose cosines and sines are taken; these conditions are left out."""
+    if isinstance(statement, Theorem):
+        sides = [side for part in statement.forms for each in part.equations() for side in each[1:]]
+    else:
+        sides = list(statement.form(form))
+    angles = turning((*sides, *(side for rule in rules for side in rule)))
+    for goal in tuple(conditions):
+        found = determined_angle(goal.left, goal.right, unknowns)
+        if found is not None and found[0] in angles:
+            conditions.remove(goal)
+            del unknowns[found[0]]
+            yield found
+
+
+def _with_simple_lengths(problem: Problem) -> Problem:
+    """The same problem with every length said of as simple a vector as is known."""
+    lengths = Lengths(problem.hypotheses, dict(problem.rules))
+    goals = tuple(Goal(goal.label, lengths(goal.left), lengths(goal.right)) for goal in problem.goals)
+    conditions = tuple(Goal(goal.label, lengths(goal.left), lengths(goal.right)) for goal in problem.conditions)
+    rules = tuple((left, lengths(right)) for left, right in problem.rules)
+    hypotheses = tuple(map(lengths.hypothesis, problem.hypotheses))
+    presupposed = tuple(dict.fromkeys((*problem.presupposed, *lengths.used)))
+    return Problem(goals, rules, conditions, problem.unknowns, hypotheses, presupposed)
 
 
 def _refuse_circles(statement: Decidable, rules: list[tuple[Node, Node]], unknowns: Collection[Symbol]) -> None:

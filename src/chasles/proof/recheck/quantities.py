@@ -169,6 +169,10 @@ class Quantities(Expansion):
         value = self(angle)[0][0]
         for monomial, multiple in value.terms.items():
             match [(*self.variables[place], power) for place, power in exponents(monomial)]:
+                case [("entry", w.PI, *_, 1)] if 2 * multiple % value.below == 0:
+                    for _ in range(2 * multiple // value.below % 4):
+                        cosine, sine = -sine, cosine
+                    continue
                 case [("entry", w.Symbol() as symbol, 0, 0, 0, 1)] if symbol.is_scalar:
                     unit = self._units.get(symbol.name, abs(Fraction(multiple, value.below)))
                 case _:
