@@ -14,6 +14,7 @@ from typing import Any
 from chasles.proof.recheck.quantities import squeezed
 from chasles.proof.recheck.reading import Reading
 from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected, exponents, variable
+from chasles.proof.recheck.surds import exact
 from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import problems_of_inverse
 from chasles.statements.problem import default_form
@@ -23,8 +24,9 @@ __all__ = ["QUARTERS", "Point", "Rejected", "check", "point_of", "require", "val
 
 QUARTERS = tuple((Fraction(cosine), Fraction(sine)) for cosine, sine in ((1, 0), (0, 1), (-1, 0), (0, -1)))
 """Cosine and sine of none, one, two and three quarter turns."""
-Point = dict[int, tuple[Fraction, int]]
-"""For each variable a number, and the power, 0 or 1, of the one transcendental number by which it is multiplied."""
+Point = dict[int, tuple[Any, int]]
+"""For each variable a number, rational or a sum of square roots, and the power, 0 or 1, of the one transcendental
+number by which it is multiplied."""
 
 
 def check(
@@ -130,10 +132,10 @@ def point_of(reading: Reading, values: Mapping[str, Any]) -> Point:
     pi, or another such angle, in play it is given in units of pi: its cosine and sine must be those of quarter turns.
     """
     pi = {reading.places["pi"]} if "pi" in reading.places and "pi" in values else set()
-    numbers = dict.fromkeys(pi, Fraction(1))
+    numbers: dict[int, Any] = dict.fromkeys(pi, Fraction(1))
     for name, value in values.items():
         place = reading.places.get(squeezed(name))
-        if place is not None and numbers.setdefault(place, Fraction(str(value))) != Fraction(str(value)):
+        if place is not None and numbers.setdefault(place, number := exact(str(value))) != number:
             raise Rejected(f"{name} is given two values")
     angles = [(place, *what[1:]) for place, what in enumerate(reading.variables) if what[0] == "cos"]
     bare = pi | {reading.places[symbol.name] for _, symbol, _ in angles} & numbers.keys()
@@ -145,15 +147,16 @@ def point_of(reading: Reading, values: Mapping[str, Any]) -> Point:
             fits = numbers.get(place, cosine) == cosine and numbers.get(place + 1, sine) == sine
             if quarters.denominator != 1 or not fits:
                 raise Rejected(f"cosine and sine of {symbol} are not those of the angle given")
+    roots = {reading.places.get(str(h.subjects[0])) for h in reading.problem.hypotheses if h.kind == "root"}
     for place, number in numbers.items():
-        if number < 0 and reading.variables[place][0] == "norm":
-            raise Rejected("a norm is given a negative value")
+        if (place in roots or reading.variables[place][0] == "norm") and number < 0:
+            raise Rejected("a norm, or a root, is given a negative value")
     return {place: (number, int(place in bare)) for place, number in numbers.items()}
 
 
-def value_at(polynomial: Polynomial, point: Point) -> dict[int, Fraction]:
+def value_at(polynomial: Polynomial, point: Point) -> dict[int, Any]:
     """The value, by power of the transcendental number; empty if it is zero."""
-    total: dict[int, Fraction] = {}
+    total: dict[int, Any] = {}
     for monomial, coefficient in polynomial.terms.items():
         powers = exponents(monomial)
         power = sum(point[place][1] * exponent for place, exponent in powers)
