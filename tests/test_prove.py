@@ -22,7 +22,7 @@ from sympy import Abs, Eq, Matrix, Rational, cos, cot, csc, eye, pi, sec, sin, s
 from sympy.core.function import AppliedUndef
 
 import chasles
-from chasles.proof.recheck.surds import exact
+from chasles.proof.root_sums import exact
 from chasles.proof.surds import Exact, root_of
 from chasles.proof.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided
 from chasles.prove import Rejected, Untreatable, prove, recheck

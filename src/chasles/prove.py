@@ -11,6 +11,7 @@ from chasles.proof.context import build
 from chasles.proof.deadline import OutOfTime, remaining, within
 from chasles.proof.decide import decide_problem
 from chasles.proof.from_sympy import Question, ask
+from chasles.proof.root_sums import exact
 from chasles.proof.variables import Untreatable
 from chasles.proof.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
 from chasles.statements import Goal
@@ -62,7 +63,7 @@ def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Iterable[Any] = (), non
     question = ask(lhs, rhs, given, nonzero)
     assert isinstance(question, Question)
     problems = [question.problem, *question.variants()]
-    check(problems[verdict.certificate["variant"]], "", verdict.certificate)
+    check(problems[verdict.certificate["variant"]], "", verdict.certificate, number=exact)
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,6 @@ from typing import Any
 from chasles.proof.recheck.quantities import squeezed
 from chasles.proof.recheck.reading import Reading
 from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected, exponents, variable
-from chasles.proof.recheck.surds import exact
 from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import problems_of_inverse
 from chasles.statements.problem import default_form
@@ -34,11 +33,13 @@ def check(
     form: str,
     certificate: Mapping[str, Any],
     standing: Callable[[Statement], str] = default_form,
+    number: Callable[[str], Any] = Fraction,
 ) -> None:
     """Every entry of every equation holds wherever the hypotheses do, and somewhere they do: the certificate proves it.
 
-    `standing` says in which form each given statement is used; a problem needs neither form nor standing. Raises
-    `Rejected` with the reason if the certificate does not prove the statement, and what `problem_of` raises.
+    `standing` says in which form each given statement is used; a problem needs neither form nor standing. A coordinate
+    of the witness is read by `number`. Raises `Rejected` with the reason if the certificate does not prove the
+    statement, and what `problem_of` raises.
     """
     if isinstance(said, Inverse):
         problems = dict(problems_of_inverse(said, standing))
@@ -46,14 +47,14 @@ def check(
         problems = {"": said if isinstance(said, Problem) else problem_of(said, form, standing)}
     try:
         for says, problem in problems.items():
-            _check(problem, certificate["branches"][says] if isinstance(said, Inverse) else certificate)
+            _check(problem, certificate["branches"][says] if isinstance(said, Inverse) else certificate, number)
     except Rejected:
         raise
     except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError) as error:
         raise Rejected(f"the certificate is malformed: {type(error).__name__}: {error}") from error
 
 
-def _check(problem: Problem, certificate: Mapping[str, Any]) -> None:
+def _check(problem: Problem, certificate: Mapping[str, Any], number: Callable[[str], Any]) -> None:
     if not problem.goals:
         raise Rejected("there is nothing to prove")
     reading = Reading(problem, certificate["witness"])
@@ -73,7 +74,7 @@ def _check(problem: Problem, certificate: Mapping[str, Any]) -> None:
             if f"{count}:{i},{j}" not in certificate["entries"]:
                 raise Rejected(f"the certificate says nothing of {what}")
             occurring |= _follows(reading, difference, certificate["entries"][f"{count}:{i},{j}"], what)
-    require(reading, point_of(reading, certificate["witness"]), occurring)
+    require(reading, point_of(reading, certificate["witness"], number), occurring)
 
 
 def _follows(reading: Reading, claim: Polynomial, said: Mapping[str, Any], what: str) -> set[int]:
@@ -125,7 +126,7 @@ def _power(text: str | int) -> int:
     return int(text)
 
 
-def point_of(reading: Reading, values: Mapping[str, Any]) -> Point:
+def point_of(reading: Reading, values: Mapping[str, Any], number: Callable[[str], Any] = Fraction) -> Point:
     """The point with these values; raises `Rejected` where they contradict what the variables mean.
 
     An angle that occurs beside its own cosine and sine is transcendental, because these are rational (Lindemann). With
@@ -135,7 +136,7 @@ def point_of(reading: Reading, values: Mapping[str, Any]) -> Point:
     numbers: dict[int, Any] = dict.fromkeys(pi, Fraction(1))
     for name, value in values.items():
         place = reading.places.get(squeezed(name))
-        if place is not None and numbers.setdefault(place, number := exact(str(value))) != number:
+        if place is not None and numbers.setdefault(place, here := number(str(value))) != here:
             raise Rejected(f"{name} is given two values")
     angles = [(place, *what[1:]) for place, what in enumerate(reading.variables) if what[0] == "cos"]
     bare = pi | {reading.places[symbol.name] for _, symbol, _ in angles} & numbers.keys()
@@ -148,10 +149,10 @@ def point_of(reading: Reading, values: Mapping[str, Any]) -> Point:
             if quarters.denominator != 1 or not fits:
                 raise Rejected(f"cosine and sine of {symbol} are not those of the angle given")
     roots = {reading.places.get(str(h.subjects[0])) for h in reading.problem.hypotheses if h.kind == "root"}
-    for place, number in numbers.items():
-        if (place in roots or reading.variables[place][0] == "norm") and number < 0:
+    for place, value in numbers.items():
+        if (place in roots or reading.variables[place][0] == "norm") and value < 0:
             raise Rejected("a norm, or a root, is given a negative value")
-    return {place: (number, int(place in bare)) for place, number in numbers.items()}
+    return {place: (value, int(place in bare)) for place, value in numbers.items()}
 
 
 def value_at(polynomial: Polynomial, point: Point) -> dict[int, Any]:

@@ -61,12 +61,10 @@ class Reading(Quantities):
             for i, j, polynomial in self.difference(goal.left, goal.right):
                 if polynomial:
                     self.conditions.append(self.cleared(polynomial)[0])
-                    label = f"{len(self.conditions)}. {goal.label} [{i + 1}, {j + 1}]"
-                    self._vanish(label, polynomial)
-                    rates = [polynomial]
-                    for order in range(1, highest + 1):
-                        rates.append(self.rate(rates[-1]))
-                        self._vanish(f"{label} ({'d' * order}ot)", rates[-1])
+                    label, rates = f"{len(self.conditions)}. {goal.label} [{i + 1}, {j + 1}]", [polynomial]
+                    for order in range(highest + 1):
+                        rates += [self.rate(rates[-1])] if order else []
+                        self._vanish(label + (f" ({'d' * order}ot)" if order else ""), rates[-1])
 
     def _hypotheses(self) -> None:
         """What the hypotheses say, and its rates up to the highest order that occurs, or of which a rule speaks."""
