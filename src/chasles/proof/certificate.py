@@ -17,6 +17,7 @@ from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected, exponents, 
 from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import problems_of_inverse
 from chasles.statements.problem import default_form
+from chasles.statements.spins import with_spins
 from chasles.vocabulary import PI
 
 __all__ = ["QUARTERS", "Point", "Rejected", "check", "point_of", "require", "value_at"]
@@ -57,6 +58,7 @@ def check(
 def _check(problem: Problem, certificate: Mapping[str, Any], number: Callable[[str], Any]) -> None:
     if not problem.goals:
         raise Rejected("there is nothing to prove")
+    problem = with_spins(problem) if certificate.get("spins") else problem
     reading = Reading(problem, certificate["witness"])
     occurring = set().union(*(condition.places for condition in reading.conditions))
     values: dict[int, Polynomial] = {}

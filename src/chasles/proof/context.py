@@ -17,9 +17,9 @@ from chasles.proof.completion import Basis, stated
 from chasles.proof.ratios import Field, Ratio
 from chasles.proof.rings import Polynomial, make_ring
 from chasles.proof.unfold import Matrix, UndeclaredDivisor, Unfolder
-from chasles.proof.variables import Untreatable, Variable, Variables, scan, undotted
+from chasles.proof.variables import Untreatable, Variable, Variables, scan
 from chasles.statements import Goal, Hypothesis, Problem
-from chasles.vocabulary import PI, Node, Norm, Rate, Symbol, plain, symbols_of
+from chasles.vocabulary import PI, Contract, Node, Norm, Rate, Skew, Symbol, plain, symbols_of, undotted
 
 __all__ = ["Context", "Generator", "build", "describe", "difference", "entries"]
 
@@ -164,11 +164,19 @@ def _bears_on(symbols: set[Symbol], rates: Mapping[Node, set[Symbol]]) -> set[Sy
 
 def _order(found: Variables, hypothesis: Hypothesis, symbols: set[Symbol], rules: Mapping[Node, Node]) -> int:
     """Up to which rate the equations of a hypothesis say something of use: a rule for a rate asks for it too."""
-    if not hypothesis.equations or hypothesis.kind == "given":
+    if not hypothesis.equations or hypothesis.kind == "given" or _is_turned(hypothesis, rules):
         return 0
     orders = [found.reached.get(symbol, 0) for symbol in symbols]
     orders += [order for node, order in map(undotted, rules) if node in symbols]
     return max(orders, default=0)
+
+
+def _is_turned(hypothesis: Hypothesis, rules: Mapping[Node, Node]) -> bool:
+    """Whether the rates of a hypothesis follow: that of a rotation is said to be a skew-symmetric matrix times it."""
+    match rules.get(Rate(hypothesis.subjects[0])):
+        case Contract((Skew(), turned)):
+            return hypothesis.kind == "rotation" and turned == hypothesis.subjects[0]
+    return False
 
 
 def _refuse_restrictions(
@@ -224,7 +232,8 @@ def _generators(
     ring = unfold.field.ring
     place = {variable.name: k for k, variable in enumerate(variables)}
     for hypothesis in active:
-        symbols = () if hypothesis.kind == "given" else chain.from_iterable(map(symbols_of, hypothesis.subjects))
+        still = hypothesis.kind == "given" or _is_turned(hypothesis, unfold.rules)
+        symbols = () if still else chain.from_iterable(map(symbols_of, hypothesis.subjects))
         order = max((found.reached.get(symbol, 0) for symbol in symbols), default=0)
         yield from _hypothesis_generators(unfold, hypothesis, order)
     for variable in variables:

@@ -23,6 +23,7 @@ from chasles.proof.values import InPi, is_zero, shown
 from chasles.proof.variables import Untreatable
 from chasles.proof.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed, Undecided, Verdict
 from chasles.statements import Goal, Hypothesis, Problem
+from chasles.statements.spins import with_spins
 from chasles.vocabulary import PI, Symbol
 
 __all__ = ["BUDGET", "decide_problem", "determining", "pose"]
@@ -66,6 +67,9 @@ def _decide(problem: Problem, own: tuple[Hypothesis, ...], search: Search | None
         context = build(problem)
         conditions, solved = solve_conditions(context)
         unproved = _entries(context)
+        turned = None if search else _by_spins(context, solved, unproved, own)
+        if turned is not None:
+            return turned
         proved = _prove(context, context.basis, unproved)
     except UndeclaredDivisor as error:
         return IllFormed(str(error))
@@ -86,6 +90,22 @@ def _decide(problem: Problem, own: tuple[Hypothesis, ...], search: Search | None
     if witness is None:
         return Undecided("it follows from its hypotheses, but no point was found that satisfies them all")
     return _certified(context, conditions, solved, unproved, own, witness)
+
+
+def _by_spins(
+    context: Context, solved: tuple[Solved, ...], unproved: list[_Entry], own: tuple[Hypothesis, ...]
+) -> Verdict | None:
+    """The verdict where rotations move: refuted at a point, or proved for all spins; None where neither is found."""
+    spun = with_spins(context.problem)
+    if spun is context.problem or all(entry.ratio.is_zero for entry in unproved):
+        return None
+    if not _vanish_here_and_there(context, solved, unproved):
+        found = _refute(context, solved, unproved)
+        return Fails(found) if found else None
+    verdict = _decide(spun, own, None)
+    if isinstance(verdict, Holds | HoldsUnder):
+        return replace(verdict, certificate={**verdict.certificate, "spins": True})
+    return None
 
 
 def determining(problem: Problem, symbols: tuple[Symbol, ...]) -> Problem:

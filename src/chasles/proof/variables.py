@@ -29,6 +29,7 @@ from chasles.vocabulary import (
     Symbol,
     children,
     plain,
+    undotted,
 )
 
 __all__ = [
@@ -41,7 +42,6 @@ __all__ = [
     "entry_name",
     "moment_name",
     "scan",
-    "undotted",
 ]
 
 
@@ -239,14 +239,6 @@ def _scan_divisor(found: Variables, node: Node, order: int, rules: Mapping[Node,
             _scan_divisor(found, term, order, rules)
         case _:
             scan(found, node, order, rules)
-
-
-def undotted(node: Node) -> tuple[Node, int]:
-    """What a rate is the rate of, and how many times over."""
-    order = 0
-    while isinstance(node, Rate):
-        node, order = node.of, order + 1
-    return node, order
 
 
 def _reach(found: Variables, node: Node, order: int) -> None:

@@ -50,7 +50,7 @@ from chasles.vocabulary.nodes import (
     printed,
 )
 from chasles.vocabulary.plain import plain
-from chasles.vocabulary.tree import children, rebuilt, replace, symbols_of, walk
+from chasles.vocabulary.tree import children, rebuilt, replace, symbols_of, undotted, walk
 from chasles.vocabulary.words import (
     CPM,
     PI,
@@ -159,6 +159,7 @@ __all__ = [
     "square",
     "symbols_of",
     "tr",
+    "undotted",
     "uniform",
     "vect",
     "vector",

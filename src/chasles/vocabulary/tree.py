@@ -9,9 +9,9 @@ from functools import cache
 from typing import Any
 
 from chasles.vocabulary.body import Integral
-from chasles.vocabulary.nodes import Block, Contract, Node, Sum, Symbol
+from chasles.vocabulary.nodes import Block, Contract, Node, Rate, Sum, Symbol
 
-__all__ = ["children", "rebuilt", "replace", "symbols_of", "walk"]
+__all__ = ["children", "rebuilt", "replace", "symbols_of", "undotted", "walk"]
 
 
 @cache
@@ -57,6 +57,14 @@ def replace(node: Node, values: Mapping[Node, Node]) -> Node:
     parts = children(node)
     changed = tuple(replace(part, values) for part in parts)
     return node if changed == parts else rebuilt(node, changed)
+
+
+def undotted(node: Node) -> tuple[Node, int]:
+    """What a rate is the rate of, and how many times over."""
+    order = 0
+    while isinstance(node, Rate):
+        node, order = node.of, order + 1
+    return node, order
 
 
 def walk(node: Node) -> Iterator[Node]:

@@ -69,7 +69,7 @@ class Reading(Quantities):
     def _hypotheses(self) -> None:
         """What the hypotheses say, and its rates up to the highest order that occurs, or of which a rule speaks."""
         highest = max((what[2] for what in self.variables if what[0] == "entry"), default=0)
-        ruled = {of: order for of, order in map(_undotted, self.rules) if order}
+        ruled = {of: order for of, order in map(w.undotted, self.rules) if order}
         for hypothesis in self.problem.hypotheses:
             for place, (left, right) in enumerate(hypothesis.equations):
                 entries = self.difference(left, right)
@@ -130,11 +130,3 @@ class Reading(Quantities):
                 return self.inverse(rule)
             case _:
                 raise Rejected(f"the statement divides by {node}, which nothing declares nonzero")
-
-
-def _undotted(node: w.Node) -> tuple[w.Node, int]:
-    """What a rate is the rate of, and how many times over."""
-    order = 0
-    while isinstance(node, w.Rate):
-        node, order = node.of, order + 1
-    return node, order
