@@ -74,7 +74,8 @@ class Reading(Quantities):
             for place, (left, right) in enumerate(hypothesis.equations):
                 entries = self.difference(left, right)
                 symbols = {self.variables[k][1] for _, _, entry in entries for k in entry.places}
-                for order in range(max(highest, *(ruled[symbol] for symbol in symbols & ruled.keys()), 0) + 1):
+                last = max(highest, *(ruled[symbol] for symbol in symbols & ruled.keys()), 0)
+                for order in range(1 if hypothesis.kind == "given" else last + 1):
                     label = hypothesis.text + (f" ({'d' * order}ot)" if order else "")
                     entries = [(i, j, self.rate(entry)) for i, j, entry in entries] if order else entries
                     for i, j, entry in entries:
