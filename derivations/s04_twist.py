@@ -2,6 +2,7 @@
 
 from chasles.derivations.notation import *
 from chasles.derivations.s02_screw import (
+    euler_rodrigues_constraint,
     euler_rodrigues_scalar,
     euler_rodrigues_vector,
     linear_scalar,
@@ -25,7 +26,6 @@ from chasles.statements import (
     Branch,
     Claim,
     Condition,
-    Cover,
     Definition,
     Iff,
     Inverse,
@@ -572,16 +572,13 @@ def _fourfold(parameter: int) -> tuple[Node, Node]:
 
 
 _fourfolds = tuple((k, *_fourfold(k), norm(column(*_fourfold(k)))) for k in (0, 1, 2, 3))
-_one_is_not_zero = Cover(
-    "the four parameters do not all vanish",
-    _fourfolds[0][3] ** 2 + _fourfolds[1][3] ** 2 + _fourfolds[2][3] ** 2 + _fourfolds[3][3] ** 2, number(16),
-)
+_Q_is_not_the_identity = nonzero(3 - tr(Q), r"\phi \neq 0")
 
 natural_invariants = Inverse(
     "text 3.4.2 h",
     of=rotation_from_axis_angle,
     says="The natural invariants from the rotation.",
-    assuming=(Q_is_a_rotation,),
+    assuming=(Q_is_a_rotation, _Q_is_not_the_identity),
     branches=tuple(
         Branch(
             f"by Euler-Rodrigues parameter {k}",
@@ -591,11 +588,12 @@ natural_invariants = Inverse(
                 (cos(phi), (beside**2 - dot(along, along)) / length**2),
                 (sin(phi), 2 * beside * norm(along) / length**2),
             ),
-            assuming=(Q_is_a_rotation, nonzero(norm(along), r"\phi \neq 0")),
+            by=length / 16,
+            assuming=(nonzero(norm(along), r"\mathbf{q} \neq \mathbf{0}"),),
+            inverses=((norm(along), 4 * norm(along) / (length**2 * (3 - tr(Q)))),),
         )
         for k, along, beside, length in _fourfolds
     ),
-    covers=(_one_is_not_zero,),
     gives=(e, phi),
     largest=True,
     sign=(sin(phi), e),
@@ -608,10 +606,13 @@ euler_rodrigues_parameters = Inverse(
     says="The Euler-Rodrigues parameters from the rotation.",
     assuming=(Q_is_a_rotation,),
     branches=tuple(
-        Branch(f"by Euler-Rodrigues parameter {k}", where=length, values=((q, along / length), (q_0, beside / length)))
+        Branch(
+            f"by Euler-Rodrigues parameter {k}",
+            where=length, values=((q, along / length), (q_0, beside / length)), by=length / 16,
+        )
         for k, along, beside, length in _fourfolds
     ),
-    covers=(_one_is_not_zero,),
+    satisfying=(euler_rodrigues_constraint,),
     gives=(q, q_0),
     largest=True,
     sign=(q_0, q),
@@ -622,10 +623,9 @@ screw_of_motion = Inverse(
     "text 3.4.2 j",
     of=rotation_from_axis_angle,
     says="The screw of a motion: Plücker array of its axis, translation along it, angle.",
-    assuming=(Q_is_a_rotation,),
+    assuming=natural_invariants.assuming,
     given=(screw_axis_point,),
     branches=natural_invariants.branches,
-    covers=natural_invariants.covers,
     gives=(column(e, cross(p_0, e)), dot(e, a_ - a), phi),
     largest=True,
     sign=(sin(phi), e),

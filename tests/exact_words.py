@@ -77,7 +77,9 @@ class Words:
         for hypothesis in self.problem.hypotheses:
             symbols = {symbol for node in hypothesis.subjects for symbol in self._free(node)}
             if all(symbol in self.unknowns or self.point.speaks_of(symbol) for symbol in symbols):
-                self._require(hypothesis, max(map(self._order, symbols), default=0))
+                # What is given of a quantity and of its rate agrees now; the rates of that are not asked for.
+                last = 0 if hypothesis.kind == "given" else max(map(self._order, symbols), default=0)
+                self._require(hypothesis, last)
 
     def _require(self, hypothesis: Hypothesis, order: int) -> None:
         for left, right in hypothesis.equations:

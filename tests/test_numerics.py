@@ -593,15 +593,14 @@ natural_invariants = Inverse(
         Branch("in general", sine, ((e, vect(Q) / sine), (cos(phi), (tr(Q) - 1) / 2), (sin(phi), sine))),
         *(
             Branch(
-                "a half-turn",
+                f"a half-turn by column {n}",
                 norm(v),
                 ((e, v / norm(v)), (cos(phi), number(-1)), (sin(phi), number(0))),
                 assuming=(half_turn(Q),),
             )
-            for v in along
+            for n, v in enumerate(along)
         ),
     ),
-    covers=(),
     gives=(e, phi),
     assuming=(rotation(Q),),
     kernel=Kernel(of=(Q,), results=("e", "phi")),

@@ -7,6 +7,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from time import perf_counter
@@ -21,9 +22,13 @@ from sympy import Abs, Eq, Matrix, Rational, cos, cot, csc, eye, pi, sec, sin, s
 from sympy.core.function import AppliedUndef
 
 import chasles
+from chasles.proof.certificate import check
+from chasles.proof.root_sums import exact
 from chasles.proof.surds import Exact, root_of
 from chasles.proof.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided
 from chasles.prove import Rejected, Untreatable, prove, recheck
+from chasles.statements import Goal, Hypothesis, Problem, positive
+from chasles.vocabulary import Number, scalar
 
 a, b, c, x, y, z, t, phi = sp.symbols("a b c x y z t phi")
 m = sp.Symbol("m", positive=True)
@@ -383,9 +388,67 @@ def test_a_forged_certificate_is_rejected() -> None:
         recheck(verdict, Q * e, e, given=[Eq(e.dot(e), 2)])
     with pytest.raises(TypeError, match="only what holds has a certificate"):
         recheck(prove(x, y), x, y)
-    doubled = prove(sqrt(2) * x, x * sqrt(2))
-    with pytest.raises(Rejected, match="the checker knows rational numbers only"):
-        recheck(doubled, sqrt(2) * x, x * sqrt(2))
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "given"),
+    [
+        (sqrt(2) * x, x * sqrt(2), []),
+        (x / (sqrt(2) - 1), (sqrt(2) + 1) * x, []),
+        (x**2, 3 * x - 1, [x**2 - 3 * x + 1]),
+        (x**4 + y, 4 + y, [x**2 - 2]),
+        (x**2, 2 * y**2, [Eq(x, sqrt(2) * y)]),
+        (cos(phi + sp.pi / 3), cos(phi) / 2 - sqrt(3) * sin(phi) / 2, []),
+    ],
+    ids=str,
+)
+def test_a_witness_with_square_roots_is_checked(left: Any, right: Any, given: list[Any]) -> None:
+    verdict = prove(left, right, given=given)
+    assert isinstance(verdict, Holds | HoldsUnder)
+    witness = verdict.certificate["witness"]
+    rooted_names = [name for name, value in witness.items() if "sqrt" in value]
+    assert rooted_names
+    recheck(verdict, left, right, given=given)
+    for name in rooted_names:
+        for wrong in ("1", "sqrt(7)", f"1 + {witness[name]}", "sqrt(8)"):
+            forged = replace(verdict, certificate={**verdict.certificate, "witness": {**witness, name: wrong}})
+            with pytest.raises(Rejected):
+                recheck(forged, left, right, given=given)
+
+
+def test_a_positive_root_in_a_witness_is_followed() -> None:
+    z = scalar("z", "z", "")
+    squared = Hypothesis("equation", (z,), ((z**2, Number(Fraction(2))),), (), "", "z^2 = 2")
+    problem = Problem((Goal("", z**4, Number(Fraction(4))),), hypotheses=(squared, positive(z)))
+    certificate = {"division": [["z^2 = 2 [0: 1, 1]", "z^2"]], "witness": {"z": "sqrt(2)"}}
+    check(problem, "", certificate, number=exact)
+    with pytest.raises(Rejected, match="does not satisfy z > 0"):
+        check(problem, "", certificate | {"witness": {"z": "-sqrt(2)"}}, number=exact)
+
+
+def test_a_root_in_a_witness_is_not_negative() -> None:
+    verdict = prove(sqrt(2) * x, x * sqrt(2))
+    assert isinstance(verdict, Holds)
+    witness = {**verdict.certificate["witness"], "root_of_2": "-sqrt(2)"}
+    with pytest.raises(Rejected, match="a root, is given a negative value"):
+        recheck(replace(verdict, certificate={**verdict.certificate, "witness": witness}), sqrt(2) * x, x * sqrt(2))
+
+
+def test_a_witness_with_roots_of_roots_is_not_followed() -> None:
+    nested = sqrt(2 + sqrt(2))
+    with pytest.raises(Rejected, match="rational numbers and their square roots only"):
+        recheck(prove(nested**3, (2 + sqrt(2)) * nested), nested**3, (2 + sqrt(2)) * nested)
+
+
+def test_numbers_of_the_checker_are_exact() -> None:
+    for text, negative in (("1 - sqrt(2)", True), ("3/2 - sqrt(2)", False), ("sqrt(6) - sqrt(2) - 1", False)):
+        assert (exact(text) < 0) is negative
+    assert exact("sqrt(2)/2") ** 2 == exact("1/2 + sqrt(3)") + exact("-sqrt(3)")
+    assert exact("-1/2") == Fraction(-1, 2)
+    assert not exact("2*sqrt(3)/3 - 1") * 3 + exact("3 - 2*sqrt(3)")
+    for text in ("sqrt(-2)", "sqrt(12)", "2 sqrt(3)", "sqrt(2)*sqrt(3)", "sqrt(2)**2", "sqrt(0)"):
+        with pytest.raises(Rejected):
+            exact(text)
 
 
 def test_exact_numbers_are_those_of_sympy() -> None:

@@ -458,7 +458,7 @@ def test_nothing_rests_on_what_comes_later() -> None:
         Claim("3.1", a, p, restates=(Claim("3.0", a, p), later)),
         Claim("3.1", p, a, solves=later),
         Theorem("3.1", "", (Always(a, p),), given=(later,)),
-        Inverse("3.1", later, branches=(), covers=(), gives=()),
+        Inverse("3.1", later, branches=(), gives=()),
     ):
         assert chapter(later, early)
         with pytest.raises(DeclarationError, match=r"s0 \(3\.1\) rests on \(3\.2\), which does not come before it"):

@@ -1023,8 +1023,8 @@ static const char linear_invariants_types[] = {
 
 /*
  * text 3.4.2 h The loops of natural_invariants.
- *   verdict: holds under; assumes Q is a rotation
- *   67 operations; derivation sha256 e2544e2132153f729f39a22cc349020d92305353358bcab2b3b0107e1737c41e
+ *   verdict: holds under; assumes Q is a rotation, phi != 0
+ *   67 operations; derivation sha256 8cbe8692fcd449cfaff72e7b9493667165fefa75d402e18bbaab030b4632d805
  */
 static void natural_invariants_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1075,7 +1075,7 @@ static const char natural_invariants_types[] = {
 /*
  * text 3.4.2 i The loops of euler_rodrigues_parameters.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 a67e13328e4829418ed30de028f2dc8c77a4a793125037bcb24b15ce06ed4e8d
+ *   49 operations; derivation sha256 6e1683e9ee616c8c3e02e1f6db337f18770483aacfc7316e76c8eba9e7361931
  */
 static void euler_rodrigues_parameters_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1125,8 +1125,8 @@ static const char euler_rodrigues_parameters_types[] = {
 
 /*
  * text 3.4.2 j The loops of screw_of_motion.
- *   verdict: holds under; assumes Q is a rotation
- *   125 operations; derivation sha256 8df6ed9271b64d7ceff75168107b77afc4243c5f9d18c1bbc3e692bd8c92df54
+ *   verdict: holds under; assumes Q is a rotation, phi != 0
+ *   125 operations; derivation sha256 e68dbf68eb3e17e3abe858dec3630aaaaec5ed5310c8e92636930da750d40b3f
  */
 static void screw_of_motion_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2980,8 +2980,9 @@ static const Kernel kernels[] = {
             "              phi: angle of rotation\n"
             "  verdict     holds under\n"
             "  assumes     Q is a rotation\n"
+            "              phi != 0\n"
             "  operations  67: 21 add, 10 subtract, 25 multiply, 5 divide, 5 square root, 1 arctangent2\n"
-            "  derivation  sha256 e2544e2132153f729f39a22cc349020d92305353358bcab2b3b0107e1737c41e\n"
+            "  derivation  sha256 8cbe8692fcd449cfaff72e7b9493667165fefa75d402e18bbaab030b4632d805\n"
             "  signature   (3,3)->(3),()\n"
             "",
         .loops = natural_invariants_loops,
@@ -3000,7 +3001,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     Q is a rotation\n"
             "  operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root\n"
-            "  derivation  sha256 a67e13328e4829418ed30de028f2dc8c77a4a793125037bcb24b15ce06ed4e8d\n"
+            "  derivation  sha256 6e1683e9ee616c8c3e02e1f6db337f18770483aacfc7316e76c8eba9e7361931\n"
             "  signature   (3,3)->(3),()\n"
             "",
         .loops = euler_rodrigues_parameters_loops,
@@ -3021,8 +3022,9 @@ static const Kernel kernels[] = {
             "              phi: angle of rotation\n"
             "  verdict     holds under\n"
             "  assumes     Q is a rotation\n"
+            "              phi != 0\n"
             "  operations  125: 35 add, 23 subtract, 53 multiply, 8 divide, 5 square root, 1 arctangent2\n"
-            "  derivation  sha256 8df6ed9271b64d7ceff75168107b77afc4243c5f9d18c1bbc3e692bd8c92df54\n"
+            "  derivation  sha256 e68dbf68eb3e17e3abe858dec3630aaaaec5ed5310c8e92636930da750d40b3f\n"
             "  signature   (3,3),(3),(3)->(6),(),()\n"
             "",
         .loops = screw_of_motion_loops,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Any
@@ -12,13 +11,13 @@ from chasles.proof.context import build
 from chasles.proof.deadline import OutOfTime, remaining, within
 from chasles.proof.decide import decide_problem
 from chasles.proof.from_sympy import Question, ask
+from chasles.proof.root_sums import exact
 from chasles.proof.variables import Untreatable
 from chasles.proof.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
 from chasles.statements import Goal
 
 __all__ = ["Rejected", "Untreatable", "prove", "recheck"]
 
-RATIONAL = re.compile(r"-?\d+(/\d+)?")
 BUDGET = 10.0
 """Seconds."""
 
@@ -56,18 +55,15 @@ def prove(
 def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Iterable[Any] = (), nonzero: Iterable[Any] = ()) -> None:
     """The certificate of a verdict of `prove` proves what was asked; nothing of the search is used.
 
-    Raises `Rejected` with the reason if it does not, and for a witness without rational coordinates (where the root of
-    a number occurs, no other exists), which the checker cannot follow.
+    Raises `Rejected` with the reason if it does not, and for a witness with roots of roots, which the checker cannot
+    follow: its coordinates are sums of rational multiples of square roots.
     """
     if not isinstance(verdict, Holds | HoldsUnder):
         raise TypeError(f"the verdict is {verdict.name}: only what holds has a certificate")
     question = ask(lhs, rhs, given, nonzero)
     assert isinstance(question, Question)
-    for name, value in verdict.certificate["witness"].items():
-        if not RATIONAL.fullmatch(value):
-            raise Rejected(f"the witness has {name} = {value}, and the checker knows rational numbers only")
     problems = [question.problem, *question.variants()]
-    check(problems[verdict.certificate["variant"]], "", verdict.certificate)
+    check(problems[verdict.certificate["variant"]], "", verdict.certificate, number=exact)
 
 
 @dataclass(frozen=True, slots=True)

@@ -197,7 +197,6 @@ natural_invariants = Inverse(
     "3.75",
     of=rotation_from_axis_angle,
     branches=tuple(map(_branch, (3, 0, 1, 2))),
-    covers=(),
     gives=(e, phi),
     assuming=(rotation(Q),),
     kernel=Kernel(of=(Q,)),

@@ -515,8 +515,9 @@ void chasles_linear_invariants_batchf(
  *               phi: angle of rotation
  *   verdict     holds under
  *   assumes     Q is a rotation
+ *               phi != 0
  *   operations  67: 21 add, 10 subtract, 25 multiply, 5 divide, 5 square root, 1 arctangent2
- *   derivation  sha256 e2544e2132153f729f39a22cc349020d92305353358bcab2b3b0107e1737c41e
+ *   derivation  sha256 8cbe8692fcd449cfaff72e7b9493667165fefa75d402e18bbaab030b4632d805
  */
 void chasles_natural_invariants(const double Q[9], double e[3], double *phi);
 void chasles_natural_invariantsf(const float Q[9], float e[3], float *phi);
@@ -539,7 +540,7 @@ void chasles_natural_invariants_batchf(
  *   verdict     holds under
  *   assumes     Q is a rotation
  *   operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root
- *   derivation  sha256 a67e13328e4829418ed30de028f2dc8c77a4a793125037bcb24b15ce06ed4e8d
+ *   derivation  sha256 6e1683e9ee616c8c3e02e1f6db337f18770483aacfc7316e76c8eba9e7361931
  */
 void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *q_0);
 void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_0);
@@ -564,8 +565,9 @@ void chasles_euler_rodrigues_parameters_batchf(
  *               phi: angle of rotation
  *   verdict     holds under
  *   assumes     Q is a rotation
+ *               phi != 0
  *   operations  125: 35 add, 23 subtract, 53 multiply, 8 divide, 5 square root, 1 arctangent2
- *   derivation  sha256 8df6ed9271b64d7ceff75168107b77afc4243c5f9d18c1bbc3e692bd8c92df54
+ *   derivation  sha256 e68dbf68eb3e17e3abe858dec3630aaaaec5ed5310c8e92636930da750d40b3f
  */
 void chasles_screw_of_motion(
     const double Q[9],

@@ -653,8 +653,9 @@ void chasles_linear_invariants_batchf(
  *               phi: angle of rotation
  *   verdict     holds under
  *   assumes     Q is a rotation
+ *               phi != 0
  *   operations  67: 21 add, 10 subtract, 25 multiply, 5 divide, 5 square root, 1 arctangent2
- *   derivation  sha256 e2544e2132153f729f39a22cc349020d92305353358bcab2b3b0107e1737c41e
+ *   derivation  sha256 8cbe8692fcd449cfaff72e7b9493667165fefa75d402e18bbaab030b4632d805
  */
 void chasles_natural_invariants(const double Q[9], double e[3], double *phi)
 {
@@ -730,8 +731,8 @@ void chasles_natural_invariants(const double Q[9], double e[3], double *phi)
 
 /*
  * text 3.4.2 h chasles_natural_invariants in single precision.
- *   verdict: holds under; assumes Q is a rotation
- *   67 operations; derivation sha256 e2544e2132153f729f39a22cc349020d92305353358bcab2b3b0107e1737c41e
+ *   verdict: holds under; assumes Q is a rotation, phi != 0
+ *   67 operations; derivation sha256 8cbe8692fcd449cfaff72e7b9493667165fefa75d402e18bbaab030b4632d805
  */
 void chasles_natural_invariantsf(const float Q[9], float e[3], float *phi)
 {
@@ -807,8 +808,8 @@ void chasles_natural_invariantsf(const float Q[9], float e[3], float *phi)
 
 /*
  * text 3.4.2 h chasles_natural_invariants for a batch.
- *   verdict: holds under; assumes Q is a rotation
- *   67 operations; derivation sha256 e2544e2132153f729f39a22cc349020d92305353358bcab2b3b0107e1737c41e
+ *   verdict: holds under; assumes Q is a rotation, phi != 0
+ *   67 operations; derivation sha256 8cbe8692fcd449cfaff72e7b9493667165fefa75d402e18bbaab030b4632d805
  */
 void chasles_natural_invariants_batch(
     size_t count,
@@ -823,8 +824,8 @@ void chasles_natural_invariants_batch(
 
 /*
  * text 3.4.2 h chasles_natural_invariantsf for a batch.
- *   verdict: holds under; assumes Q is a rotation
- *   67 operations; derivation sha256 e2544e2132153f729f39a22cc349020d92305353358bcab2b3b0107e1737c41e
+ *   verdict: holds under; assumes Q is a rotation, phi != 0
+ *   67 operations; derivation sha256 8cbe8692fcd449cfaff72e7b9493667165fefa75d402e18bbaab030b4632d805
  */
 void chasles_natural_invariants_batchf(
     size_t count,
@@ -845,7 +846,7 @@ void chasles_natural_invariants_batchf(
  *   verdict     holds under
  *   assumes     Q is a rotation
  *   operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root
- *   derivation  sha256 a67e13328e4829418ed30de028f2dc8c77a4a793125037bcb24b15ce06ed4e8d
+ *   derivation  sha256 6e1683e9ee616c8c3e02e1f6db337f18770483aacfc7316e76c8eba9e7361931
  */
 void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *q_0)
 {
@@ -909,7 +910,7 @@ void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parameters in single precision.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 a67e13328e4829418ed30de028f2dc8c77a4a793125037bcb24b15ce06ed4e8d
+ *   49 operations; derivation sha256 6e1683e9ee616c8c3e02e1f6db337f18770483aacfc7316e76c8eba9e7361931
  */
 void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_0)
 {
@@ -973,7 +974,7 @@ void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parameters for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 a67e13328e4829418ed30de028f2dc8c77a4a793125037bcb24b15ce06ed4e8d
+ *   49 operations; derivation sha256 6e1683e9ee616c8c3e02e1f6db337f18770483aacfc7316e76c8eba9e7361931
  */
 void chasles_euler_rodrigues_parameters_batch(
     size_t count,
@@ -989,7 +990,7 @@ void chasles_euler_rodrigues_parameters_batch(
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parametersf for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 a67e13328e4829418ed30de028f2dc8c77a4a793125037bcb24b15ce06ed4e8d
+ *   49 operations; derivation sha256 6e1683e9ee616c8c3e02e1f6db337f18770483aacfc7316e76c8eba9e7361931
  */
 void chasles_euler_rodrigues_parameters_batchf(
     size_t count,
@@ -1012,8 +1013,9 @@ void chasles_euler_rodrigues_parameters_batchf(
  *               phi: angle of rotation
  *   verdict     holds under
  *   assumes     Q is a rotation
+ *               phi != 0
  *   operations  125: 35 add, 23 subtract, 53 multiply, 8 divide, 5 square root, 1 arctangent2
- *   derivation  sha256 8df6ed9271b64d7ceff75168107b77afc4243c5f9d18c1bbc3e692bd8c92df54
+ *   derivation  sha256 e68dbf68eb3e17e3abe858dec3630aaaaec5ed5310c8e92636930da750d40b3f
  */
 void chasles_screw_of_motion(
     const double Q[9],
@@ -1112,8 +1114,8 @@ void chasles_screw_of_motion(
 
 /*
  * text 3.4.2 j chasles_screw_of_motion in single precision.
- *   verdict: holds under; assumes Q is a rotation
- *   125 operations; derivation sha256 8df6ed9271b64d7ceff75168107b77afc4243c5f9d18c1bbc3e692bd8c92df54
+ *   verdict: holds under; assumes Q is a rotation, phi != 0
+ *   125 operations; derivation sha256 e68dbf68eb3e17e3abe858dec3630aaaaec5ed5310c8e92636930da750d40b3f
  */
 void chasles_screw_of_motionf(
     const float Q[9],
@@ -1212,8 +1214,8 @@ void chasles_screw_of_motionf(
 
 /*
  * text 3.4.2 j chasles_screw_of_motion for a batch.
- *   verdict: holds under; assumes Q is a rotation
- *   125 operations; derivation sha256 8df6ed9271b64d7ceff75168107b77afc4243c5f9d18c1bbc3e692bd8c92df54
+ *   verdict: holds under; assumes Q is a rotation, phi != 0
+ *   125 operations; derivation sha256 e68dbf68eb3e17e3abe858dec3630aaaaec5ed5310c8e92636930da750d40b3f
  */
 void chasles_screw_of_motion_batch(
     size_t count,
@@ -1237,8 +1239,8 @@ void chasles_screw_of_motion_batch(
 
 /*
  * text 3.4.2 j chasles_screw_of_motionf for a batch.
- *   verdict: holds under; assumes Q is a rotation
- *   125 operations; derivation sha256 8df6ed9271b64d7ceff75168107b77afc4243c5f9d18c1bbc3e692bd8c92df54
+ *   verdict: holds under; assumes Q is a rotation, phi != 0
+ *   125 operations; derivation sha256 e68dbf68eb3e17e3abe858dec3630aaaaec5ed5310c8e92636930da750d40b3f
  */
 void chasles_screw_of_motion_batchf(
     size_t count,

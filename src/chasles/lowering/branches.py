@@ -51,11 +51,8 @@ def _angles(inverse: Inverse, symbols: dict[Node, Symbol]) -> dict[Symbol, Angle
     angles = {}
     for key in symbols:
         if isinstance(key, Call) and key.function == "cos":
-            sine = Call("sin", key.argument)
-            if sine not in symbols:
-                raise LoweringError(f"({inverse.number}): the branches give {plain(key)} without {plain(sine)}")
             ((angle, multiple),) = angle_multiples(key.argument, {}).items()
-            angles[angle] = Angle(symbols[key], symbols[sine], 1 / multiple)
+            angles[angle] = Angle(symbols[key], symbols[Call("sin", key.argument)], 1 / multiple)
     return angles
 
 

@@ -129,7 +129,8 @@ def _objections(world: World) -> Iterator[str]:
     """The conditions and hypotheses that the motion violates."""
     now = world.instant()
     for hypothesis in world.problem.hypotheses:
-        for left, right in hypothesis.equations:
+        # A motion has the rate that is given for it: that another given statement agrees with it is not asked here.
+        for left, right in hypothesis.equations if hypothesis.kind != "given" else ():
             if _digits(world, left, right) < AGREEMENT:
                 yield hypothesis.text
         for node in hypothesis.nonvanishing:

@@ -6,7 +6,7 @@ alone does not do, the values of what conditions determine, and a witness: each 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from math import gcd
 from typing import Any
@@ -18,6 +18,7 @@ from chasles.proof.recheck.witness import point_of, require
 from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import problems_of_inverse
 from chasles.statements.problem import Standing, default_sides
+from chasles.statements.spins import with_spins
 
 __all__ = ["Rejected", "check"]
 
@@ -32,11 +33,13 @@ def check(
     form: str,
     certificate: Mapping[str, Any],
     standing: Standing = default_sides,
+    number: Callable[[str], Any] = Fraction,
 ) -> None:
     """Every entry of every equation holds wherever the hypotheses do, and somewhere they do: the certificate proves it.
 
-    `standing` gives the sides with which given statements are used; a problem needs neither form nor standing. Raises
-    `Rejected` with the reason if the certificate does not prove the statement, and what `problem_of` raises.
+    `standing` gives the sides with which given statements are used; a problem needs neither form nor standing. A
+    coordinate of the witness is read by `number`. Raises `Rejected` with the reason if the certificate does not prove
+    the statement, and what `problem_of` raises.
     """
     if isinstance(said, Inverse):
         problems = dict(problems_of_inverse(said, standing))
@@ -44,16 +47,17 @@ def check(
         problems = {"": said if isinstance(said, Problem) else problem_of(said, form, standing)}
     try:
         for says, problem in problems.items():
-            _check(problem, certificate["branches"][says] if isinstance(said, Inverse) else certificate)
+            _check(problem, certificate["branches"][says] if isinstance(said, Inverse) else certificate, number)
     except Rejected:
         raise
     except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError) as error:
         raise Rejected(f"the certificate is malformed: {type(error).__name__}: {error}") from error
 
 
-def _check(problem: Problem, certificate: Mapping[str, Any]) -> None:
+def _check(problem: Problem, certificate: Mapping[str, Any], number: Callable[[str], Any]) -> None:
     if not problem.goals:
         raise Rejected("there is nothing to prove")
+    problem = with_spins(problem) if certificate.get("spins") else problem
     reading = Reading(problem, certificate["witness"])
     occurring = set().union(*(condition.places for condition in reading.conditions))
     divisions = [_division(reading, label, term) for label, term in certificate.get("division", ())]
@@ -72,7 +76,7 @@ def _check(problem: Problem, certificate: Mapping[str, Any]) -> None:
             said = certificate.get("entries", {}).get(f"{count}:{i},{j}", {})
             what = f"entry {i + 1}, {j + 1} of equation {count + 1}"
             occurring |= _follows(reading, [] if said else divisions, difference, said, what)
-    require(reading, point_of(reading, certificate["witness"]), occurring)
+    require(reading, point_of(reading, certificate["witness"], number), occurring)
 
 
 def _division(reading: Reading, label: str, term: str) -> Division:

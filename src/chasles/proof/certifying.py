@@ -9,6 +9,7 @@ from typing import Any
 from chasles.proof.completion import Combination, stated
 from chasles.proof.conditions import Solved
 from chasles.proof.context import Context, Generator
+from chasles.proof.evaluation import measured
 from chasles.proof.polynomial_text import factors_text, written
 from chasles.proof.ratios import Ratio
 from chasles.proof.rings import Polynomial
@@ -44,11 +45,12 @@ def certified(
     """The verdict on a problem all of whose entries were found to vanish; of its `own` hypotheses, those not needed."""
     unused = _drop_unneeded(context, solved, done, own)
     used = _used_hypotheses(context, solved, done)
-    needs = tuple(h.text for h in context.active if h in used)
+    needs = tuple(h.text for h in context.problem.hypotheses if h in used and h.kind != "given")
     certificate = _certificate(context, conditions, solved, done, witness)
+    shown = measured(context, witness)
     if needs:
-        return HoldsUnder(needs, certificate, witness, unused)
-    return Holds(certificate, witness, unused)
+        return HoldsUnder(needs, certificate, shown, unused)
+    return Holds(certificate, shown, unused)
 
 
 def _used_hypotheses(context: Context, solved: tuple[Solved, ...], done: list[Entry]) -> set[Hypothesis]:
@@ -87,8 +89,8 @@ def _drop_unneeded(
             dropped.add(hypothesis)
             for entry, (cofactors, _) in zip(done, attempts, strict=True):
                 entry.cofactors, entry.by_division = {kept[k]: c for k, c in cofactors.items()}, True
-    used = _used_hypotheses(context, solved, done)
-    return tuple(h.text for h in own if h not in used)
+    used = {h.text for h in _used_hypotheses(context, solved, done)}
+    return tuple(h.text for h in own if h.text not in used)
 
 
 def _certificate(

@@ -47,6 +47,7 @@ def solve_conditions(context: Context) -> tuple[tuple[Generator, ...], tuple[Sol
     problem = context.problem
     if not problem.conditions:
         return (), ()
+    _refuse_angles(context)
     conditions = tuple(_polynomials(context))
     places = [k for k, v in enumerate(context.variables) if v.kind == "entry" and v.symbol in problem.unknowns]
     matrix, constants = _linear(context, conditions, places)
@@ -64,6 +65,16 @@ def solve_conditions(context: Context) -> tuple[tuple[Generator, ...], tuple[Sol
     context.unfold.forget()
     context.conditions = conditions
     return conditions, tuple(solved)
+
+
+def _refuse_angles(context: Context) -> None:
+    """Raise `Untreatable` if an unknown is an angle whose cosine and sine occur: no linear system determines these."""
+    angles = {v.symbol for v in context.variables if v.kind == "cos" and v.symbol in context.problem.unknowns}
+    if angles:
+        raise Untreatable(
+            f"a condition is to determine the angle {describe(tuple(s for s in angles if s is not None))}: "
+            "only one that says it is a sum of rational multiples of other angles does"
+        )
 
 
 def _polynomials(context: Context) -> Iterator[Generator]:

@@ -10,15 +10,16 @@ from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
+from itertools import chain
 from typing import Any
 
 from chasles.proof.completion import Basis, stated
 from chasles.proof.ratios import Field, Ratio
 from chasles.proof.rings import Polynomial, make_ring
 from chasles.proof.unfold import Matrix, UndeclaredDivisor, Unfolder
-from chasles.proof.variables import Untreatable, Variable, Variables, scan, undotted
+from chasles.proof.variables import Untreatable, Variable, Variables, scan
 from chasles.statements import Goal, Hypothesis, Problem
-from chasles.vocabulary import PI, Node, Norm, Rate, Symbol, plain, symbols_of
+from chasles.vocabulary import PI, Contract, Node, Norm, Rate, Skew, Symbol, plain, symbols_of, undotted
 
 __all__ = ["Context", "Generator", "build", "describe", "difference", "entries"]
 
@@ -48,6 +49,7 @@ class Context:
     densities: frozenset[str] = frozenset()
     conditions: tuple[Generator, ...] = ()
     terms: dict[int, tuple[Polynomial, Any]] = field(default_factory=dict)
+    moves: dict[tuple[int, ...], Any] = field(default_factory=dict)
 
     @property
     def field(self) -> Field:
@@ -137,11 +139,16 @@ def _active(problem: Problem, found: Variables) -> tuple[Hypothesis, ...]:
         for hypothesis in problem.hypotheses
         if not (hypothesis.equations and any(subject in rules for subject in hypothesis.subjects))
     }
+    rates: dict[Node, set[Symbol]] = {}
+    for left, right in rules.items():
+        base, order = undotted(left)
+        if order:
+            rates[base] = rates.get(base, set()) | _free_symbols(right, rules)
     active: dict[Hypothesis, int] = {}
     changed = True
     while changed:
         occurring = set(found.orders) | set(found.angles)
-        now = {h: _order(found, h, own, rules) for h, own in symbols.items() if own & occurring}
+        now = {h: _order(found, h, own, rules) for h, own in symbols.items() if _bears_on(own, rates) & occurring}
         changed = now != active
         active = now
         for hypothesis, order in active.items():
@@ -150,13 +157,26 @@ def _active(problem: Problem, found: Variables) -> tuple[Hypothesis, ...]:
     return tuple(h for h in problem.hypotheses if h in active)
 
 
+def _bears_on(symbols: set[Symbol], rates: Mapping[Node, set[Symbol]]) -> set[Symbol]:
+    """The symbols on which an equation bears that restricts the given ones: those too that make up their rates."""
+    return symbols.union(*(rates[symbol] for symbol in symbols & rates.keys()))
+
+
 def _order(found: Variables, hypothesis: Hypothesis, symbols: set[Symbol], rules: Mapping[Node, Node]) -> int:
     """Up to which rate the equations of a hypothesis say something of use: a rule for a rate asks for it too."""
-    if not hypothesis.equations:
+    if not hypothesis.equations or hypothesis.kind == "given" or _is_turned(hypothesis, rules):
         return 0
     orders = [found.reached.get(symbol, 0) for symbol in symbols]
     orders += [order for node, order in map(undotted, rules) if node in symbols]
     return max(orders, default=0)
+
+
+def _is_turned(hypothesis: Hypothesis, rules: Mapping[Node, Node]) -> bool:
+    """Whether the rates of a hypothesis follow: that of a rotation is said to be a skew-symmetric matrix times it."""
+    match rules.get(Rate(hypothesis.subjects[0])):
+        case Contract((Skew(), turned)):
+            return hypothesis.kind == "rotation" and turned == hypothesis.subjects[0]
+    return False
 
 
 def _refuse_restrictions(
@@ -212,7 +232,9 @@ def _generators(
     ring = unfold.field.ring
     place = {variable.name: k for k, variable in enumerate(variables)}
     for hypothesis in active:
-        order = max((found.reached.get(s, 0) for node in hypothesis.subjects for s in symbols_of(node)), default=0)
+        still = hypothesis.kind == "given" or _is_turned(hypothesis, unfold.rules)
+        symbols = () if still else chain.from_iterable(map(symbols_of, hypothesis.subjects))
+        order = max((found.reached.get(symbol, 0) for symbol in symbols), default=0)
         yield from _hypothesis_generators(unfold, hypothesis, order)
     for variable in variables:
         if variable.kind == "cos":

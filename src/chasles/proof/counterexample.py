@@ -10,6 +10,7 @@ from typing import Protocol
 from chasles.proof import points
 from chasles.proof.conditions import Solved
 from chasles.proof.context import Context, entries
+from chasles.proof.evaluation import measured
 from chasles.proof.ratios import Ratio
 from chasles.proof.rings import Polynomial, Ring
 from chasles.proof.values import is_zero, shown
@@ -17,7 +18,7 @@ from chasles.proof.verdict import Counterexample
 from chasles.statements import Goal
 from chasles.vocabulary import PI, Symbol, symbols_of
 
-__all__ = ["refute", "solved_ratios"]
+__all__ = ["refute", "solved_ratios", "transcendental_name"]
 
 PLAIN, SAMPLES = 60, 40
 FRUITLESS = 15
@@ -87,11 +88,13 @@ def _refuted(context: Context, entry: Suspect, point: points.Point, names: Seque
     ]
     if sides[0] is None or sides[1] is None:
         return None
-    left, right = (shown(side, _transcendental_name(context)) for side in sides if side is not None)
-    return Counterexample({name: point[name] for name in names}, entry.place, left, right, entry.goal.label)
+    left, right = (shown(side, transcendental_name(context)) for side in sides if side is not None)
+    at = measured(context, {name: point[name] for name in names})
+    return Counterexample(at, entry.place, left, right, entry.goal.label)
 
 
-def _transcendental_name(context: Context) -> str:
+def transcendental_name(context: Context) -> str:
+    """What the powers in a value are powers of: pi, or the only angle that occurs beside its own cosine and sine."""
     if context.pi_measures or not context.transcendental:
         return "pi"
     return context.variables[min(context.transcendental)].name

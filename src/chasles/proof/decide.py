@@ -13,12 +13,14 @@ from chasles.proof.conditions import Solved, satisfying_point, solve_conditions
 from chasles.proof.context import Context, build, difference, entries
 from chasles.proof.counterexample import refute, solved_ratios
 from chasles.proof.deadline import OutOfTime, remaining, within
+from chasles.proof.evaluation import measured
 from chasles.proof.search import Search
 from chasles.proof.unfold import UndeclaredDivisor
 from chasles.proof.values import is_zero
 from chasles.proof.variables import Untreatable
-from chasles.proof.verdict import Fails, IllFormed, Posed, Undecided, Verdict
+from chasles.proof.verdict import Fails, Holds, HoldsUnder, IllFormed, Posed, Undecided, Verdict
 from chasles.statements import Hypothesis, Problem
+from chasles.statements.spins import with_spins
 from chasles.vocabulary import Symbol
 
 __all__ = ["BUDGET", "decide_problem", "determining", "pose"]
@@ -50,6 +52,9 @@ def _decide(problem: Problem, own: tuple[Hypothesis, ...], search: Search | None
         context = build(problem)
         conditions, solved = solve_conditions(context)
         unproved = _entries(context)
+        turned = None if search else _by_spins(context, solved, unproved, own)
+        if turned is not None:
+            return turned
         proved = _prove(context, context.basis, unproved)
     except UndeclaredDivisor as error:
         return IllFormed(str(error))
@@ -72,6 +77,22 @@ def _decide(problem: Problem, own: tuple[Hypothesis, ...], search: Search | None
     return certified(context, conditions, solved, unproved, own, witness)
 
 
+def _by_spins(
+    context: Context, solved: tuple[Solved, ...], unproved: list[Entry], own: tuple[Hypothesis, ...]
+) -> Verdict | None:
+    """The verdict where rotations move: refuted at a point, or proved for all spins; None where neither is found."""
+    spun = with_spins(context.problem)
+    if spun is context.problem or all(entry.ratio.is_zero for entry in unproved):
+        return None
+    if not _vanish_here_and_there(context, solved, unproved):
+        found = refute(context, solved, unproved)
+        return Fails(found) if found else None
+    verdict = _decide(spun, own, None)
+    if isinstance(verdict, Holds | HoldsUnder):
+        return replace(verdict, certificate={**verdict.certificate, "spins": True})
+    return None
+
+
 def determining(problem: Problem, symbols: tuple[Symbol, ...]) -> Problem:
     """The problem whose conditions are what was to be decided, on the given symbols and those already determined."""
     conditions = (*problem.conditions, *problem.goals)
@@ -85,7 +106,9 @@ def pose(problem: Problem) -> Verdict:
         witness = satisfying_point(context, islice(points.sample(context, {}), SAMPLES))
     except Untreatable as error:
         return Undecided(str(error))
-    return Posed(witness) if witness is not None else Undecided("no point was found that satisfies the condition")
+    if witness is None:
+        return Undecided("no point was found that satisfies the condition")
+    return Posed(measured(context, witness))
 
 
 def _entries(context: Context) -> list[Entry]:

@@ -12,21 +12,20 @@ from functools import reduce
 from math import comb, isqrt, prod
 from random import Random
 
+from chasles.proof.adjustment import adjusted
 from chasles.proof.context import Context
-from chasles.proof.elimination import eliminated
+from chasles.proof.evaluation import Point, evaluate, ratio_at, satisfies
 from chasles.proof.plain_draw import PlainDraw
 from chasles.proof.ratios import Ratio
 from chasles.proof.rings import Polynomial
 from chasles.proof.unfold import Matrix
-from chasles.proof.values import Value, divided, is_zero
+from chasles.proof.values import divided
 from chasles.statements import Hypothesis
-from chasles.vocabulary import PI, Node, Symbol
+from chasles.vocabulary import Node, Symbol
 
 __all__ = ["Point", "evaluate", "plain", "ratio_at", "sample", "satisfies"]
 
-Point = dict[str, Fraction]
 Numbers = list[list[Fraction]]
-Term = tuple[Fraction, tuple[tuple[str, int], ...], int]
 
 ATTEMPTS = 400
 SIMPLE_ATTEMPTS = 8
@@ -65,38 +64,6 @@ PYTHAGOREAN = (
 )
 
 
-def evaluate(context: Context, polynomial: Polynomial, point: Point) -> Value:
-    """The polynomial's exact value; every variable that occurs in it must have a value."""
-    total: Value = {}
-    for coefficient, factors, power in _terms(context, polynomial):
-        term = coefficient
-        for name, exponent in factors:
-            value = point[name]
-            if not value:
-                break
-            term = term * value if exponent == 1 else term * value**exponent
-        else:
-            total[power] = total.get(power, Fraction(0)) + term
-    return {power: c for power, c in total.items() if c}
-
-
-def _terms(context: Context, polynomial: Polynomial) -> list[Term]:
-    """The polynomial's terms, read once: sampling evaluates the same few polynomials again and again."""
-    known = context.terms.get(id(polynomial))
-    if known is None:
-        names, transcendental = context.field.ring.names, context.transcendental
-        terms = [
-            (
-                coefficient,
-                tuple((names[place], exponent) for place, exponent in enumerate(exponents) if exponent),
-                sum(exponents[place] for place in transcendental),
-            )
-            for exponents, coefficient in context.field.ring.terms(polynomial)
-        ]
-        known = context.terms[id(polynomial)] = (polynomial, terms)
-    return known[1]
-
-
 def sample(
     context: Context, solved: dict[str, tuple[Polynomial, Polynomial]], *, simple: bool = True
 ) -> Iterator[Point]:
@@ -107,7 +74,7 @@ def sample(
     draw = Random(0)
     for attempt in range(0 if simple else SIMPLE_ATTEMPTS, ATTEMPTS):
         point = _try(context, solved, draw, attempt)
-        if point is not None and (satisfies(context, point) or _step(context, point, solved)):
+        if point is not None and (satisfies(context, point) or (not solved and adjusted(context, point))):
             yield point
 
 
@@ -121,51 +88,8 @@ def plain(context: Context, solved: dict[str, tuple[Polynomial, Polynomial]], at
         if point is None or key is None or key in seen:
             continue
         seen.add(key)
-        if satisfies(context, point) or _step(context, point, solved):
+        if satisfies(context, point) or (not solved and adjusted(context, point)):
             yield point
-
-
-def _step(context: Context, point: Point, solved: dict[str, tuple[Polynomial, Polynomial]]) -> bool:
-    """Move the free symbols so that what is linear in them vanishes too, as a rule for a rate may demand."""
-    if solved:
-        return False
-    ring = context.field.ring
-    bound = {subject for h in context.active if h.equations for subject in h.subjects}
-    violated = [g.polynomial for g in context.generators if not is_zero(evaluate(context, g.polynomial, point))]
-    places = [
-        k for k, v in enumerate(context.variables) if v.kind == "entry" and v.symbol not in bound and v.symbol != PI
-    ]
-    slopes = [{k: ring.derivative(polynomial, k) for k in places} for polynomial in violated]
-    moving = sorted({k for slope in slopes for k, s in slope.items() if s != 0})
-    if not moving or any(ring.derivative(slope[k], j) != 0 for slope in slopes for k in moving for j in moving):
-        return False
-    rows = [
-        [evaluate(context, slope[k], point).get(0, Fraction(0)) for k in moving]
-        + [-evaluate(context, polynomial, point).get(0, Fraction(0))]
-        for slope, polynomial in zip(slopes, violated, strict=True)
-    ]
-    change = eliminated(rows)
-    if change is None:
-        return False
-    for k, moved in zip(moving, change, strict=True):
-        point[context.variables[k].name] += moved
-    return satisfies(context, point)
-
-
-def satisfies(context: Context, point: Point) -> bool:
-    """Whether every generator and condition vanishes at the point and no atom does."""
-    vanishing = (*context.generators, *context.conditions)
-    return (
-        all(is_zero(evaluate(context, g.polynomial, point)) for g in vanishing)
-        and all(not is_zero(evaluate(context, atom, point)) for _, atom in context.atoms)
-        and all(_is_positive(context, h, point) for h in context.active if h.kind == "positive")
-    )
-
-
-def _is_positive(context: Context, hypothesis: Hypothesis, point: Point) -> bool:
-    """Whether the quantity is positive, given that an angle or pi in it is."""
-    value = ratio_at(context, context.unfold(hypothesis.subjects[0])[0][0], point)
-    return value is not None and all(coefficient > 0 for coefficient in value.values())
 
 
 def _try(
@@ -431,12 +355,6 @@ def _move(
                 point.update(moved)
                 return True
     return False
-
-
-def ratio_at(context: Context, ratio: Ratio, point: Point) -> Value | None:
-    """The exact value of a fraction; None where its denominator is not a single power."""
-    below = context.field.power_product(ratio.denominator)
-    return divided(evaluate(context, ratio.numerator, point), evaluate(context, below, point))
 
 
 def _rational(context: Context, ratio: Ratio, point: Point) -> Fraction:

@@ -86,8 +86,8 @@ def _objection(reading: Reading, goal: Goal, shown: Shown) -> str:
     except Rejected as error:
         return str(error)
     if left == right:
-        return f"both sides are {_text(reading, left, point)} at the point"
-    texts = (_text(reading, left, point), _text(reading, right, point))
+        return f"both sides are {_text(reading, left, point, shown.at)} at the point"
+    texts = (_text(reading, left, point, shown.at), _text(reading, right, point, shown.at))
     if texts != (shown.left, shown.right):
         return f"the sides are {texts[0]} and {texts[1]} at the point, not {shown.left} and {shown.right}"
     return ""
@@ -105,12 +105,14 @@ def _connected(reading: Reading, places: set[int]) -> set[int]:
 
 def _completed(reading: Reading, at: Mapping[str, Fraction], relevant: set[int]) -> Point:
     """The point, with values for what it leaves out."""
-    point = point_of(reading, at)
-    angles = {reading.places[what[1].name] for what in reading.variables if what[0] == "cos"}
-    _angle(reading, point, angles & (relevant | point.keys()))
+    angles = {reading.places[what[1].name]: what[1].name for what in reading.variables if what[0] == "cos"}
+    # An angle is shown only where pi measures it.
+    pi = {"pi": 1} if reading.places.get("pi") in relevant or not at.keys().isdisjoint(angles.values()) else {}
+    point = point_of(reading, {name: Fraction(value) for name, value in at.items()} | pi)
+    _angle(reading, point, angles.keys() & (relevant | point.keys()))
     _choose(reading, point, relevant)
     _norms(reading, point, relevant)
-    unknown = sorted(relevant - point.keys() - angles)
+    unknown = sorted(relevant - point.keys() - angles.keys())
     _linear(reading, point, [place for place in unknown if reading.variables[place][0] == "entry"])
     _norms(reading, point, relevant)
     return point
@@ -118,7 +120,7 @@ def _completed(reading: Reading, at: Mapping[str, Fraction], relevant: set[int])
 
 def _angle(reading: Reading, point: Point, angles: set[int]) -> None:
     """The only angle that occurs beside its own cosine and sine may be left out: it is transcendental."""
-    if len(angles) == 1 and "pi" not in reading.places and not angles & point.keys():
+    if len(angles) == 1 and reading.places.get("pi") not in point and not angles & point.keys():
         point[angles.pop()] = Fraction(1), 1
 
 
@@ -196,10 +198,10 @@ def _quotient(reading: Reading, polynomial: Polynomial, point: Point) -> Value:
     return {power - shift: value / divisor for power, value in value_at(numerator, point).items()}
 
 
-def _text(reading: Reading, value: Value, point: Point) -> str:
+def _text(reading: Reading, value: Value, point: Point, at: Mapping[str, Fraction]) -> str:
     """The value as 1/2, 2 pi, 1 - 3/4 phi."""
-    bare = [place for place, (_, power) in point.items() if power]
-    name = reading.variables[bare[0]][1].name if len(bare) == 1 else "pi"
+    bare = [reading.variables[place][1].name for place, (_, power) in point.items() if power]
+    name = bare[0] if len(bare) == 1 and bare[0] not in at else "pi"
     text = ""
     for power, number in sorted(value.items()):
         unit = name if power == 1 else f"{name}^{power}"

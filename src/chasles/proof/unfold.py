@@ -16,6 +16,7 @@ from chasles.proof.moments import Moments
 from chasles.proof.ratios import Field, Ratio
 from chasles.proof.variables import Untreatable, Variable, angle_multiples, angle_name
 from chasles.vocabulary import (
+    PI,
     At,
     Block,
     Call,
@@ -249,6 +250,10 @@ class Unfolder:
         """The cosine or sine of a sum of angles, by the addition formulas."""
         cosine, sine = self.field.constant(1), self.field.constant(0)
         for symbol, multiple in angle_multiples(argument, self.rules).items():
+            if symbol == PI:
+                for _ in range(int(2 * multiple) % 4):
+                    cosine, sine = -sine, cosine
+                continue
             unit = self._units[symbol]
             name = angle_name(symbol, unit)
             c, s = (self.variable(self._place[f"{f}({name})"]) for f in ("cos", "sin"))
@@ -310,7 +315,10 @@ class Unfolder:
                 node = Rate(node)
             if node in self.rules:
                 return self(self.rules[node])[variable.row][variable.column]
-            return self.variable(self._entry[symbol, variable.order + 1, variable.row, variable.column])
+            place = self._entry.get((symbol, variable.order + 1, variable.row, variable.column))
+            if place is None:
+                raise Untreatable(f"a condition determines {plain(symbol)}, and speaks of its rate")
+            return self.variable(place)
         unit = self.field.constant(self._units[symbol])
         speed = self(Rate(symbol))[0][0] * unit
         name = variable.name.removeprefix(variable.kind)

@@ -9,10 +9,19 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-__all__ = ["Value", "divided", "is_zero", "shown", "times", "value_of"]
+__all__ = ["InPi", "Value", "divided", "is_zero", "shown", "times", "value_of"]
 
 Value = dict[int, Fraction]
 """Coefficients by power of the transcendental number; a rational number has the power 0 only."""
+
+
+class InPi(Fraction):
+    """A rational multiple of pi, as an angle is measured where its sine and cosine are those of quarter turns."""
+
+    __slots__ = ()
+
+    def __str__(self) -> str:
+        return shown({1: Fraction(self)}, "pi")
 
 
 def value_of(number: Fraction) -> Value:

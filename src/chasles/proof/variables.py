@@ -12,6 +12,7 @@ from fractions import Fraction
 from math import gcd, lcm
 
 from chasles.vocabulary import (
+    PI,
     At,
     Call,
     Group,
@@ -28,6 +29,7 @@ from chasles.vocabulary import (
     Symbol,
     children,
     plain,
+    undotted,
 )
 
 __all__ = [
@@ -40,7 +42,6 @@ __all__ = [
     "entry_name",
     "moment_name",
     "scan",
-    "undotted",
 ]
 
 
@@ -91,7 +92,7 @@ class Variables:
     sought: dict[Node, int] = field(default_factory=dict)
 
     def listed(self, unknowns: tuple[Symbol, ...]) -> Iterator[Variable]:
-        """The variables from largest to smallest in the term order.
+        """The variables from largest to smallest in the term order; the rates of unknowns follow from their values.
 
         The entries of a vector's rates are ordered so that e.e - 1 and its derivatives have coprime leading terms:
         then they are a Groebner basis as they stand.
@@ -102,7 +103,7 @@ class Variables:
         highest = max(self.orders.values(), default=0)
         for order in range(highest, -1, -1):
             for symbol, known in ranked:
-                if order <= known:
+                if order <= known and not (order and symbol in unknowns):
                     yield from _entries(symbol, order)
         for symbol, unit in self.angles.items():
             name = angle_name(symbol, unit)
@@ -156,7 +157,10 @@ def scan(found: Variables, node: Node, order: int, rules: Mapping[Node, Node]) -
             if function not in ("sin", "cos"):
                 raise Untreatable(f"the function {function} in {plain(node)} is not treated: only sin and cos are")
             for symbol, multiple in angle_multiples(argument, rules).items():
-                _scan_angle(found, symbol, multiple, order)
+                if symbol != PI:
+                    _scan_angle(found, symbol, multiple, order)
+                elif (2 * multiple).denominator != 1:
+                    raise Untreatable(f"{plain(node)}: of angles in pi, only whole multiples of pi/2 are treated")
         case Power(Norm(of), exponent) if exponent % 2 == 0:
             scan(found, of, order, rules)
         case Quotient(numerator, denominator):
@@ -235,14 +239,6 @@ def _scan_divisor(found: Variables, node: Node, order: int, rules: Mapping[Node,
             _scan_divisor(found, term, order, rules)
         case _:
             scan(found, node, order, rules)
-
-
-def undotted(node: Node) -> tuple[Node, int]:
-    """What a rate is the rate of, and how many times over."""
-    order = 0
-    while isinstance(node, Rate):
-        node, order = node.of, order + 1
-    return node, order
 
 
 def _reach(found: Variables, node: Node, order: int) -> None:

@@ -14,7 +14,7 @@ from chasles.statements.hypotheses import (
     symmetric,
     unit,
 )
-from chasles.statements.inversion import Branch, Cover, Inverse
+from chasles.statements.inversion import Branch, Inverse
 from chasles.statements.problem import Goal, Problem, problem_of
 from chasles.statements.statement import Claim, Condition, Definition, Kernel, Postulate, Statement, Theorem
 
@@ -24,7 +24,6 @@ __all__ = [
     "Chapter",
     "Claim",
     "Condition",
-    "Cover",
     "DeclarationError",
     "Definite",
     "Definition",

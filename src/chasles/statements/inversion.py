@@ -1,7 +1,8 @@
 """Inverses with cases: the way back from a formula's value to its arguments, branch by branch.
 
-On each branch the formula, fed with the values found, returns what it was given; cosine and sine of an angle lie on the
-unit circle; and together the branches cover the domain. Each of these is an equation that is decided.
+On each branch the formula, fed with the values found, returns what it was given; the values are such as the formula
+asks for; cosine and sine of an angle lie on the unit circle; and the branches leave no case out. Each of these is an
+equation made from the branches themselves, and is decided.
 """
 
 from __future__ import annotations
@@ -9,47 +10,65 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import reduce
+from operator import mul
 from typing import ClassVar
 
 from chasles.statements.hypotheses import Hypothesis, nonzero
 from chasles.statements.problem import Goal, Problem, Standing, default_sides
 from chasles.statements.statement import Kernel, Statement
-from chasles.vocabulary import Call, Node, Number, Power, Sum, replace
+from chasles.vocabulary import (
+    Call,
+    Misfit,
+    Negative,
+    Node,
+    Norm,
+    Number,
+    Power,
+    Quotient,
+    Scale,
+    Sum,
+    Zero,
+    plain,
+    replace,
+    symbols_of,
+)
+from chasles.vocabulary.nodes import measured
 
-__all__ = ["Branch", "Cover", "Inverse", "problems_of_inverse"]
+__all__ = ["COVER", "Branch", "Inverse", "problems_of_inverse"]
+
+COVER = "no case is left out"
+EITHER_SIGN = "either sign"
+NOTHING, ONE = Number(Fraction(0)), Number(Fraction(1))
 
 
 @dataclass(frozen=True, slots=True)
 class Branch:
     """One case, taken where `where` is not zero: `values` stand for the formula's arguments.
 
-    An angle is given by its cosine and sine, as the values of cos(phi) and sin(phi). What the branch assumes
-    is in place of what the inverse assumes.
+    An angle is given by its cosine and sine, as the values of cos(phi) and sin(phi). What the branch is `assuming`
+    beyond what the inverse assumes is proved to hold wherever the branch is taken; `inverses` says of quantities that
+    must not vanish there what one over them is, where the quotient itself does not say it. The branches cover the
+    domain because the sum of `by` times `where` over all of them is one: somewhere a `where` is not zero.
     """
 
     says: str
     where: Node
     values: tuple[tuple[Node, Node], ...]
+    by: Node = NOTHING
     assuming: tuple[Hypothesis, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class Cover:
-    """An equation from which one sees that no case is left out; `assuming` is in place of what the inverse assumes."""
-
-    says: str
-    left: Node
-    right: Node
-    assuming: tuple[Hypothesis, ...] = ()
+    inverses: tuple[tuple[Node, Node], ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
 class Inverse:
     """The inverse of the formula `of`, case by case; the first branch that applies is taken.
 
-    `gives` are the results of its kernel, in terms of the formula's arguments and of symbols that `given` defines.
-    Where several branches apply they agree, up to the sign that the values in `sign` share; the first of their entries
-    that is not zero is made positive. With `largest` a machine takes the branch where `where` is largest, for accuracy.
+    Its domain is all that satisfies what it is `assuming`. `gives` are the results of its kernel, in terms of the
+    formula's arguments and of symbols that `given` defines. The values of `sign` may change their sign together, and
+    the first of their entries that is not zero is made positive. With `largest` a machine takes the branch where
+    `where` is largest, for accuracy. `satisfying` are equations that the formula's arguments obey and that the values
+    must obey too. Raises TypeError, or `Misfit` for shapes, for branches that cannot be what this says.
     """
 
     role: ClassVar[str] = "inverse"
@@ -57,7 +76,6 @@ class Inverse:
     number: str
     of: Statement
     branches: tuple[Branch, ...]
-    covers: tuple[Cover, ...]
     gives: tuple[Node, ...]
     says: str = ""
     assuming: tuple[Hypothesis, ...] = ()
@@ -66,25 +84,141 @@ class Inverse:
     kernel: Kernel | None = None
     largest: bool = False
     sign: tuple[Node, ...] = ()
+    satisfying: tuple[Statement, ...] = ()
     fault: None = None
+
+    @property
+    def relied_on(self) -> tuple[Statement, ...]:
+        """The statements whose sides it uses: those given, the formula, and what its values must satisfy."""
+        return (*self.given, self.of, *self.satisfying)
+
+    def __post_init__(self) -> None:
+        names = [COVER, EITHER_SIGN]
+        for branch in self.branches:
+            if branch.says in names:
+                raise TypeError(f"({self.number}) has two cases called {branch.says!r}: give each a name of its own")
+            names.append(branch.says)
+            self._refuse_values(branch)
+
+    def _refuse_values(self, branch: Branch) -> None:
+        keys = dict(branch.values)
+        for key, value in branch.values:
+            if key.shape != value.shape:
+                raise Misfit(f"({self.number}), {branch.says}: {plain(key)} cannot have the value {plain(value)}")
+            if isinstance(key, Call) and Call(_partner(key), key.argument) not in keys:
+                raise TypeError(f"({self.number}), {branch.says}: an angle is given by both its cosine and its sine")
+        if missing := [key for key in self.sign if key not in keys]:
+            raise TypeError(
+                f"({self.number}), {branch.says}: it gives no value to {plain(missing[0])}, whose sign turns"
+            )
+        if not branch.where.is_scalar or not branch.by.is_scalar:
+            raise Misfit(f"({self.number}), {branch.says}: `where` and `by` are scalars")
+        angles = {key.argument for key in keys if isinstance(key, Call)}
+        for hypothesis in (*_asked(self, keys), *branch.assuming):
+            if hypothesis.kind in ("positive", "definite"):
+                raise TypeError(f"({self.number}), {branch.says}: that {hypothesis.text} cannot be shown of its values")
+            if any(subject in angles for subject in hypothesis.subjects):
+                raise TypeError(f"({self.number}): {hypothesis.text} is asked of an angle given by cosine and sine")
 
 
 def problems_of_inverse(sentence: Inverse, standing: Standing = default_sides) -> Iterator[tuple[str, Problem]]:
-    """What makes the branches an inverse: a problem for each branch and for each equation of the cover."""
+    """What makes the branches an inverse: problems for each branch, for its sign and for the cover, by name.
+
+    Raises `Misfit` if the values do not fit into an equation, and TypeError if a given statement cannot be used.
+    """
     left, right = standing(sentence.of)
+    earlier: list[Hypothesis] = []
     for branch in sentence.branches:
         values = dict(branch.values)
+        here = (*sentence.assuming, nonzero(branch.where), *earlier)
         goals = [Goal("the formula returns its input", replace(right, values), left), *_circles(values)]
-        hypotheses = (*(branch.assuming or sentence.assuming), nonzero(branch.where))
-        yield branch.says, Problem(tuple(goals), hypotheses=hypotheses)
-    for cover in sentence.covers:
-        goal = Goal("no case is left out", cover.left, cover.right)
-        yield cover.says, Problem((goal,), hypotheses=cover.assuming or sentence.assuming)
+        goals += _fitting(sentence, branch, values, standing)
+        yield branch.says, Problem(tuple(goals), hypotheses=tuple(dict.fromkeys((*branch.assuming, *here))))
+        if branch.assuming:
+            goals = [goal for hypothesis in branch.assuming for goal in _following(sentence, branch, hypothesis)]
+            yield f"{branch.says}: what it assumes", Problem(tuple(goals), hypotheses=here)
+        if not sentence.largest:
+            earlier.append(_vanishing(branch.where))
+    if sentence.sign:
+        yield EITHER_SIGN, _turned(sentence, right)
+    yield COVER, Problem((_cover(sentence),), hypotheses=sentence.assuming)
+
+
+def _cover(sentence: Inverse) -> Goal:
+    """Where all `where` vanished, zero would be one."""
+    return Goal(COVER, _total([Scale(branch.by, branch.where) for branch in sentence.branches]), ONE)
+
+
+def _total(terms: list[Node]) -> Node:
+    return Sum(tuple(terms)) if len(terms) > 1 else terms[0] if terms else NOTHING
 
 
 def _circles(values: dict[Node, Node]) -> Iterator[Goal]:
-    one = Number(Fraction(1))
     for key, cosine in values.items():
         if isinstance(key, Call) and key.function == "cos":
             sine = values[Call("sin", key.argument)]
-            yield Goal("cosine and sine lie on the unit circle", Sum((Power(cosine, 2), Power(sine, 2))), one)
+            yield Goal("cosine and sine lie on the unit circle", Sum((Power(cosine, 2), Power(sine, 2))), ONE)
+
+
+def _fitting(sentence: Inverse, branch: Branch, values: dict[Node, Node], standing: Standing) -> Iterator[Goal]:
+    """The values are such as the formula asks for."""
+    for hypothesis in _asked(sentence, values):
+        for one, other in hypothesis.equations:
+            yield Goal(f"the values satisfy {hypothesis.text}", replace(one, values), replace(other, values))
+        for quantity in hypothesis.nonvanishing:
+            yield _invertible(branch, replace(quantity, values), f"the values satisfy {hypothesis.text}")
+    for statement in sentence.satisfying:
+        one, other = standing(statement)
+        yield Goal(f"the values satisfy ({statement.number})", replace(one, values), replace(other, values))
+
+
+def _asked(sentence: Inverse, values: dict[Node, Node]) -> Iterator[Hypothesis]:
+    """What the formula, and all it rests on, assumes of the symbols that occur in it or that the values stand for."""
+    symbols = {symbol for node in (sentence.of.right, *values) for symbol in symbols_of(node)}
+    for hypothesis in dict.fromkeys(_hypotheses(sentence.of)):
+        concerned = {symbol for node in hypothesis.subjects for symbol in symbols_of(node)}
+        if concerned & symbols and hypothesis not in sentence.assuming:
+            yield hypothesis
+
+
+def _hypotheses(statement: Statement) -> Iterator[Hypothesis]:
+    yield from statement.assuming
+    for given in statement.given:
+        yield from _hypotheses(given)
+
+
+def _following(sentence: Inverse, branch: Branch, hypothesis: Hypothesis) -> Iterator[Goal]:
+    """What a branch assumes holds where it is taken; an equation may need to be divided by what the domain excludes."""
+    atoms = [node for assumed in sentence.assuming for node in assumed.nonvanishing]
+    for one, other in hypothesis.equations:
+        shown = Quotient(Scale(reduce(mul, atoms), one), reduce(mul, atoms)) if atoms else one
+        yield Goal(f"it follows that {hypothesis.text}", shown, other)
+    for quantity in hypothesis.nonvanishing:
+        yield _invertible(branch, quantity, f"it follows that {hypothesis.text}")
+
+
+def _invertible(branch: Branch, quantity: Node, label: str) -> Goal:
+    """What has an inverse is not zero; zero itself has none."""
+    if measured(quantity).grid[0][0] is None:
+        return Goal(label, quantity, ONE)
+    return Goal(label, Scale(quantity, dict(branch.inverses).get(quantity, Quotient(ONE, quantity))), ONE)
+
+
+def _vanishing(where: Node) -> Hypothesis:
+    """An earlier branch is not taken: a norm vanishes only with all entries of its vector."""
+    equation = (where.of, Zero(*where.of.shape)) if isinstance(where, Norm) else (where, NOTHING)
+    return Hypothesis("untaken", (equation[0],), (equation,), (), "", f"{plain(where)} = 0", free=True)
+
+
+def _turned(sentence: Inverse, right: Node) -> Problem:
+    """The formula, and what it asks for, are the same when the values in `sign` change their sign together."""
+    turn: dict[Node, Node] = {key: Negative(key) for key in sentence.sign}
+    hypotheses = tuple(dict.fromkeys(_hypotheses(sentence.of)))
+    goals = [Goal("the formula returns the same", replace(right, turn), right)]
+    for hypothesis in hypotheses:
+        goals += [Goal(f"still {hypothesis.text}", replace(a, turn), replace(b, turn)) for a, b in hypothesis.equations]
+    return Problem(tuple(goals), hypotheses=hypotheses)
+
+
+def _partner(key: Call) -> str:
+    return "sin" if key.function == "cos" else "cos"

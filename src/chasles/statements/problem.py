@@ -9,8 +9,10 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 
+from chasles.statements.angles import determined_angle, turning
 from chasles.statements.forms import Definite, OnlyWhere
 from chasles.statements.hypotheses import Hypothesis
+from chasles.statements.lengths import Lengths
 from chasles.statements.squares import relied_on
 from chasles.statements.statement import Claim, Condition, Definition, Equation, Statement, Theorem, bare, is_rule
 from chasles.statements.varied import demands, visible
@@ -27,6 +29,7 @@ from chasles.vocabulary import (
     children,
     column,
     members_of,
+    plain,
     replace,
     walk,
 )
@@ -111,8 +114,9 @@ def problem_of(statement: Decidable, form: str = "printed", standing: Standing =
                 f"({statement.number}) is given ({given.number}), whose left side {left} is no symbol: "
                 "state it as a Condition on what it determines"
             )
+    rules += _angle_rules(statement, form, rules, conditions, unknowns)
     _refuse_circles(statement, rules, unknowns)
-    hypotheses = tuple(dict.fromkeys(_hypotheses(statement)))
+    hypotheses = tuple(dict.fromkeys((*_hypotheses(statement), *_agreeing(dict(rules)))))
     problem = Problem((), tuple(rules), tuple(conditions), tuple(unknowns), hypotheses)
     if isinstance(statement, Theorem):
         goals = tuple(_theorem_goals(statement, problem))
@@ -121,7 +125,35 @@ def problem_of(statement: Decidable, form: str = "printed", standing: Standing =
         goals = tuple(_goals(statement, form, standing))
     for goal in goals:
         added(measured(goal.left), measured(goal.right), (goal.left, goal.right), "equate")
-    return with_fields(problem, goals=goals)
+    return _with_simple_lengths(with_fields(problem, goals=goals))
+
+
+def _angle_rules(
+    statement: Decidable, form: str, rules: list[Equation], conditions: list[Goal], unknowns: dict[Symbol, None]
+) -> Iterator[Equation]:
+    """What conditions say that angles are, whose cosines and sines are taken; these conditions are left out."""
+    if isinstance(statement, Theorem):
+        sides = [side for part in statement.forms for each in part.equations() for side in each[1:]]
+    else:
+        sides = list(statement.form(form))
+    angles = turning((*sides, *(side for rule in rules for side in rule)))
+    for goal in tuple(conditions):
+        found = determined_angle(goal.left, goal.right, unknowns)
+        if found is not None and found[0] in angles:
+            conditions.remove(goal)
+            del unknowns[found[0]]
+            yield found
+
+
+def _with_simple_lengths(problem: Problem) -> Problem:
+    """The same problem with every length said of as simple a vector as is known."""
+    lengths = Lengths(problem.hypotheses, dict(problem.rules))
+    goals = tuple(Goal(goal.label, lengths(goal.left), lengths(goal.right)) for goal in problem.goals)
+    conditions = tuple(Goal(goal.label, lengths(goal.left), lengths(goal.right)) for goal in problem.conditions)
+    rules = tuple((left, lengths(right)) for left, right in problem.rules)
+    hypotheses = tuple(map(lengths.hypothesis, problem.hypotheses))
+    presupposed = tuple(dict.fromkeys((*problem.presupposed, *lengths.used)))
+    return Problem(goals, rules, conditions, problem.unknowns, hypotheses, presupposed)
 
 
 def _refuse_circles(statement: Decidable, rules: list[tuple[Node, Node]], unknowns: Collection[Symbol]) -> None:
@@ -196,6 +228,20 @@ def _presupposed(statement: Theorem, problem: Problem) -> Iterator[Hypothesis]:
                         "leave that statement out"
                     )
                 yield hypothesis
+
+
+def _agreeing(rules: Mapping[Node, Node]) -> Iterator[Hypothesis]:
+    """Where both a quantity and its rate are given, the rate of what is given for the other."""
+    for left, right in rules.items():
+        base, dots = left, 0
+        while isinstance(base, Rate) and (not dots or base not in rules):
+            base, dots = base.of, dots + 1
+        if dots and base in rules:
+            rate = rules[base]
+            for _ in range(dots):
+                rate = Rate(rate)
+            text = f"{plain(left)} is the rate of {plain(base)}"
+            yield Hypothesis("given", (Sum((rate, Negative(right))),), ((rate, right),), (), "", text)
 
 
 def _hypotheses(statement: Decidable) -> Iterator[Hypothesis]:

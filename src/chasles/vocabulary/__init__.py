@@ -26,7 +26,7 @@ from chasles.vocabulary.measure import Measure, Misfit, uniform
 from chasles.vocabulary.nodes import Contract, Negative, Node, Number, Power, Quotient, Scale, Sum, Transpose
 from chasles.vocabulary.plain import plain
 from chasles.vocabulary.spatial import Cofactor, Cross, Determinant, Dot, Inverse, Norm, Skew, Trace, Vect
-from chasles.vocabulary.tree import children, rebuilt, replace, symbols_of, walk
+from chasles.vocabulary.tree import children, rebuilt, replace, symbols_of, undotted, walk
 from chasles.vocabulary.words import (
     CPM,
     PI,
@@ -135,6 +135,7 @@ __all__ = [
     "square",
     "symbols_of",
     "tr",
+    "undotted",
     "uniform",
     "vect",
     "vector",

@@ -9,11 +9,11 @@ from functools import cache
 from typing import Any
 
 from chasles.vocabulary.body import Integral
-from chasles.vocabulary.layout import Block
+from chasles.vocabulary.layout import Block, Rate
 from chasles.vocabulary.letters import Symbol
 from chasles.vocabulary.nodes import Contract, Node, Sum
 
-__all__ = ["children", "rebuilt", "replace", "symbols_of", "walk"]
+__all__ = ["children", "rebuilt", "replace", "symbols_of", "undotted", "walk"]
 
 
 @cache
@@ -59,6 +59,14 @@ def replace(node: Node, values: Mapping[Node, Node]) -> Node:
     parts = children(node)
     changed = tuple(replace(part, values) for part in parts)
     return node if changed == parts else rebuilt(node, changed)
+
+
+def undotted(node: Node) -> tuple[Node, int]:
+    """What a rate is the rate of, and how many times over."""
+    order = 0
+    while isinstance(node, Rate):
+        node, order = node.of, order + 1
+    return node, order
 
 
 def walk(node: Node) -> Iterator[Node]:

@@ -182,10 +182,14 @@ class Quantities:
         value = self(angle)[0][0]
         for monomial, multiple in value.terms.items():
             match [(*self.variables[place], power) for place, power in exponents(monomial)]:
-                case [("entry", w.Symbol() as symbol, 0, 0, 0, 1)] if symbol.is_scalar:
+                case [("entry", w.PI, *_, 1)] if 2 * multiple % value.below == 0:
+                    for _ in range(2 * multiple // value.below % 4):
+                        cosine, sine = -sine, cosine
+                    continue
+                case [("entry", w.Symbol() as symbol, 0, 0, 0, 1)] if symbol.is_scalar and symbol != w.PI:
                     unit = self._units.get(symbol.name, abs(Fraction(multiple, value.below)))
                 case _:
-                    raise Rejected(f"{angle} is no angle: an angle is a sum of rational multiples of symbols")
+                    raise Rejected(f"{angle} is no sum of rational multiples of symbols and quarter turns: no angle")
             name = f"{unit.numerator if unit.numerator > 1 else ''}{symbol.name}"
             name += f"/{unit.denominator}" if unit.denominator > 1 else ""
             c = self.variable(f"cos({name})", "cos", symbol, unit)

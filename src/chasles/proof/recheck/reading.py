@@ -40,14 +40,8 @@ class Reading(Quantities):
             self._positive(hypothesis)
         for goal in problem.goals:
             self.difference(goal.left, goal.right)
-        for goal in problem.conditions:
-            for i, j, entry in self.difference(goal.left, goal.right):
-                if entry:
-                    self.conditions.append(cleared(entry, self.atoms)[0])
-                    self.vanish(f"{len(self.conditions)}. {goal.label} [{i + 1}, {j + 1}]", entry)
-        highest = max((what[2] for what in self.variables if what[0] == "entry"), default=0)
-        for hypothesis in problem.hypotheses:
-            self._hypothesis(hypothesis, highest)
+        self._conditions()
+        self._hypotheses()
 
     def _positive(self, hypothesis: Hypothesis) -> None:
         """What is greater than zero: a positive scalar, the leading minors of a positive-definite matrix."""
@@ -56,15 +50,35 @@ class Reading(Quantities):
             minor, below = cleared(determinant([row[:size] for row in entries[:size]]), self.atoms)
             self.positive.append((hypothesis.text, minor * product(self.atoms, below)))
 
-    def _hypothesis(self, hypothesis: Hypothesis, highest: int) -> None:
-        """What a hypothesis says, and its rates up to the highest order that occurs."""
-        for place, (left, right) in enumerate(hypothesis.equations):
-            entries = self.difference(left, right)
-            for order in range(highest + 1):
-                label = hypothesis.text + (f" ({'d' * order}ot)" if order else "")
-                entries = [(i, j, self.rate(entry)) for i, j, entry in entries] if order else entries
+    def _conditions(self) -> None:
+        """What the conditions say, and its rates up to the highest order of an unknown that occurs."""
+        orders = [what[2] for what in self.variables if what[0] == "entry" and what[1] in self.problem.unknowns]
+        for goal in self.problem.conditions:
+            for i, j, entry in self.difference(goal.left, goal.right):
+                if entry:
+                    self.conditions.append(cleared(entry, self.atoms)[0])
+                    label = f"{len(self.conditions)}. {goal.label}"
+                    self._always_zero(entry, max(orders, default=0), label, f"[{i + 1}, {j + 1}]")
+
+    def _hypotheses(self) -> None:
+        """What the hypotheses say, and its rates up to the highest order that occurs, or of which a rule speaks."""
+        highest = max((what[2] for what in self.variables if what[0] == "entry"), default=0)
+        ruled = {of: order for of, order in map(w.undotted, self.rules) if order}
+        for hypothesis in self.problem.hypotheses:
+            for place, (left, right) in enumerate(hypothesis.equations):
+                entries = self.difference(left, right)
+                symbols = {self.variables[k][1] for _, _, entry in entries for k in entry.places}
+                last = max(highest, *(ruled[symbol] for symbol in symbols & ruled.keys()), 0)
                 for i, j, entry in entries:
-                    self.vanish(f"{label} [{place}: {i + 1}, {j + 1}]", entry)
+                    order = 0 if hypothesis.kind == "given" else last
+                    self._always_zero(entry, order, hypothesis.text, f"[{place}: {i + 1}, {j + 1}]")
+
+    def _always_zero(self, polynomial: Polynomial, last: int, label: str, place: str) -> None:
+        """From here on, this is zero and so are its rates, up to the last order."""
+        for order in range(last + 1):
+            polynomial = self.rate(polynomial) if order else polynomial
+            dots = f" ({'d' * order}ot)" if order else ""
+            self.vanish(f"{label}{dots} {place}", polynomial)
 
     def settle(self, values: Mapping[int, Polynomial]) -> None:
         """From here on, these variables have these values."""

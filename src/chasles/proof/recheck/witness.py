@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from math import prod
 from typing import Any
@@ -10,47 +10,50 @@ from typing import Any
 from chasles.proof.recheck.quantities import squeezed
 from chasles.proof.recheck.reading import Reading
 from chasles.proof.recheck.sparse import Polynomial, Rejected, exponents
-from chasles.vocabulary import PI
 
 __all__ = ["Point", "point_of", "require", "value_at"]
 
 QUARTERS = tuple((Fraction(cosine), Fraction(sine)) for cosine, sine in ((1, 0), (0, 1), (-1, 0), (0, -1)))
 """Cosine and sine of none, one, two and three quarter turns."""
-Point = dict[int, tuple[Fraction, int]]
-"""For each variable a number, and the power, 0 or 1, of the one transcendental number by which it is multiplied."""
+Point = dict[int, tuple[Any, int]]
+"""For each variable a number, rational or a sum of square roots, and the power, 0 or 1, of the one transcendental
+number by which it is multiplied."""
 
 
-def point_of(reading: Reading, values: Mapping[str, Any]) -> Point:
+def point_of(reading: Reading, values: Mapping[str, Any], number: Callable[[str], Any] = Fraction) -> Point:
     """The point with these values; raises `Rejected` where they contradict what the variables mean.
 
     An angle that occurs beside its own cosine and sine is transcendental, because these are rational (Lindemann). With
     pi, or another such angle, in play it is given in units of pi: its cosine and sine must be those of quarter turns.
     """
-    pi = {reading.places["pi"]} if "pi" in reading.places else set()
-    numbers = dict.fromkeys(pi, Fraction(1))
+    stated = (*reading.vanishing.values(), *reading.atoms, *(positive for _, positive in reading.positive))
+    in_play = "pi" in values or any(reading.places.get("pi") in polynomial.places for polynomial in stated)
+    pi = {reading.places["pi"]} if "pi" in reading.places and in_play else set()
+    numbers: dict[int, Any] = dict.fromkeys(pi, Fraction(1))
     for name, value in values.items():
         place = reading.places.get(squeezed(name))
-        if place is not None and numbers.setdefault(place, Fraction(str(value))) != Fraction(str(value)):
+        if place is not None and numbers.setdefault(place, here := number(str(value))) != here:
             raise Rejected(f"{name} is given two values")
     angles = [(place, *what[1:]) for place, what in enumerate(reading.variables) if what[0] == "cos"]
     bare = pi | {reading.places[symbol.name] for _, symbol, _ in angles} & numbers.keys()
     for place, symbol, unit in angles:
         here = reading.places[symbol.name]
-        if here in bare and (len(bare) > 1 or symbol == PI or not numbers[here]):
+        if here in bare and (in_play or len(bare) > 1 or not numbers[here]):
             quarters = 2 * unit * numbers[here]
             cosine, sine = QUARTERS[int(quarters) % 4]
             fits = numbers.get(place, cosine) == cosine and numbers.get(place + 1, sine) == sine
             if quarters.denominator != 1 or not fits:
                 raise Rejected(f"cosine and sine of {symbol} are not those of the angle given")
-    for place, number in numbers.items():
-        if number < 0 and reading.variables[place][0] == "norm":
-            raise Rejected("a norm is given a negative value")
-    return {place: (number, int(place in bare)) for place, number in numbers.items()}
+    roots = {reading.places.get(str(h.subjects[0])) for h in reading.problem.hypotheses if h.kind == "root"}
+    for place, value in numbers.items():
+        if (place in roots or reading.variables[place][0] == "norm") and value < 0:
+            raise Rejected("a norm, or a root, is given a negative value")
+    return {place: (value, int(place in bare)) for place, value in numbers.items()}
 
 
-def value_at(polynomial: Polynomial, point: Point) -> dict[int, Fraction]:
+def value_at(polynomial: Polynomial, point: Point) -> dict[int, Any]:
     """The value, by power of the transcendental number; empty if it is zero."""
-    total: dict[int, Fraction] = {}
+    total: dict[int, Any] = {}
     for monomial, coefficient in polynomial.terms.items():
         powers = exponents(monomial)
         power = sum(point[place][1] * exponent for place, exponent in powers)
@@ -86,5 +89,6 @@ def require(reading: Reading, point: Point, occurring: set[int]) -> None:
         if atom.places <= point.keys() and not value_at(atom, point):
             raise Rejected(f"the point does not satisfy {label}")
     for label, positive in reading.positive:
-        if positive.places <= point.keys() and min(value_at(positive, point).values(), default=Fraction(0)) <= 0:
+        values = value_at(positive, point).values() if positive.places <= point.keys() else [1]
+        if not values or any(value < 0 for value in values):
             raise Rejected(f"the point does not satisfy {label}")

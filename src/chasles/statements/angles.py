@@ -1,0 +1,75 @@
+"""Conditions on angles: where one determines an angle as a sum of rational multiples of others, it says what it is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from fractions import Fraction
+
+from chasles.vocabulary import (
+    At,
+    Call,
+    Group,
+    Negative,
+    Node,
+    Number,
+    Quotient,
+    Scale,
+    Sum,
+    Symbol,
+    symbols_of,
+    walk,
+)
+
+__all__ = ["determined_angle", "turning"]
+
+Multiples = dict[Symbol, Fraction]
+
+
+def turning(nodes: Iterable[Node]) -> set[Symbol]:
+    """The symbols of which cosines and sines are taken."""
+    return {s for node in nodes for part in walk(node) if isinstance(part, Call) for s in symbols_of(part.argument)}
+
+
+def determined_angle(left: Node, right: Node, unknowns: Iterable[Symbol]) -> tuple[Symbol, Node] | None:
+    """The one unknown in an equation between sums of multiples of scalars, and what the equation says that it is."""
+    multiples = _multiples(Sum((left, Negative(right)))) if left.is_scalar and right.is_scalar else None
+    sought = [symbol for symbol in unknowns if symbol in (multiples or {})]
+    if not multiples or len(sought) != 1:
+        return None
+    divisor = -multiples.pop(sought[0])
+    terms: list[Node] = [Scale(Number(multiple / divisor), symbol) for symbol, multiple in multiples.items()]
+    if not terms:
+        return None
+    return sought[0], terms[0] if len(terms) == 1 else Sum(tuple(terms))
+
+
+def _multiples(node: Node) -> Multiples | None:
+    """A sum of rational multiples of scalar symbols; None for anything else."""
+    total: Multiples = {}
+    for found in _linear(node, Fraction(1)):
+        if found is None:
+            return None
+        symbol, multiple = found
+        total[symbol] = total.get(symbol, Fraction(0)) + multiple
+    return {symbol: multiple for symbol, multiple in total.items() if multiple}
+
+
+def _linear(node: Node, scale: Fraction) -> Iterator[tuple[Symbol, Fraction] | None]:
+    match node:
+        case Symbol(stands_for=Node() as of) | At(of) | Group(of):
+            yield from _linear(of, scale)
+        case Symbol():
+            yield node, scale
+        case Negative(term):
+            yield from _linear(term, -scale)
+        case Sum(terms):
+            for term in terms:
+                yield from _linear(term, scale)
+        case Scale(Number(value), term) | Scale(term, Number(value)):
+            yield from _linear(term, scale * value)
+        case Quotient(numerator, Number(value)):
+            yield from _linear(numerator, scale / value)
+        case Number(value) if not value:
+            return
+        case _:
+            yield None

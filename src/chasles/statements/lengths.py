@@ -1,0 +1,114 @@
+"""Lengths said of simpler vectors: |2 a| is 2 |a|, |Q a| is |a| for a rotation Q, and |e| is 1 for a unit vector.
+
+A norm is the nonnegative root. A factor leaves it where its spelling, or a hypothesis, says that it is not negative.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import replace as with_fields
+from fractions import Fraction
+
+from chasles.statements.hypotheses import Hypothesis
+from chasles.vocabulary import (
+    At,
+    Contract,
+    Group,
+    Negative,
+    Node,
+    Norm,
+    Number,
+    Power,
+    Quotient,
+    Scale,
+    Symbol,
+    Transpose,
+    children,
+    replace,
+    walk,
+)
+
+__all__ = ["Lengths"]
+
+
+class Lengths:
+    """Puts simpler lengths in the place of others; `used` are the hypotheses by which they are equal.
+
+    Nothing is concluded from a hypothesis on what a rule replaces.
+    """
+
+    def __init__(self, hypotheses: Collection[Hypothesis], rules: Mapping[Node, Node]) -> None:
+        self.used: dict[Hypothesis, None] = {}
+        self._known = {(h.kind, s): h for h in hypotheses for s in h.subjects if s not in rules}
+
+    def __call__(self, node: Node) -> Node:
+        """The node with every length in it as simple as it is known."""
+        # An even power of a norm is a polynomial as it stands, whatever is known of the norm.
+        squares: dict[Node, Node] = {part: part for part in walk(node) if _is_square(part)}
+        loose = [part for part in _outside(node, squares) if isinstance(part, Norm)]
+        lengths = {part: self._length(part.of) for part in loose}
+        changed: dict[Node, Node] = {old: new for old, new in lengths.items() if old != new}
+        return replace(node, squares | changed) if changed else node
+
+    def hypothesis(self, said: Hypothesis) -> Hypothesis:
+        """The same said of simpler lengths."""
+        places = tuple(map(self, said.nonvanishing))
+        if places == said.nonvanishing:
+            return said
+        return with_fields(said, subjects=tuple(map(self, said.subjects)), nonvanishing=places)
+
+    def _length(self, of: Node) -> Node:
+        match of:
+            case Group(inner) | Negative(inner) | At(inner):
+                return self._length(inner)
+            case Scale(Number(value), inner):
+                return Scale(Number(abs(value)), self._length(inner))
+            case Scale(factor, inner) if self._is_nonnegative(factor):
+                return Scale(factor, self._length(inner))
+            case Quotient(inner, Number(value)):
+                return Quotient(self._length(inner), Number(abs(value)))
+            case Quotient(inner, divisor) if self._is_nonnegative(divisor):
+                return Quotient(self._length(inner), divisor)
+            case Contract((Scale(factor, matrix), *rest)):
+                return self._length(Scale(factor, Contract((matrix, *rest))))
+            case Contract((matrix, *rest)) if rest and self._turns(matrix):
+                return self._length(rest[0] if len(rest) == 1 else Contract(tuple(rest)))
+            case Symbol() if self._says("unit", of):
+                return Number(Fraction(1))
+        return Norm(of)
+
+    def _is_nonnegative(self, factor: Node) -> bool:
+        match factor:
+            case Number(value):
+                return value >= 0
+            case Norm():
+                return True
+            case Group(of):
+                return self._is_nonnegative(of)
+            case Power(of, exponent):
+                return exponent % 2 == 0 or self._is_nonnegative(of)
+            case Scale(one, other) | Quotient(one, other):
+                return self._is_nonnegative(one) and self._is_nonnegative(other)
+        return self._says("positive", factor)
+
+    def _turns(self, matrix: Node) -> bool:
+        inner = matrix.of if isinstance(matrix, Transpose | Group) else matrix
+        return self._says("rotation", inner)
+
+    def _says(self, kind: str, subject: Node) -> bool:
+        hypothesis = self._known.get((kind, subject))
+        if hypothesis is not None:
+            self.used[hypothesis] = None
+        return hypothesis is not None
+
+
+def _is_square(node: Node) -> bool:
+    return isinstance(node, Power) and isinstance(node.base, Norm) and node.exponent % 2 == 0
+
+
+def _outside(node: Node, squares: Collection[Node]) -> Iterator[Node]:
+    """The node and what is below it, but not what is below an even power of a norm."""
+    if node not in squares:
+        yield node
+        for part in children(node):
+            yield from _outside(part, squares)
