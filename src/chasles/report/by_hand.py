@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
+from fractions import Fraction
 
 from chasles.proof.context import Context, build
+from chasles.proof.counterexample import transcendental_name
 from chasles.proof.judge import Decision
 from chasles.proof.points import ratio_at
 from chasles.proof.unfold import UndeclaredDivisor
@@ -14,7 +16,7 @@ from chasles.proof.variables import Untreatable, entry_name
 from chasles.proof.verdict import Counterexample
 from chasles.report.entry_parts import Part, parts_of_entry
 from chasles.statements import Statement, problem_of
-from chasles.vocabulary import Node, Rate, Symbol
+from chasles.vocabulary import PI, Node, Rate, Symbol
 
 __all__ = ["ByHand", "worked_out"]
 
@@ -66,9 +68,9 @@ def _entries(context: Context, part: Part, found: Counterexample) -> Iterator[tu
     for i, row in enumerate(context.unfold(node)):
         for j, ratio in enumerate(row):
             if not is_matrix or (i, j) == place:
-                value = ratio_at(context, ratio, dict(found.at))
+                value = ratio_at(context, ratio, {PI.name: Fraction(1), **found.at})
                 if value is not None:
-                    yield entry_name(symbol, order, i, j), shown(value, "phi")
+                    yield entry_name(symbol, order, i, j), shown(value, transcendental_name(context))
 
 
 def _rated(side: Node) -> Node:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 
 from rich.text import Text
 
+from chasles.proof.values import InPi
 from chasles.proof.verdict import Verdict
+from chasles.vocabulary import PI
 
 __all__ = ["VERDICTS", "counted", "labelled", "point_in_words", "reason", "said", "seconds"]
 
@@ -49,9 +52,14 @@ def counted(verdicts: Iterable[Verdict]) -> str:
 
 
 def point_in_words(point: Mapping[str, object]) -> str:
-    """The point as one line: "e = (1, 0, 0), cos(phi) = 0"; the entries of a vector or a matrix are put together."""
+    """The point as one line: "e = (1, 0, 0), cos(phi) = 0"; the entries of a vector or a matrix are put together.
+
+    An angle is a multiple of pi; where it is none, its cosine and sine say what it is.
+    """
     parts = []
-    rest = dict(sorted(point.items()))
+    turned = {found[1] for name in point if (found := re.fullmatch(r"cos\(\d*(.+?)(?:/\d+)?\)", name))}
+    unsaid = {name for name in turned if not isinstance(point.get(name), InPi)} | {PI.name}
+    rest = {name: value for name, value in sorted(point.items()) if name not in unsaid}
     while rest:
         name = next(iter(rest))
         for ending, rows in (("_1", [("_1", "_2", "_3")]), ("_11", [(f"_{i}1", f"_{i}2", f"_{i}3") for i in "123"])):
