@@ -13,17 +13,20 @@ import pytest
 from chasles.cli import cache
 from chasles.cli.outcome import decide
 from chasles.proof import spreading
+from chasles.proof.certificate import check
 from chasles.proof.decision import Decision
 from chasles.proof.foresight import foresee
 from chasles.proof.judge import Judge
 from chasles.proof.memory import Memory
 from chasles.proof.plain_data import from_data, to_data
 from chasles.proof.spreading import spread
-from chasles.proof.verdict import Fails, Holds, Undecided
-from chasles.statements import Claim, Statement, load
-from chasles.vocabulary import cross, vector, walk
+from chasles.proof.values import InPi
+from chasles.proof.verdict import Fails, Holds, HoldsUnder, Undecided, Verdict
+from chasles.statements import Claim, Hypothesis, Inverse, Statement, load, rotation
+from chasles.vocabulary import PI, Node, cos, cross, rate, scalar, square, vector, walk
 
 a, b = (vector(name, name, name) for name in "ab")
+phi, Q = scalar("phi", "phi", "an angle"), square("Q", "Q", "a rotation")
 BOOK = load()
 
 
@@ -61,6 +64,32 @@ def test_every_word_and_verdict_survives_as_plain_data(decisions: tuple[Judge, l
     for decision in decisions[1]:
         if decision.verdict.name not in ("defined", "assumed"):
             assert from_data(as_text(to_data(decision.verdict))) == from_data(to_data(decision.verdict))
+
+
+def remembered(left: Node, right: Node, *assuming: Hypothesis) -> Verdict:
+    """A verdict, recalled in another run."""
+    claim = Claim("9.1", left, right, assuming=assuming)
+    judge = Judge()
+    verdict = judge.decide(claim).verdict
+    again = Judge(memory=Memory(as_text(judge.memory.as_data(10))))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("chasles.proof.judge.decide_problem", forbidden)
+        assert again.decide(claim).verdict == verdict
+    return again.decide(claim).verdict
+
+
+def test_multiples_of_pi_survive() -> None:
+    for verdict in (remembered(phi * cos(phi), PI * 1), remembered(phi * cos(phi) * PI, PI * cos(phi) * phi)):
+        point = verdict.counterexample.at if isinstance(verdict, Fails) else verdict.witness  # type: ignore[attr-defined]
+        assert isinstance(point["phi"], InPi)
+        assert str(point["phi"]).endswith("pi")
+
+
+def test_proofs_by_spins_survive() -> None:
+    verdict = remembered(rate(Q) @ Q.T, -(Q @ rate(Q).T), rotation(Q))
+    assert isinstance(verdict, HoldsUnder)
+    assert verdict.certificate["spins"] is True
+    check(Claim("9.1", rate(Q) @ Q.T, -(Q @ rate(Q).T), assuming=(rotation(Q),)), "printed", verdict.certificate)
 
 
 def test_nothing_else_is_made_of_data() -> None:
@@ -130,6 +159,19 @@ def test_foresight_changes_no_verdict(decisions: tuple[Judge, list[Decision]], m
     foresee(judge, [entry.statement for entry in BOOK])
     for entry, decision in zip(BOOK, decisions[1], strict=True):
         assert outcome(judge.decide(entry.statement)) == outcome(decision)
+
+
+def test_inverses_are_foreseen(decisions: tuple[Judge, list[Decision]], monkeypatch: pytest.MonkeyPatch) -> None:
+    inverses = [(d.statement, d) for d in decisions[1] if isinstance(d.statement, Inverse)]
+    judge = Judge(book=BOOK)
+    for statement, _ in inverses:
+        for given in statement.relied_on:
+            judge.decide(given)
+    foresee(judge, [statement for statement, _ in inverses])
+    monkeypatch.setattr("chasles.proof.judge.decide_problem", forbidden)
+    assert len(inverses) >= 3
+    for statement, decision in inverses:
+        assert outcome(judge.decide(statement)) == outcome(decision)
 
 
 def test_work_is_spread_and_comes_back_in_order(monkeypatch: pytest.MonkeyPatch) -> None:

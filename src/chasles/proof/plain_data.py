@@ -12,6 +12,7 @@ from typing import Any
 
 from chasles import vocabulary
 from chasles.proof.repair import Repair
+from chasles.proof.values import InPi
 from chasles.proof.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed
 from chasles.vocabulary.dimension import Dimension
 from chasles.vocabulary.families import Family, Index
@@ -35,7 +36,7 @@ def to_data(value: Any) -> Any:
         case None | bool() | int() | str():
             return value
         case Fraction():
-            return ["Fraction", str(value)]
+            return [type(value).__name__, str(Fraction(value))]
         case tuple():
             return ["tuple", *map(to_data, value)]
         case Mapping():
@@ -52,8 +53,8 @@ def from_data(data: Any) -> Any:
     match data:
         case None | bool() | int() | str():
             return data
-        case ["Fraction", str() as text]:
-            return Fraction(text)
+        case ["Fraction" | "InPi" as name, str() as text]:
+            return InPi(text) if name == "InPi" else Fraction(text)
         case ["tuple", *parts]:
             return tuple(map(from_data, parts))
         case ["dict", *pairs]:
