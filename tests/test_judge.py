@@ -6,9 +6,9 @@ import pytest
 
 from chasles.proof.certificate import Rejected, check
 from chasles.proof.judge import Judge
-from chasles.proof.verdict import Fails, Holds, Undecided
-from chasles.statements import Chapter, Claim, Definition, Entry, Section, Statement
-from chasles.vocabulary import column, cross, dot, number, plain, scalar, vector
+from chasles.proof.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided
+from chasles.statements import Branch, Chapter, Claim, Definition, Entry, Inverse, Section, Statement, nonzero
+from chasles.vocabulary import LENGTH, Node, column, cross, dot, number, plain, scalar, vector
 
 x, y, z, w = (vector(name, name, name) for name in "xyzw")
 c = scalar("c", "c", "c")
@@ -75,3 +75,47 @@ def test_what_cannot_be_repaired_does_not_stand() -> None:
     decision = Judge(book=book(hopeless)).decide(hopeless)
     assert not decision.stands
     assert decision.sides == hopeless.printed
+
+
+def halving(of: Statement, value: Node, *satisfying: Statement) -> Inverse:
+    """Back from w = 2 x, or from what stands in for it."""
+    branch = Branch("always", c, ((x, value),), by=1 / c)
+    return Inverse("9.8", of, (branch,), gives=(x,), assuming=(nonzero(c),), satisfying=satisfying)
+
+
+def test_an_inverse_says_what_it_inverts_and_what_its_values_satisfy() -> None:
+    formula = Definition("9.6", w, 2 * x)
+    obeyed = Claim("9.7", x + x, w, given=(formula,))
+    decision = Judge().decide(halving(formula, w / 2, obeyed))
+    assert isinstance(decision.verdict, HoldsUnder)
+    assert {key: used.form for key, used in decision.given.items()} == {"9.6/1": "printed", "9.7/1": "printed"}
+    check(decision.statement, "printed", decision.certificate, decision.standing)
+
+
+def test_an_inverse_of_what_is_repaired_inverts_the_repair() -> None:
+    slip = Claim("9.6", w, 3 * x, given=(Definition("9.5", w, 2 * x),))
+    decision = Judge(book=book(slip)).decide(halving(slip, w / 2))
+    assert isinstance(decision.verdict, HoldsUnder)
+    assert decision.given["9.6/1"].form == "repair"
+    check(decision.statement, "printed", decision.certificate, decision.standing)
+
+
+@pytest.mark.parametrize("place", ["of", "satisfying"])
+def test_an_inverse_that_rests_on_what_does_not_stand_is_undecided(place: str) -> None:
+    formula = Definition("9.6", w, 2 * x)
+    sentence = halving(hopeless, w / 2) if place == "of" else halving(formula, w / 2, hopeless)
+    verdict = Judge().decide(sentence).verdict
+    assert isinstance(verdict, Undecided)
+    assert "rests on (9.4), which does not stand" in verdict.reason
+
+
+def test_an_inverse_whose_values_do_not_fit_is_ill_formed() -> None:
+    longer = vector("longer", "longer", "of another dimension", LENGTH)
+    verdict = Judge().decide(halving(Definition("9.6", w, x + 1 * y), longer)).verdict
+    assert isinstance(verdict, IllFormed)
+
+
+def test_an_inverse_of_what_nothing_stands_in_for_is_undecided() -> None:
+    torn = Definition("9.6", w, column(c, c), sic=True)
+    verdict = Judge().decide(halving(torn, w / 2)).verdict
+    assert isinstance(verdict, Undecided)

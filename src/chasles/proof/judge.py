@@ -84,7 +84,7 @@ class Judge:
     def _decide(self, sentence: Sentence) -> Decision:
         started = perf_counter()
         try:
-            relied_on = sentence.relied_on if isinstance(sentence, Statement) else sentence.given
+            relied_on = sentence.given if isinstance(sentence, Theorem) else sentence.relied_on
             given = {key_of(statement): self._used(statement) for statement in relied_on}
         except TypeError as error:
             if not isinstance(sentence, Definition):
@@ -176,7 +176,13 @@ class Judge:
         needs: dict[str, None] = {}
         certificates: dict[str, Any] = {}
         verdict: Verdict | None = None
-        for says, problem in problems_of_inverse(sentence, self.standing):
+        try:
+            problems = list(problems_of_inverse(sentence, self.standing))
+        except Misfit as misfit:
+            return IllFormed(str(misfit))
+        except TypeError as error:
+            return Undecided(str(error))
+        for says, problem in problems:
             verdict = self.verdict_on(problem)
             if not isinstance(verdict, Holds | HoldsUnder):
                 return verdict

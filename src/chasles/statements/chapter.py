@@ -10,7 +10,7 @@ from importlib import import_module
 from types import ModuleType
 
 from chasles.statements.inversion import Inverse
-from chasles.statements.statement import Claim, Statement, Theorem
+from chasles.statements.statement import Statement, Theorem
 
 __all__ = ["Chapter", "DeclarationError", "Entry", "Section", "load"]
 
@@ -114,12 +114,7 @@ class Chapter:
 
 def _bases(sentence: Sentence) -> Iterator[Statement]:
     """The statements that a sentence names: what is given, and what it restates, solves or inverts."""
-    yield from sentence.given
-    match sentence:
-        case Claim(restates=Statement() as other) | Claim(solves=Statement() as other) | Inverse(of=other):
-            yield other
-        case Claim(restates=tuple() as others):
-            yield from others
+    yield from sentence.given if isinstance(sentence, Theorem) else sentence.relied_on
 
 
 def _within(number: str, section: str) -> bool:
