@@ -54,11 +54,65 @@ __all__ = (
     "reciprocal_product",
     "wrench_transfer",
     "inertia_about_point",
+    "inertia_about_point_sym6",
     "momentum_screw",
+    "momentum_screw_sym6",
     "kinetic_energy",
+    "kinetic_energy_sym6",
     "newton_euler_wrench",
+    "newton_euler_wrench_sym6",
     "newton_euler_twist_rate",
+    "newton_euler_twist_rate_sym6",
     "inertia_dyad",
+    "inertia_dyad_sym6",
+    "rotation_from_euler_xyx",
+    "euler_rate_matrix_xyx",
+    "euler_rate_matrix_body_xyx",
+    "euler_rates_xyx",
+    "rotation_from_euler_xyz",
+    "euler_rate_matrix_xyz",
+    "euler_rate_matrix_body_xyz",
+    "euler_rates_xyz",
+    "rotation_from_euler_xzx",
+    "euler_rate_matrix_xzx",
+    "euler_rate_matrix_body_xzx",
+    "euler_rates_xzx",
+    "rotation_from_euler_xzy",
+    "euler_rate_matrix_xzy",
+    "euler_rate_matrix_body_xzy",
+    "euler_rates_xzy",
+    "rotation_from_euler_yxy",
+    "euler_rate_matrix_yxy",
+    "euler_rate_matrix_body_yxy",
+    "euler_rates_yxy",
+    "rotation_from_euler_yxz",
+    "euler_rate_matrix_yxz",
+    "euler_rate_matrix_body_yxz",
+    "euler_rates_yxz",
+    "rotation_from_euler_yzx",
+    "euler_rate_matrix_yzx",
+    "euler_rate_matrix_body_yzx",
+    "euler_rates_yzx",
+    "rotation_from_euler_yzy",
+    "euler_rate_matrix_yzy",
+    "euler_rate_matrix_body_yzy",
+    "euler_rates_yzy",
+    "rotation_from_euler_zxy",
+    "euler_rate_matrix_zxy",
+    "euler_rate_matrix_body_zxy",
+    "euler_rates_zxy",
+    "rotation_from_euler_zxz",
+    "euler_rate_matrix_zxz",
+    "euler_rate_matrix_body_zxz",
+    "euler_rates_zxz",
+    "rotation_from_euler_zyx",
+    "euler_rate_matrix_zyx",
+    "euler_rate_matrix_body_zyx",
+    "euler_rates_zyx",
+    "rotation_from_euler_zyz",
+    "euler_rate_matrix_zyz",
+    "euler_rate_matrix_body_zyz",
+    "euler_rates_zyz",
 )
 
 
@@ -69,7 +123,7 @@ def cross_product_matrix(v: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  0
-    derivation  sha256 0312c264dacf74dfcdb531a0b73d78f9f32811ece66c1d3463eee307878679e9
+    derivation  sha256 3bb8a8fd474c059361c5ae7723890c819183529bb7e76fe026eab3cdd03133fd
     signature   (3)->(3,3)
     """
     batch, v = prepared("cross_product_matrix", ("v", v, (3,)))
@@ -85,7 +139,7 @@ def rotation_from_axis_angle(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     |e| = 1
     operations  24: 6 add, 4 subtract, 12 multiply, 1 sine, 1 cosine
-    derivation  sha256 c07116d01fd9f3eec8b45e4fed312a9f9b8324ab6b8b43de598c12d93744c18c
+    derivation  sha256 718b46e158071b0e8c0dfad7c9d62e35cfda18b9e1e5b352c23d0b196e545440
     signature   (3),()->(3,3)
     """
     batch, e, phi = prepared("rotation_from_axis_angle", ("e", e, (3,)), ("phi", phi, ()))
@@ -126,7 +180,7 @@ def point_after_displacement(Q: Any, a: Any, a_prime: Any, p: Any, /, *, out: An
     verdict     holds
     assumes     nothing
     operations  21: 9 add, 3 subtract, 9 multiply
-    derivation  sha256 b77ed46db033f7eed0ae1124f68ad31f483b7d8664bffaa4de83c9fc5b24f2ac
+    derivation  sha256 182ba8442fabab0886c960f1777fa0a4369e031dfa994b01d86d1ae7766049ed
     signature   (3,3),(3),(3),(3)->(3)
     """
     batch, Q, a, a_prime, p = prepared(
@@ -158,7 +212,7 @@ def pitch_of_motion(e: Any, phi: Any, d_P: Any, /, *, out: Any = None) -> Any:
     assumes     phi != 0
                 |e| = 1
     operations  6: 2 add, 3 multiply, 1 divide
-    derivation  sha256 dd456a80abab27dec7bf7669b19bfc9e5e0a1d2b37fff41b4cf74a191918c756
+    derivation  sha256 e42358121f712aa8bfa99f0924d6e3c4fa181e197a5844c621c6ec9a663691cf
     signature   (3),(),(3)->()
     """
     batch, e, phi, d_P = prepared(
@@ -182,7 +236,7 @@ def normal_matrix_inverse(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     assumes     phi != 0
                 |e| = 1
     operations  19: 3 add, 2 subtract, 11 multiply, 2 divide, 1 cosine
-    derivation  sha256 5ac2e58cb954695fb22629ed1368ffe7e286efef15ae1ae9e6c4f136f03b4fc3
+    derivation  sha256 de9dbdb464264fe2190e4545ce33ac1b9c2a37029a835382eb8d8b8d64b77997
     signature   (3),()->(3,3)
     """
     batch, e, phi = prepared("normal_matrix_inverse", ("e", e, (3,)), ("phi", phi, ()))
@@ -223,7 +277,7 @@ def screw_axis_point(e: Any, phi: Any, a: Any, a_prime: Any, /, *, out: Any = No
     assumes     phi != 0
                 |e| = 1
     operations  64: 18 add, 10 subtract, 31 multiply, 3 divide, 1 sine, 1 cosine
-    derivation  sha256 8ec72961c7242876eb3f39769aa85197309a72737bed03662c26f5d342deb5dd
+    derivation  sha256 b4190f47c4e271ccf9f3cb7fff7644b755a419d9433a3d4b5e45e29ee2c24f0d
     signature   (3),(),(3),(3)->(3)
     """
     batch, e, phi, a, a_prime = prepared(
@@ -276,7 +330,7 @@ def plucker_line(p_1: Any, p_2: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     p_1 != p_2
     operations  21: 2 add, 6 subtract, 9 multiply, 3 divide, 1 square root
-    derivation  sha256 5a85da491dcc75a6b181adfb1d68308f6f9082d82d41f48451dd972e32090871
+    derivation  sha256 82e7d2177f917dad0cc77578e3870137f26237efa6ecc37d77167d348f24892e
     signature   (3),(3)->(6)
     """
     batch, p_1, p_2 = prepared("plucker_line", ("p_1", p_1, (3,)), ("p_2", p_2, (3,)))
@@ -311,7 +365,7 @@ def plucker_transfer(kappa_A: Any, a: Any, b: Any, /, *, out: Any = None) -> Any
     verdict     holds
     assumes     nothing
     operations  15: 3 add, 6 subtract, 6 multiply
-    derivation  sha256 223828bdc4a9d4093c744a6ff52678a900ce93b81e0164b035948d0874cac985
+    derivation  sha256 d481e426032bffd4ad14a6ad5faec5b738471821083e120c2e85c360da015f46
     signature   (6),(3),(3)->(6)
     """
     batch, kappa_A, a, b = prepared(
@@ -343,7 +397,7 @@ def rotation_in_triad_axes(triad: Any, triad_prime: Any, /, *, out: Any = None) 
     verdict     holds
     assumes     nothing
     operations  45: 18 add, 27 multiply
-    derivation  sha256 611a8f0b6c25dd9d15645ced341e936a7b46e306abd4c88ba7f151c73170f2b7
+    derivation  sha256 f86d42ad88c6c4cd9ee18d167dbadc4ff0defedb31eb0cad50cf0bc9001d047c
     signature   (3,3),(3,3)->(3,3)
     """
     batch, triad, triad_prime = prepared(
@@ -383,7 +437,7 @@ def rotation_from_triads(triad: Any, triad_prime: Any, /, *, out: Any = None) ->
     verdict     holds under
     assumes     e_1, e_2, e_3 are orthonormal and right-handed
     operations  45: 18 add, 27 multiply
-    derivation  sha256 d1a21d01da2012443d1a55e994887268f284c82c04bf89712cfcf42490ec03a4
+    derivation  sha256 831cb4bce4aa7a3c8c0f15db2f27996aaad3307aa6789c8822540498e2524999
     signature   (3,3),(3,3)->(3,3)
     """
     batch, triad, triad_prime = prepared(
@@ -425,7 +479,7 @@ def velocity_of_point(omega: Any, a_dot: Any, a: Any, p: Any, /, *, out: Any = N
     verdict     holds
     assumes     nothing
     operations  15: 3 add, 6 subtract, 6 multiply
-    derivation  sha256 22f0f01d1a02abc18f9574c08e8b9b427316b62ad07d3f9771f98896bece91a1
+    derivation  sha256 b4276b762213a5d1c4dee152c38b976d1ea52c68f1108b25b57c59de96112578
     signature   (3),(3),(3),(3)->(3)
     """
     batch, omega, a_dot, a, p = prepared(
@@ -456,7 +510,7 @@ def instant_screw_point(omega: Any, a_dot: Any, a: Any, /, *, out: Any = None) -
     verdict     holds under
     assumes     omega != 0
     operations  29: 2 add, 9 subtract, 15 multiply, 3 divide
-    derivation  sha256 895661a438fba706f89d52a51bf6f4eb7433041efb58f67d2933e449bd8b4711
+    derivation  sha256 cfac045d8748d1612bf67e7a0d0b36c3d82db3bcfd56eb443e7d1428114e7101
     signature   (3),(3),(3)->(3)
     """
     batch, omega, a_dot, a = prepared(
@@ -489,7 +543,7 @@ def natural_rate_matrix(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     assumes     |e| = 1
                 phi != 0
     operations  26: 3 add, 7 subtract, 13 multiply, 1 divide, 1 sine, 1 cosine
-    derivation  sha256 d1afff56486caa901f40463bd6490da7f0e507ea7be252aa239136060941d58a
+    derivation  sha256 e1fc88a281166d37c4f13a0f1c98c1109a22a36e707ca35c74db140722b40712
     signature   (3),()->(4,3)
     """
     batch, e, phi = prepared("natural_rate_matrix", ("e", e, (3,)), ("phi", phi, ()))
@@ -530,7 +584,7 @@ def linear_rate_matrix(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     |e| = 1
     operations  39: 6 add, 8 subtract, 23 multiply, 1 sine, 1 cosine
-    derivation  sha256 3932af0d951f36376775451ce3a1ee43e73ece9dbe47180b18d5645998d83d28
+    derivation  sha256 b7ab95a60e442ca39ebc9aa95a991d12a881db386cc9141fe5cf492c3075fee7
     signature   (3),()->(4,3)
     """
     batch, e, phi = prepared("linear_rate_matrix", ("e", e, (3,)), ("phi", phi, ()))
@@ -575,7 +629,7 @@ def euler_rodrigues_rate_matrix(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     |e| = 1
     operations  8: 6 multiply, 1 sine, 1 cosine
-    derivation  sha256 3a735e68dbe0a8f64cc814f18a0e5c5ed23fe697bfaae80247e65c806f072dee
+    derivation  sha256 17761ec312807cb6e198cbca110c91735f2e6c31f7d446942864ba3607190db0
     signature   (3),()->(4,3)
     """
     batch, e, phi = prepared("euler_rodrigues_rate_matrix", ("e", e, (3,)), ("phi", phi, ()))
@@ -598,7 +652,7 @@ def rotation_from_linear_invariants(q: Any, q_0: Any, /, *, out: Any = None) -> 
     verdict     holds under
     assumes     phi != pi
     operations  20: 7 add, 3 subtract, 9 multiply, 1 divide
-    derivation  sha256 6c875acb2742adb076485e3b75a69754af3515e24d15f1d3ff9dfbcee252fa0e
+    derivation  sha256 4c9780f18d97d0466d9140eebd5c08965e14e5fcea3bdc9bb1a23121dedc811e
     signature   (3),()->(3,3)
     """
     batch, q, q_0 = prepared("rotation_from_linear_invariants", ("q", q, (3,)), ("q_0", q_0, ()))
@@ -633,7 +687,7 @@ def rotation_from_euler_rodrigues(q: Any, q_0: Any, /, *, out: Any = None) -> An
     verdict     holds under
     assumes     |e| = 1
     operations  29: 8 add, 4 subtract, 17 multiply
-    derivation  sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
+    derivation  sha256 3c07bce2c1a977983f72743fca7632ae529437a279a1c8c5ae50fd5f0549711b
     signature   (3),()->(3,3)
     """
     batch, q, q_0 = prepared("rotation_from_euler_rodrigues", ("q", q, (3,)), ("q_0", q_0, ()))
@@ -670,7 +724,7 @@ def linear_invariants(Q: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     |e| = 1
     operations  10: 2 add, 4 subtract, 4 multiply
-    derivation  sha256 33d342698b1bbb0ed8e2b1fc28a50f559e7edf4004942693b00b69e15c4fa640
+    derivation  sha256 95f6d9d982139ac08ba7031fbcb43368472a4ebbbdfb2464e1e93ced6035d2a7
     signature   (3,3)->(3),()
     """
     batch, Q = prepared("linear_invariants", ("Q", Q, (3, 3)))
@@ -692,7 +746,7 @@ def natural_invariants(Q: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     Q is a rotation
     operations  67: 21 add, 10 subtract, 25 multiply, 5 divide, 5 square root, 1 arctangent2
-    derivation  sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1
+    derivation  sha256 ebef68658de75058803abc99b987c49de9d1cb40a8a48992731943208a493cc1
     signature   (3,3)->(3),()
     """
     batch, Q = prepared("natural_invariants", ("Q", Q, (3, 3)))
@@ -777,7 +831,7 @@ def euler_rodrigues_parameters(Q: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     Q is a rotation
     operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root
-    derivation  sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6
+    derivation  sha256 dd50774c5c2bf2f86eb0208023cc96df52230dc832595717873ebc239257408b
     signature   (3,3)->(3),()
     """
     batch, Q = prepared("euler_rodrigues_parameters", ("Q", Q, (3, 3)))
@@ -853,7 +907,7 @@ def screw_of_motion(Q: Any, a: Any, a_prime: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     Q is a rotation
     operations  125: 35 add, 23 subtract, 53 multiply, 8 divide, 5 square root, 1 arctangent2
-    derivation  sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06
+    derivation  sha256 084045f80fb5246b6238e7a7964fcbca354b318c91fb4317affa411197007d32
     signature   (3,3),(3),(3)->(6),(),()
     """
     batch, Q, a, a_prime = prepared(
@@ -970,7 +1024,7 @@ def instant_screw(omega: Any, a_dot: Any, a: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     omega != 0
     operations  48: 4 add, 12 subtract, 24 multiply, 7 divide, 1 square root
-    derivation  sha256 8db7e09eddaec370ad0459ae8e80d7446e066a7c7a50b64d1e58a04d14bf3409
+    derivation  sha256 4b277ff5c0cbaa806e6d4015ddd9655e971afe904b281a1305d42348d080ad0a
     signature   (3),(3),(3)->(6),()
     """
     batch, omega, a_dot, a = prepared(
@@ -1006,7 +1060,7 @@ def natural_velocity_matrix(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     verdict     ill-formed as printed, defined as read
     assumes     |e| = 1
     operations  6: 1 subtract, 3 multiply, 1 sine, 1 cosine
-    derivation  sha256 4f53ceafce1dca350cbdb1d07bdf8034bfa4606e93e39373e34ca9e8e55d7ef2
+    derivation  sha256 e83271b1008e0a8f79d951be0e922c03ff1db20bdf750dbd6823385c500dc4c0
     signature   (3),()->(3,4)
     """
     batch, e, phi = prepared("natural_velocity_matrix", ("e", e, (3,)), ("phi", phi, ()))
@@ -1043,7 +1097,7 @@ def linear_velocity_matrix(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     assumes     |e| = 1
                 phi != pi
     operations  7: 1 add, 3 multiply, 1 divide, 1 sine, 1 cosine
-    derivation  sha256 e678fa61f2ca614341b1b520d453177cbb36d5adbe5d7bfc71cf23d916da1626
+    derivation  sha256 cfd5d2173b7e9659e301600a82f009ed771ccc410ef77dba7a6e29d1ff28db3f
     signature   (3),()->(3,4)
     """
     batch, e, phi = prepared("linear_velocity_matrix", ("e", e, (3,)), ("phi", phi, ()))
@@ -1065,7 +1119,7 @@ def euler_rodrigues_velocity_matrix(e: Any, phi: Any, /, *, out: Any = None) -> 
     verdict     ill-formed as printed, defined as read
     assumes     |e| = 1
     operations  8: 6 multiply, 1 sine, 1 cosine
-    derivation  sha256 49057ffb7954605c353481ff3155b854e23f59cd6c3eb25c530b76ce9a72408e
+    derivation  sha256 c271922e4bf373d339f79acd80f1f8cdd9c0d1d59ac7927436759b3c12c04d1a
     signature   (3),()->(3,4)
     """
     batch, e, phi = prepared("euler_rodrigues_velocity_matrix", ("e", e, (3,)), ("phi", phi, ()))
@@ -1090,7 +1144,7 @@ def pose_rate_natural(e: Any, phi: Any, t: Any, /, *, out: Any = None) -> Any:
     assumes     |e| = 1
                 phi != 0
     operations  35: 2 add, 10 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine
-    derivation  sha256 a45c42e2bfaa929db67370adbe054106e4220311d7cb3f6156f04276d0320465
+    derivation  sha256 e0fe2be4e1944552a8aae53cb2c6a50c8014716c08d0ff9ae5c638b1e525a98a
     signature   (3),(),(6)->(7)
     """
     batch, e, phi, t = prepared("pose_rate_natural", ("e", e, (3,)), ("phi", phi, ()), ("t", t, (6,)))
@@ -1121,7 +1175,7 @@ def pose_rate_linear(e: Any, phi: Any, t: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     |e| = 1
     operations  53: 7 add, 11 subtract, 33 multiply, 1 sine, 1 cosine
-    derivation  sha256 4cb4ee584c4c8eabc8772f8942b039808bd844366959cb05e5013b108a6a13b3
+    derivation  sha256 189ef6e9f765d525a72b57ca9af776b0182a9ee410509efb645451bc6726d1fc
     signature   (3),(),(6)->(7)
     """
     batch, e, phi, t = prepared("pose_rate_linear", ("e", e, (3,)), ("phi", phi, ()), ("t", t, (6,)))
@@ -1154,7 +1208,7 @@ def pose_rate_euler_rodrigues(e: Any, phi: Any, t: Any, /, *, out: Any = None) -
     verdict     holds under
     assumes     |e| = 1
     operations  28: 5 add, 3 subtract, 18 multiply, 1 sine, 1 cosine
-    derivation  sha256 ccca2d15e0eec02319f6d43a1e14916d4dc7aee6853dc302880ff46b704da961
+    derivation  sha256 f3d6e1cd4da56d7bd2e7d19355819bb0ee5c55f0499e4140cf6289caedee70b5
     signature   (3),(),(6)->(7)
     """
     batch, e, phi, t = prepared(
@@ -1192,7 +1246,7 @@ def twist_from_pose_rate_natural(e: Any, phi: Any, s_dot: Any, /, *, out: Any = 
     verdict     holds under
     assumes     |e| = 1
     operations  27: 6 add, 4 subtract, 15 multiply, 1 sine, 1 cosine
-    derivation  sha256 e7ecc39745f5c7fe863f4574b3d7db66237826b5cd6ef5ba62078dc2f87eb979
+    derivation  sha256 c547c350f36f76493c5a80e27f6e6ff0a7bbcb5e42f17854dc37df488fa2d1d3
     signature   (3),(),(7)->(6)
     """
     batch, e, phi, s_dot = prepared(
@@ -1226,7 +1280,7 @@ def twist_from_pose_rate_linear(e: Any, phi: Any, s_dot: Any, /, *, out: Any = N
     assumes     |e| = 1
                 phi != pi
     operations  25: 4 add, 6 subtract, 12 multiply, 1 divide, 1 sine, 1 cosine
-    derivation  sha256 fa1304d2c5d6753e7d389022ed11c42daecd4c9ae21809318a87cd32029de36f
+    derivation  sha256 4ecd692ea6a746b01d998342c37406b925a7404e435cd53bd23ae593fd1bc105
     signature   (3),(),(7)->(6)
     """
     batch, e, phi, s_dot = prepared(
@@ -1262,7 +1316,7 @@ def twist_from_pose_rate_euler_rodrigues(e: Any, phi: Any, s_dot: Any, /, *, out
     verdict     holds under
     assumes     |e| = 1
     operations  29: 3 add, 6 subtract, 18 multiply, 1 sine, 1 cosine
-    derivation  sha256 e7f95cb1e1f8858232fa295001c353462018829181e53800500336674a222548
+    derivation  sha256 b999fb50f6b8266afa4af08030b5b82d1ebea06845e8af11dd17b512fc685539
     signature   (3),(),(7)->(6)
     """
     batch, e, phi, s_dot = prepared(
@@ -1299,7 +1353,7 @@ def twist_transfer(t_A: Any, a: Any, p: Any, /, *, out: Any = None) -> Any:
     verdict     holds
     assumes     nothing
     operations  15: 3 add, 6 subtract, 6 multiply
-    derivation  sha256 967e7d1cf62d3815299774946eb2642eb91e46a3429c284829933f4e75e4e219
+    derivation  sha256 87fe5cb944dd44a9cd372da4669b8884852f9c624fe6396c2609cc622574a33c
     signature   (6),(3),(3)->(6)
     """
     batch, t_A, a, p = prepared("twist_transfer", ("t_A", t_A, (6,)), ("a", a, (3,)), ("p", p, (3,)))
@@ -1326,7 +1380,7 @@ def angular_acceleration_matrix(omega: Any, omega_dot: Any, /, *, out: Any = Non
     verdict     defined
     assumes     Q is a rotation
     operations  15: 6 add, 3 subtract, 6 multiply
-    derivation  sha256 9353bb16e90ad45c91a0cb2ecc494d929aa7746b83fe6af49af9df200dbbb47d
+    derivation  sha256 3673c9e5772f66657c3c4c7e52b8d1d02cb8e3ff0362603e6e2c2ced9eec2be9
     signature   (3),(3)->(3,3)
     """
     batch, omega, omega_dot = prepared(
@@ -1366,7 +1420,7 @@ def acceleration_of_point(omega: Any, omega_dot: Any, a_ddot: Any, a: Any, p: An
     verdict     holds
     assumes     nothing
     operations  36: 6 add, 12 subtract, 18 multiply
-    derivation  sha256 d86e77df283994951e7f23ec5c1e412135f31c7e3539b9cb228bb538b4e39021
+    derivation  sha256 ad4b1ded89b128a2825ce9b201373d59a10b719839dd6046e7cd5cd6a7683d73
     signature   (3),(3),(3),(3),(3)->(3)
     """
     batch, omega, omega_dot, a_ddot, a, p = prepared(
@@ -1406,7 +1460,7 @@ def moving_frame_velocity(o_dot: Any, Q: Any, omega: Any, rho: Any, rho_dot: Any
     verdict     holds
     assumes     nothing
     operations  45: 18 add, 3 subtract, 24 multiply
-    derivation  sha256 7250d2e1f78a2d6f1161bc2db7ddeb5dc0c6fc84979f0eaa84197fdb6599dd36
+    derivation  sha256 6e6be7f2f4f9486b0b3934025971cafd38dee9799b1f38a1e26068c30dce66d2
     signature   (3),(3,3),(3),(3),(3)->(3)
     """
     batch, o_dot, Q, omega, rho, rho_dot = prepared(
@@ -1446,7 +1500,7 @@ def moving_frame_acceleration(o_ddot: Any, Q: Any, omega: Any, omega_dot: Any, r
     verdict     holds
     assumes     nothing
     operations  96: 30 add, 12 subtract, 54 multiply
-    derivation  sha256 fbd2b527f0f93f4cf924de6668a33e19726d1caade279c11a0d657fe9ec4e961
+    derivation  sha256 c6a64a4bffadd3c29b367c3f55b97d7b2681a5145fdcaad4db2217220fcdf5d7
     signature   (3),(3,3),(3),(3),(3),(3),(3)->(3)
     """
     batch, o_ddot, Q, omega, omega_dot, rho, rho_dot, rho_ddot = prepared(
@@ -1493,7 +1547,7 @@ def wrench_axis(f: Any, n_A: Any, a: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     f != 0
     operations  49: 4 add, 12 subtract, 27 multiply, 5 divide, 1 square root
-    derivation  sha256 b1179904e05c970df60da3f9b180c2bce98c765bdb6795544ff955fce9c3d5bd
+    derivation  sha256 202f4b902dd00275fba8ef8414c228a0b5c26afdff0a7af1bce653c7734c0abd
     signature   (3),(3),(3)->(6),()
     """
     batch, f, n_A, a = prepared("wrench_axis", ("f", f, (3,)), ("n_A", n_A, (3,)), ("a", a, (3,)))
@@ -1528,7 +1582,7 @@ def power(t: Any, w: Any, /, *, out: Any = None) -> Any:
     verdict     holds
     assumes     nothing
     operations  11: 5 add, 6 multiply
-    derivation  sha256 f08018ccded03ad1a1392a205f144588142ee91077c0ed0b4f636ec1d31e4312
+    derivation  sha256 617dde215c7374cf883e5eee1c553ba9ac4be615aefadba268d99e0e6ea0d471
     signature   (6),(6)->()
     """
     batch, t, w = prepared("power", ("t", t, (6,)), ("w", w, (6,)))
@@ -1545,7 +1599,7 @@ def reciprocal_product(s_w: Any, s_t: Any, /, *, out: Any = None) -> Any:
     verdict     holds
     assumes     nothing
     operations  11: 5 add, 6 multiply
-    derivation  sha256 b087dfb5c9785b14414c4d9ab347a0bbefd48c42f8ad121de5653c94dd3546ee
+    derivation  sha256 ff89a0890a6cc023ff107ee9855d7c2d1ece4959f3b60c0975fbab9854bfa4ae
     signature   (6),(6)->()
     """
     batch, s_w, s_t = prepared("reciprocal_product", ("s_w", s_w, (6,)), ("s_t", s_t, (6,)))
@@ -1563,7 +1617,7 @@ def wrench_transfer(w_A: Any, a: Any, p: Any, /, *, out: Any = None) -> Any:
     verdict     holds
     assumes     nothing
     operations  15: 3 add, 6 subtract, 6 multiply
-    derivation  sha256 9e54b67526c12869cc182865d5846fded980a863cc3a11fe5be4e32dc500f446
+    derivation  sha256 1aa9230b677002dd380c437470136d192f3980131abe2874f2f060fe645f158d
     signature   (6),(3),(3)->(6)
     """
     batch, w_A, a, p = prepared("wrench_transfer", ("w_A", w_A, (6,)), ("a", a, (3,)), ("p", p, (3,)))
@@ -1592,7 +1646,7 @@ def inertia_about_point(I_C: Any, m: Any, c: Any, a: Any, /, *, out: Any = None)
     verdict     holds under
     assumes     m > 0
     operations  30: 5 add, 12 subtract, 13 multiply
-    derivation  sha256 35b7fb1caca5be1d4c908923193605bd9233355cd78eb729d55678f7bb61145f
+    derivation  sha256 a5fa9c9f317c8c327a3a877870bb21ecfb296530ddbdb33ca9de1fbe84969f2e
     signature   (3,3),(),(3),(3)->(3,3)
     """
     batch, I_C, m, c, a = prepared(
@@ -1626,6 +1680,45 @@ def inertia_about_point(I_C: Any, m: Any, c: Any, a: Any, /, *, out: Any = None)
     return delivered(out, I_A)
 
 
+def inertia_about_point_sym6(I_C: Any, m: Any, c: Any, a: Any, /, *, out: Any = None) -> Any:
+    """(3.133a) Steiner's theorem: the moment of inertia with respect to A from that at the center of mass.
+    given       I_C (6): moment of inertia at the center of mass, symmetric, as (xx, xy, xz, yy, yz,
+                  zz)
+                m: mass
+                c (3): position of the center of mass
+                a (3): position of the landmark point A
+    returns     I_A (6): moment of inertia with respect to A, symmetric, as (xx, xy, xz, yy, yz, zz)
+    verdict     holds under
+    assumes     m > 0
+    operations  27: 5 add, 9 subtract, 13 multiply
+    derivation  sha256 a5fa9c9f317c8c327a3a877870bb21ecfb296530ddbdb33ca9de1fbe84969f2e
+    signature   (6),(),(3),(3)->(6)
+    """
+    batch, I_C, m, c, a = prepared(
+        "inertia_about_point_sym6",
+        ("I_C", I_C, (6,)),
+        ("m", m, ()),
+        ("c", c, (3,)),
+        ("a", a, (3,)),
+    )
+    t1 = a[0] - c[0]
+    t2 = a[1] - c[1]
+    t3 = a[2] - c[2]
+    t4 = m * (t1 * t1 + t2 * t2 + t3 * t3)
+    t5 = m * t1
+    t6 = m * t2
+    I_A = batch.array(
+        (6,),
+        I_C[0] + t4 - t1 * t5,
+        I_C[1] - t2 * t5,
+        I_C[2] - t3 * t5,
+        I_C[3] + t4 - t2 * t6,
+        I_C[4] - t3 * t6,
+        I_C[5] + t4 - t3 * (m * t3),
+    )
+    return delivered(out, I_A)
+
+
 def momentum_screw(I_C: Any, m: Any, t: Any, /, *, out: Any = None) -> Any:
     """(3.142) The momentum screw by inertia dyad and twist.
     given       I_C (3, 3): moment of inertia at the center of mass
@@ -1635,7 +1728,7 @@ def momentum_screw(I_C: Any, m: Any, t: Any, /, *, out: Any = None) -> Any:
     verdict     holds
     assumes     nothing
     operations  18: 6 add, 12 multiply
-    derivation  sha256 3f711409ddb1418e7a90bc97272fe9f055b83f10c9675ffa2beb8cf349541833
+    derivation  sha256 80c7c45197881a39651064604e97f25d45942c522abe6695f2bfe2266f1c516e
     signature   (3,3),(),(6)->(6)
     """
     batch, I_C, m, t = prepared("momentum_screw", ("I_C", I_C, (3, 3)), ("m", m, ()), ("t", t, (6,)))
@@ -1644,6 +1737,32 @@ def momentum_screw(I_C: Any, m: Any, t: Any, /, *, out: Any = None) -> Any:
         I_C[0][0] * t[0] + I_C[0][1] * t[1] + I_C[0][2] * t[2],
         I_C[1][0] * t[0] + I_C[1][1] * t[1] + I_C[1][2] * t[2],
         I_C[2][0] * t[0] + I_C[2][1] * t[1] + I_C[2][2] * t[2],
+        m * t[3],
+        m * t[4],
+        m * t[5],
+    )
+    return delivered(out, mu)
+
+
+def momentum_screw_sym6(I_C: Any, m: Any, t: Any, /, *, out: Any = None) -> Any:
+    """(3.142) The momentum screw by inertia dyad and twist.
+    given       I_C (6): moment of inertia at the center of mass, symmetric, as (xx, xy, xz, yy, yz,
+                  zz)
+                m: mass
+                t (6): twist: angular velocity, velocity of a landmark point
+    returns     mu (6): [I_C omega; m c_dot]
+    verdict     holds
+    assumes     nothing
+    operations  18: 6 add, 12 multiply
+    derivation  sha256 80c7c45197881a39651064604e97f25d45942c522abe6695f2bfe2266f1c516e
+    signature   (6),(),(6)->(6)
+    """
+    batch, I_C, m, t = prepared("momentum_screw_sym6", ("I_C", I_C, (6,)), ("m", m, ()), ("t", t, (6,)))
+    mu = batch.array(
+        (6,),
+        I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2],
+        I_C[1] * t[0] + I_C[3] * t[1] + I_C[4] * t[2],
+        I_C[2] * t[0] + I_C[4] * t[1] + I_C[5] * t[2],
         m * t[3],
         m * t[4],
         m * t[5],
@@ -1660,13 +1779,37 @@ def kinetic_energy(I_C: Any, m: Any, t: Any, /, *, out: Any = None) -> Any:
     verdict     holds
     assumes     nothing
     operations  35: 11 add, 24 multiply
-    derivation  sha256 bb5b9837baefa1606d49c0ac94dfc858eb46861f13739a02b972bfbdf0f95c37
+    derivation  sha256 3882c568cd5f4ba28dfc86901f1dd5c428812173920d2aa179d05751da2a7975
     signature   (3,3),(),(6)->()
     """
     batch, I_C, m, t = prepared("kinetic_energy", ("I_C", I_C, (3, 3)), ("m", m, ()), ("t", t, (6,)))
     t1 = (I_C[0][0] * t[0] + I_C[0][1] * t[1] + I_C[0][2] * t[2]) * (0.5 * t[0])
     t2 = t1 + (I_C[1][0] * t[0] + I_C[1][1] * t[1] + I_C[1][2] * t[2]) * (0.5 * t[1])
     t3 = t2 + (I_C[2][0] * t[0] + I_C[2][1] * t[1] + I_C[2][2] * t[2]) * (0.5 * t[2])
+    T = batch.array(
+        (),
+        t3 + m * t[3] * (0.5 * t[3]) + m * t[4] * (0.5 * t[4]) + m * t[5] * (0.5 * t[5]),
+    )
+    return delivered(out, T)
+
+
+def kinetic_energy_sym6(I_C: Any, m: Any, t: Any, /, *, out: Any = None) -> Any:
+    """(3.145) The kinetic energy as a quadratic form of the twist.
+    given       I_C (6): moment of inertia at the center of mass, symmetric, as (xx, xy, xz, yy, yz,
+                  zz)
+                m: mass
+                t (6): twist: angular velocity, velocity of a landmark point
+    returns     T: kinetic energy
+    verdict     holds
+    assumes     nothing
+    operations  35: 11 add, 24 multiply
+    derivation  sha256 3882c568cd5f4ba28dfc86901f1dd5c428812173920d2aa179d05751da2a7975
+    signature   (6),(),(6)->()
+    """
+    batch, I_C, m, t = prepared("kinetic_energy_sym6", ("I_C", I_C, (6,)), ("m", m, ()), ("t", t, (6,)))
+    t1 = (I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2]) * (0.5 * t[0])
+    t2 = t1 + (I_C[1] * t[0] + I_C[3] * t[1] + I_C[4] * t[2]) * (0.5 * t[1])
+    t3 = t2 + (I_C[2] * t[0] + I_C[4] * t[1] + I_C[5] * t[2]) * (0.5 * t[2])
     T = batch.array(
         (),
         t3 + m * t[3] * (0.5 * t[3]) + m * t[4] * (0.5 * t[4]) + m * t[5] * (0.5 * t[5]),
@@ -1684,7 +1827,7 @@ def newton_euler_wrench(I_C: Any, m: Any, t: Any, t_dot: Any, /, *, out: Any = N
     verdict     holds
     assumes     nothing
     operations  45: 15 add, 3 subtract, 27 multiply
-    derivation  sha256 cb1ef1c6a16cfa01894e6560676a00c850af7c3f6cce96e6448ca7f9626feaa7
+    derivation  sha256 6437e8b747bc7e3f01a61bf3dbb6a0ad1b59f43d0644e10b0e540fd5649789ee
     signature   (3,3),(),(6),(6)->(6)
     """
     batch, I_C, m, t, t_dot = prepared(
@@ -1712,6 +1855,45 @@ def newton_euler_wrench(I_C: Any, m: Any, t: Any, t_dot: Any, /, *, out: Any = N
     return delivered(out, w)
 
 
+def newton_euler_wrench_sym6(I_C: Any, m: Any, t: Any, t_dot: Any, /, *, out: Any = None) -> Any:
+    """text 3.8 v The wrench that moves the body: the Newton-Euler equations as they stand.
+    given       I_C (6): moment of inertia at the center of mass, symmetric, as (xx, xy, xz, yy, yz,
+                  zz)
+                m: mass
+                t (6): twist: angular velocity, velocity of a landmark point
+                t_dot (6): time derivative of: twist: angular velocity, velocity of a landmark point
+    returns     w (6): wrench: moment, force
+    verdict     holds
+    assumes     nothing
+    operations  45: 15 add, 3 subtract, 27 multiply
+    derivation  sha256 6437e8b747bc7e3f01a61bf3dbb6a0ad1b59f43d0644e10b0e540fd5649789ee
+    signature   (6),(),(6),(6)->(6)
+    """
+    batch, I_C, m, t, t_dot = prepared(
+        "newton_euler_wrench_sym6",
+        ("I_C", I_C, (6,)),
+        ("m", m, ()),
+        ("t", t, (6,)),
+        ("t_dot", t_dot, (6,)),
+    )
+    t1 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2]
+    t2 = I_C[1] * t[0] + I_C[3] * t[1] + I_C[4] * t[2]
+    t3 = I_C[2] * t[0] + I_C[4] * t[1] + I_C[5] * t[2]
+    t4 = I_C[0] * t_dot[0] + I_C[1] * t_dot[1] + I_C[2] * t_dot[2]
+    t5 = I_C[1] * t_dot[0] + I_C[3] * t_dot[1] + I_C[4] * t_dot[2]
+    t6 = I_C[2] * t_dot[0] + I_C[4] * t_dot[1] + I_C[5] * t_dot[2]
+    w = batch.array(
+        (6,),
+        t4 + (t[1] * t3 - t[2] * t2),
+        t5 + (t[2] * t1 - t[0] * t3),
+        t6 + (t[0] * t2 - t[1] * t1),
+        m * t_dot[3],
+        m * t_dot[4],
+        m * t_dot[5],
+    )
+    return delivered(out, w)
+
+
 def newton_euler_twist_rate(I_C: Any, m: Any, t: Any, w: Any, /, *, out: Any = None) -> Any:
     """text 3.8 v The rate of the twist of a body on which a wrench acts: the Newton-Euler equations
     solved.
@@ -1724,7 +1906,7 @@ def newton_euler_twist_rate(I_C: Any, m: Any, t: Any, w: Any, /, *, out: Any = N
     assumes     det(I_C) != 0
                 m > 0
     operations  82: 14 add, 15 subtract, 51 multiply, 2 divide
-    derivation  sha256 64f80e87d5737068b3f0b9f4706feef6b9ff4e2cb5ab381a10697a6701ce84b5
+    derivation  sha256 e06660d08fead23cab933be2dd9375e8b58d94e7a9bd309a40ba06215be583fc
     signature   (3,3),(),(6),(6)->(6)
     """
     batch, I_C, m, t, w = prepared(
@@ -1762,6 +1944,55 @@ def newton_euler_twist_rate(I_C: Any, m: Any, t: Any, w: Any, /, *, out: Any = N
     return delivered(out, t_dot)
 
 
+def newton_euler_twist_rate_sym6(I_C: Any, m: Any, t: Any, w: Any, /, *, out: Any = None) -> Any:
+    """text 3.8 v The rate of the twist of a body on which a wrench acts: the Newton-Euler equations
+    solved.
+    given       I_C (6): moment of inertia at the center of mass, symmetric, as (xx, xy, xz, yy, yz,
+                  zz)
+                m: mass
+                t (6): twist: angular velocity, velocity of a landmark point
+                w (6): wrench: moment, force
+    returns     t_dot (6): time derivative of: twist: angular velocity, velocity of a landmark point
+    verdict     holds under
+    assumes     det(I_C) != 0
+                m > 0
+    operations  73: 14 add, 12 subtract, 45 multiply, 2 divide
+    derivation  sha256 e06660d08fead23cab933be2dd9375e8b58d94e7a9bd309a40ba06215be583fc
+    signature   (6),(),(6),(6)->(6)
+    """
+    batch, I_C, m, t, w = prepared(
+        "newton_euler_twist_rate_sym6",
+        ("I_C", I_C, (6,)),
+        ("m", m, ()),
+        ("t", t, (6,)),
+        ("w", w, (6,)),
+    )
+    xp = batch.xp
+    t1 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2]
+    t2 = I_C[1] * t[0] + I_C[3] * t[1] + I_C[4] * t[2]
+    t3 = I_C[2] * t[0] + I_C[4] * t[1] + I_C[5] * t[2]
+    t4 = w[0] - (t[1] * t3 - t[2] * t2)
+    t5 = w[1] - (t[2] * t1 - t[0] * t3)
+    t6 = w[2] - (t[0] * t2 - t[1] * t1)
+    t7 = I_C[3] * I_C[5] - I_C[4] * I_C[4]
+    t8 = I_C[2] * I_C[4] - I_C[1] * I_C[5]
+    t9 = I_C[1] * I_C[4] - I_C[2] * I_C[3]
+    t10 = I_C[1] * I_C[2] - I_C[0] * I_C[4]
+    t11 = I_C[0] * t7 + I_C[1] * t8 + I_C[2] * t9
+    t12 = xp.where(t11 == 0.0, batch.number(0.0), batch.number(1.0)) / t11
+    t13 = xp.where(m == 0.0, batch.number(0.0), batch.number(1.0)) / m
+    t_dot = batch.array(
+        (6,),
+        t12 * (t4 * t7 + t5 * t8 + t6 * t9),
+        t12 * (t4 * t8 + t5 * (I_C[0] * I_C[5] - I_C[2] * I_C[2]) + t6 * t10),
+        t12 * (t4 * t9 + t5 * t10 + t6 * (I_C[0] * I_C[3] - I_C[1] * I_C[1])),
+        w[3] * t13,
+        w[4] * t13,
+        w[5] * t13,
+    )
+    return delivered(out, t_dot)
+
+
 def inertia_dyad(I_C: Any, m: Any, c: Any, a: Any, /, *, out: Any = None) -> Any:
     """(3.147) The inertia dyad at A.
     given       I_C (3, 3): moment of inertia at the center of mass
@@ -1772,7 +2003,7 @@ def inertia_dyad(I_C: Any, m: Any, c: Any, a: Any, /, *, out: Any = None) -> Any
     verdict     holds
     assumes     nothing
     operations  30: 6 add, 9 subtract, 15 multiply
-    derivation  sha256 4bbf8c1406c8bc4f002bf283f170f926299c74c690fe95dd78dfef337d376991
+    derivation  sha256 88494f41ab06f7d91528b20a3a9cde4825fee1dc0889e9e6058401c7a3b56450
     signature   (3,3),(),(3),(3)->(6,6)
     """
     batch, I_C, m, c, a = prepared(
@@ -1834,3 +2065,1206 @@ def inertia_dyad(I_C: Any, m: Any, c: Any, a: Any, /, *, out: Any = None) -> Any
         m,
     )
     return delivered(out, M_A)
+
+
+def inertia_dyad_sym6(I_C: Any, m: Any, c: Any, a: Any, /, *, out: Any = None) -> Any:
+    """(3.147) The inertia dyad at A.
+    given       I_C (6): moment of inertia at the center of mass, symmetric, as (xx, xy, xz, yy, yz,
+                  zz)
+                m: mass
+                c (3): position of the center of mass
+                a (3): position of the landmark point A
+    returns     M_A (6, 6): inertia dyad at A
+    verdict     holds
+    assumes     nothing
+    operations  27: 6 add, 6 subtract, 15 multiply
+    derivation  sha256 88494f41ab06f7d91528b20a3a9cde4825fee1dc0889e9e6058401c7a3b56450
+    signature   (6),(),(3),(3)->(6,6)
+    """
+    batch, I_C, m, c, a = prepared(
+        "inertia_dyad_sym6",
+        ("I_C", I_C, (6,)),
+        ("m", m, ()),
+        ("c", c, (3,)),
+        ("a", a, (3,)),
+    )
+    t1 = a[0] - c[0]
+    t2 = a[1] - c[1]
+    t3 = a[2] - c[2]
+    t4 = t3 * t3
+    t5 = t2 * t2
+    t6 = t1 * t1
+    t7 = I_C[1] - m * (t1 * t2)
+    t8 = I_C[2] - m * (t1 * t3)
+    t9 = I_C[4] - m * (t2 * t3)
+    t10 = m * t1
+    t11 = m * t2
+    t12 = m * t3
+    M_A = batch.array(
+        (6, 6),
+        I_C[0] + m * (t4 + t5),
+        t7,
+        t8,
+        0.0,
+        t12,
+        -t11,
+        t7,
+        I_C[3] + m * (t4 + t6),
+        t9,
+        -t12,
+        0.0,
+        t10,
+        t8,
+        t9,
+        I_C[5] + m * (t5 + t6),
+        t11,
+        -t10,
+        0.0,
+        0.0,
+        -t12,
+        t11,
+        m,
+        0.0,
+        0.0,
+        t12,
+        0.0,
+        -t10,
+        0.0,
+        m,
+        0.0,
+        -t11,
+        t10,
+        0.0,
+        0.0,
+        0.0,
+        m,
+    )
+    return delivered(out, M_A)
+
+
+def rotation_from_euler_xyx(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rotation by Euler angles about x, y, x.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     Q (3, 3): rotation
+    verdict     defined
+    assumes     nothing
+    operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
+    derivation  sha256 43389048581969403bd2d6881878959cb85868b92c6fcb159fa1904f458463b3
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("rotation_from_euler_xyx", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    t4 = xp.sin(angles[1])
+    t5 = t2 * t3
+    t6 = t1 * t3
+    t7 = xp.cos(angles[2])
+    t8 = xp.sin(angles[2])
+    Q = batch.array(
+        (3, 3),
+        t3,
+        t4 * t8,
+        t4 * t7,
+        t2 * t4,
+        t1 * t7 - t5 * t8,
+        -(t1 * t8 + t5 * t7),
+        -(t1 * t4),
+        t2 * t7 + t6 * t8,
+        t6 * t7 - t2 * t8,
+    )
+    return delivered(out, Q)
+
+
+def euler_rate_matrix_xyx(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about x, y, x.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 08ee56a4cd7efde3734db4d7abe798d5c7f0ce23d4b1520ed9cabad29aebcf61
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_xyx", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.sin(angles[1])
+    W = batch.array((3, 3), 1.0, 0.0, xp.cos(angles[1]), 0.0, t1, t2 * t3, 0.0, t2, -(t1 * t3))
+    return delivered(out, W)
+
+
+def euler_rate_matrix_body_xyx(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about x, y, x.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W_body (3, 3): angular velocity in the body frame from those rates
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 2351fd947a763557e546abca735235b8fd406c27b8f8367b9656771c149abe54
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_body_xyx", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.sin(angles[1])
+    t2 = xp.cos(angles[2])
+    t3 = xp.sin(angles[2])
+    W_body = batch.array((3, 3), xp.cos(angles[1]), 0.0, 1.0, t1 * t3, t2, 0.0, t1 * t2, -t3, 0.0)
+    return delivered(out, W_body)
+
+
+def euler_rates_xyx(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rates of Euler angles about x, y, x from the angular velocity in the fixed frame.
+    given       angles (3): Euler angles, in the order of the turns
+                omega (3): angular velocity
+    returns     theta_dot (3): rates of the Euler angles
+    verdict     holds under
+    assumes     sin(theta_2) != 0
+    operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
+    derivation  sha256 dc25d3c29d228eb0e4db2e7284ae285688a98dad73a9ce5754ebbde12caab3d1
+    signature   (3),(3)->(3)
+    """
+    batch, angles, omega = prepared("euler_rates_xyx", ("angles", angles, (3,)), ("omega", omega, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.sin(angles[1])
+    t4 = xp.where(t3 == 0.0, batch.number(0.0), omega[2] * t1 - omega[1] * t2) / t3
+    theta_dot = batch.array((3,), omega[0] + xp.cos(angles[1]) * t4, omega[1] * t1 + omega[2] * t2, -t4)
+    return delivered(out, theta_dot)
+
+
+def rotation_from_euler_xyz(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rotation by Euler angles about x, y, z.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     Q (3, 3): rotation
+    verdict     defined
+    assumes     nothing
+    operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
+    derivation  sha256 ef78e8d8a2f64f490cf253a137d167a50f5c2baac61b871bbb0421b691514a33
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("rotation_from_euler_xyz", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    t4 = xp.sin(angles[1])
+    t5 = t2 * t4
+    t6 = t1 * t4
+    t7 = xp.cos(angles[2])
+    t8 = xp.sin(angles[2])
+    Q = batch.array(
+        (3, 3),
+        t3 * t7,
+        -(t3 * t8),
+        t4,
+        t5 * t7 + t1 * t8,
+        t1 * t7 - t5 * t8,
+        -(t2 * t3),
+        t2 * t8 - t6 * t7,
+        t6 * t8 + t2 * t7,
+        t1 * t3,
+    )
+    return delivered(out, Q)
+
+
+def euler_rate_matrix_xyz(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about x, y, z.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 0bbaee6346a1733edd0665efc3803dd79b070ecde8be0f041579ee6f7f25437e
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_xyz", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    W = batch.array((3, 3), 1.0, 0.0, xp.sin(angles[1]), 0.0, t1, -(t2 * t3), 0.0, t2, t1 * t3)
+    return delivered(out, W)
+
+
+def euler_rate_matrix_body_xyz(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about x, y, z.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W_body (3, 3): angular velocity in the body frame from those rates
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 1bf5c28d32a8398be51df3a9faea455bcb2b84dd8e4adb28b9ab9ce5a849afeb
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_body_xyz", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[1])
+    t2 = xp.cos(angles[2])
+    t3 = xp.sin(angles[2])
+    W_body = batch.array((3, 3), t1 * t2, t3, 0.0, -(t1 * t3), t2, 0.0, xp.sin(angles[1]), 0.0, 1.0)
+    return delivered(out, W_body)
+
+
+def euler_rates_xyz(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rates of Euler angles about x, y, z from the angular velocity in the fixed frame.
+    given       angles (3): Euler angles, in the order of the turns
+                omega (3): angular velocity
+    returns     theta_dot (3): rates of the Euler angles
+    verdict     holds under
+    assumes     cos(theta_2) != 0
+    operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
+    derivation  sha256 92ffca814bf55194dbaab2789d526410119beac1331e329cc2a7d3a8d86f3e7e
+    signature   (3),(3)->(3)
+    """
+    batch, angles, omega = prepared("euler_rates_xyz", ("angles", angles, (3,)), ("omega", omega, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    t4 = xp.where(t3 == 0.0, batch.number(0.0), omega[2] * t1 - omega[1] * t2) / t3
+    theta_dot = batch.array((3,), omega[0] - xp.sin(angles[1]) * t4, omega[1] * t1 + omega[2] * t2, t4)
+    return delivered(out, theta_dot)
+
+
+def rotation_from_euler_xzx(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rotation by Euler angles about x, z, x.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     Q (3, 3): rotation
+    verdict     defined
+    assumes     nothing
+    operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
+    derivation  sha256 d87af31d8064f0432f6584f5f3b779ac157cd7cb2fd428e403c2606c591e6ab0
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("rotation_from_euler_xzx", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    t4 = xp.sin(angles[1])
+    t5 = t1 * t3
+    t6 = t2 * t3
+    t7 = xp.cos(angles[2])
+    t8 = xp.sin(angles[2])
+    Q = batch.array(
+        (3, 3),
+        t3,
+        -(t4 * t7),
+        t4 * t8,
+        t1 * t4,
+        t5 * t7 - t2 * t8,
+        -(t5 * t8 + t2 * t7),
+        t2 * t4,
+        t6 * t7 + t1 * t8,
+        t1 * t7 - t6 * t8,
+    )
+    return delivered(out, Q)
+
+
+def euler_rate_matrix_xzx(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about x, z, x.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 3b9b8235e4c8fcf384c7c55c8d008191b5ba7256d0172eff576a02612b7b5275
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_xzx", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.sin(angles[1])
+    W = batch.array((3, 3), 1.0, 0.0, xp.cos(angles[1]), 0.0, -t2, t1 * t3, 0.0, t1, t2 * t3)
+    return delivered(out, W)
+
+
+def euler_rate_matrix_body_xzx(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about x, z, x.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W_body (3, 3): angular velocity in the body frame from those rates
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 3ae39b45394bce41b7344b42020cefcaf35408de091e740348ab7e92581fd171
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_body_xzx", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.sin(angles[1])
+    t2 = xp.cos(angles[2])
+    t3 = xp.sin(angles[2])
+    W_body = batch.array((3, 3), xp.cos(angles[1]), 0.0, 1.0, -(t1 * t2), t3, 0.0, t1 * t3, t2, 0.0)
+    return delivered(out, W_body)
+
+
+def euler_rates_xzx(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rates of Euler angles about x, z, x from the angular velocity in the fixed frame.
+    given       angles (3): Euler angles, in the order of the turns
+                omega (3): angular velocity
+    returns     theta_dot (3): rates of the Euler angles
+    verdict     holds under
+    assumes     sin(theta_2) != 0
+    operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
+    derivation  sha256 f0c9c8006ed755a58d3a5e3453882b764155b478f3ccc81aff9263fcd693130b
+    signature   (3),(3)->(3)
+    """
+    batch, angles, omega = prepared("euler_rates_xzx", ("angles", angles, (3,)), ("omega", omega, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.sin(angles[1])
+    t4 = xp.where(t3 == 0.0, batch.number(0.0), omega[1] * t1 + omega[2] * t2) / t3
+    theta_dot = batch.array((3,), omega[0] - xp.cos(angles[1]) * t4, omega[2] * t1 - omega[1] * t2, t4)
+    return delivered(out, theta_dot)
+
+
+def rotation_from_euler_xzy(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rotation by Euler angles about x, z, y.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     Q (3, 3): rotation
+    verdict     defined
+    assumes     nothing
+    operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
+    derivation  sha256 8ed8b54e3664bc9230db9b3c2c73b559c4c5aa0d545a0bbcd5503654d557cc47
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("rotation_from_euler_xzy", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    t4 = xp.sin(angles[1])
+    t5 = t1 * t4
+    t6 = t2 * t4
+    t7 = xp.cos(angles[2])
+    t8 = xp.sin(angles[2])
+    Q = batch.array(
+        (3, 3),
+        t3 * t7,
+        -t4,
+        t3 * t8,
+        t5 * t7 + t2 * t8,
+        t1 * t3,
+        t5 * t8 - t2 * t7,
+        t6 * t7 - t1 * t8,
+        t2 * t3,
+        t6 * t8 + t1 * t7,
+    )
+    return delivered(out, Q)
+
+
+def euler_rate_matrix_xzy(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about x, z, y.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 9c5ab65be41d67243beebe951c10a97ef87d6eb5d3f193d63cf6658e7f44b6f8
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_xzy", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    W = batch.array((3, 3), 1.0, 0.0, -xp.sin(angles[1]), 0.0, -t2, t1 * t3, 0.0, t1, t2 * t3)
+    return delivered(out, W)
+
+
+def euler_rate_matrix_body_xzy(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about x, z, y.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W_body (3, 3): angular velocity in the body frame from those rates
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 b8846cc63b152cacd903a643382cc65754655411c92c92439b52cc10b4faf8b3
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_body_xzy", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[1])
+    t2 = xp.cos(angles[2])
+    t3 = xp.sin(angles[2])
+    W_body = batch.array((3, 3), t1 * t2, -t3, 0.0, -xp.sin(angles[1]), 0.0, 1.0, t1 * t3, t2, 0.0)
+    return delivered(out, W_body)
+
+
+def euler_rates_xzy(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rates of Euler angles about x, z, y from the angular velocity in the fixed frame.
+    given       angles (3): Euler angles, in the order of the turns
+                omega (3): angular velocity
+    returns     theta_dot (3): rates of the Euler angles
+    verdict     holds under
+    assumes     cos(theta_2) != 0
+    operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
+    derivation  sha256 101ac690a535ae5a51bb85759b6df9380aae98fdec6ae12fee9aac2f6153c920
+    signature   (3),(3)->(3)
+    """
+    batch, angles, omega = prepared("euler_rates_xzy", ("angles", angles, (3,)), ("omega", omega, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    t4 = xp.where(t3 == 0.0, batch.number(0.0), omega[1] * t1 + omega[2] * t2) / t3
+    theta_dot = batch.array((3,), omega[0] + xp.sin(angles[1]) * t4, omega[2] * t1 - omega[1] * t2, t4)
+    return delivered(out, theta_dot)
+
+
+def rotation_from_euler_yxy(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rotation by Euler angles about y, x, y.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     Q (3, 3): rotation
+    verdict     defined
+    assumes     nothing
+    operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
+    derivation  sha256 b01ea8a55ea91c3c712ca018c1a183476a14931beaf248d2a0e6ffa906a6bea9
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("rotation_from_euler_yxy", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    t4 = xp.sin(angles[1])
+    t5 = t2 * t3
+    t6 = t1 * t3
+    t7 = xp.cos(angles[2])
+    t8 = xp.sin(angles[2])
+    Q = batch.array(
+        (3, 3),
+        t1 * t7 - t5 * t8,
+        t2 * t4,
+        t1 * t8 + t5 * t7,
+        t4 * t8,
+        t3,
+        -(t4 * t7),
+        -(t2 * t7 + t6 * t8),
+        t1 * t4,
+        t6 * t7 - t2 * t8,
+    )
+    return delivered(out, Q)
+
+
+def euler_rate_matrix_yxy(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about y, x, y.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 99d8fde272ba013e3978bdb107acde19a3dca7d3d410d6219f7c418f309602be
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_yxy", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.sin(angles[1])
+    W = batch.array((3, 3), 0.0, t1, t2 * t3, 1.0, 0.0, xp.cos(angles[1]), 0.0, -t2, t1 * t3)
+    return delivered(out, W)
+
+
+def euler_rate_matrix_body_yxy(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about y, x, y.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W_body (3, 3): angular velocity in the body frame from those rates
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 6dd807336c1a4e1572a5a6a3db8169f73d1b51c3092752ae6002dcd6da833ccb
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_body_yxy", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.sin(angles[1])
+    t2 = xp.cos(angles[2])
+    t3 = xp.sin(angles[2])
+    W_body = batch.array((3, 3), t1 * t3, t2, 0.0, xp.cos(angles[1]), 0.0, 1.0, -(t1 * t2), t3, 0.0)
+    return delivered(out, W_body)
+
+
+def euler_rates_yxy(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rates of Euler angles about y, x, y from the angular velocity in the fixed frame.
+    given       angles (3): Euler angles, in the order of the turns
+                omega (3): angular velocity
+    returns     theta_dot (3): rates of the Euler angles
+    verdict     holds under
+    assumes     sin(theta_2) != 0
+    operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
+    derivation  sha256 94fb1bb483db078ce2c2c21e24b9585dd03786b54f33df6db1bf0225793fbd66
+    signature   (3),(3)->(3)
+    """
+    batch, angles, omega = prepared("euler_rates_yxy", ("angles", angles, (3,)), ("omega", omega, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.sin(angles[1])
+    t4 = xp.where(t3 == 0.0, batch.number(0.0), omega[0] * t2 + omega[2] * t1) / t3
+    theta_dot = batch.array((3,), omega[1] - xp.cos(angles[1]) * t4, omega[0] * t1 - omega[2] * t2, t4)
+    return delivered(out, theta_dot)
+
+
+def rotation_from_euler_yxz(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rotation by Euler angles about y, x, z.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     Q (3, 3): rotation
+    verdict     defined
+    assumes     nothing
+    operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
+    derivation  sha256 17190d54bfd0a86d9502cb09537bd8e6286d32172d51eaff6b4d85fe515e6386
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("rotation_from_euler_yxz", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    t4 = xp.sin(angles[1])
+    t5 = t2 * t4
+    t6 = t1 * t4
+    t7 = xp.cos(angles[2])
+    t8 = xp.sin(angles[2])
+    Q = batch.array(
+        (3, 3),
+        t1 * t7 + t5 * t8,
+        t5 * t7 - t1 * t8,
+        t2 * t3,
+        t3 * t8,
+        t3 * t7,
+        -t4,
+        t6 * t8 - t2 * t7,
+        t2 * t8 + t6 * t7,
+        t1 * t3,
+    )
+    return delivered(out, Q)
+
+
+def euler_rate_matrix_yxz(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about y, x, z.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 bbf73fa477d98d3c94b5e432f4be63588fcc3cc8e76193c0919e06f2fb7c2f6b
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_yxz", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    W = batch.array((3, 3), 0.0, t1, t2 * t3, 1.0, 0.0, -xp.sin(angles[1]), 0.0, -t2, t1 * t3)
+    return delivered(out, W)
+
+
+def euler_rate_matrix_body_yxz(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about y, x, z.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W_body (3, 3): angular velocity in the body frame from those rates
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 26a8efdcbc2560faa634d8a1459ad6fa123eac21993214a47c8eeb509e4e2ba0
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_body_yxz", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[1])
+    t2 = xp.cos(angles[2])
+    t3 = xp.sin(angles[2])
+    W_body = batch.array((3, 3), t1 * t3, t2, 0.0, t1 * t2, -t3, 0.0, -xp.sin(angles[1]), 0.0, 1.0)
+    return delivered(out, W_body)
+
+
+def euler_rates_yxz(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rates of Euler angles about y, x, z from the angular velocity in the fixed frame.
+    given       angles (3): Euler angles, in the order of the turns
+                omega (3): angular velocity
+    returns     theta_dot (3): rates of the Euler angles
+    verdict     holds under
+    assumes     cos(theta_2) != 0
+    operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
+    derivation  sha256 c8a8c2fcdd4e811d34d4792ac2e6cbf91bd601af111a0fe88e7ba06331d57eb4
+    signature   (3),(3)->(3)
+    """
+    batch, angles, omega = prepared("euler_rates_yxz", ("angles", angles, (3,)), ("omega", omega, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    t4 = xp.where(t3 == 0.0, batch.number(0.0), omega[0] * t2 + omega[2] * t1) / t3
+    theta_dot = batch.array((3,), omega[1] + xp.sin(angles[1]) * t4, omega[0] * t1 - omega[2] * t2, t4)
+    return delivered(out, theta_dot)
+
+
+def rotation_from_euler_yzx(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rotation by Euler angles about y, z, x.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     Q (3, 3): rotation
+    verdict     defined
+    assumes     nothing
+    operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
+    derivation  sha256 f5f8c01f2091a8649522d5f542bef4da4d9d1b0480afffc3bf175b82c186c1a2
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("rotation_from_euler_yzx", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    t4 = xp.sin(angles[1])
+    t5 = t1 * t4
+    t6 = t2 * t4
+    t7 = xp.cos(angles[2])
+    t8 = xp.sin(angles[2])
+    Q = batch.array(
+        (3, 3),
+        t1 * t3,
+        t2 * t8 - t5 * t7,
+        t5 * t8 + t2 * t7,
+        t4,
+        t3 * t7,
+        -(t3 * t8),
+        -(t2 * t3),
+        t6 * t7 + t1 * t8,
+        t1 * t7 - t6 * t8,
+    )
+    return delivered(out, Q)
+
+
+def euler_rate_matrix_yzx(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about y, z, x.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 979ee93a192c498dbd2cea6d4a0649d886572dcb11db1a223e095e68bbed983c
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_yzx", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    W = batch.array((3, 3), 0.0, t2, t1 * t3, 1.0, 0.0, xp.sin(angles[1]), 0.0, t1, -(t2 * t3))
+    return delivered(out, W)
+
+
+def euler_rate_matrix_body_yzx(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about y, z, x.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W_body (3, 3): angular velocity in the body frame from those rates
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 1c65e98508f0ef49ac9374e13b4dbdfbfe2366ef59511c9d7fbfdf9247490c66
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_body_yzx", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[1])
+    t2 = xp.cos(angles[2])
+    t3 = xp.sin(angles[2])
+    W_body = batch.array((3, 3), xp.sin(angles[1]), 0.0, 1.0, t1 * t2, t3, 0.0, -(t1 * t3), t2, 0.0)
+    return delivered(out, W_body)
+
+
+def euler_rates_yzx(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rates of Euler angles about y, z, x from the angular velocity in the fixed frame.
+    given       angles (3): Euler angles, in the order of the turns
+                omega (3): angular velocity
+    returns     theta_dot (3): rates of the Euler angles
+    verdict     holds under
+    assumes     cos(theta_2) != 0
+    operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
+    derivation  sha256 2a3e407528723168ae6ccf7d2bb337f22a2589efe02700bea8cb8a61c85d4dd6
+    signature   (3),(3)->(3)
+    """
+    batch, angles, omega = prepared("euler_rates_yzx", ("angles", angles, (3,)), ("omega", omega, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    t4 = xp.where(t3 == 0.0, batch.number(0.0), omega[0] * t1 - omega[2] * t2) / t3
+    theta_dot = batch.array((3,), omega[1] - xp.sin(angles[1]) * t4, omega[0] * t2 + omega[2] * t1, t4)
+    return delivered(out, theta_dot)
+
+
+def rotation_from_euler_yzy(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rotation by Euler angles about y, z, y.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     Q (3, 3): rotation
+    verdict     defined
+    assumes     nothing
+    operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
+    derivation  sha256 7b686944ad47c5cd9b3784929c2d0070f98b0ffabb883c4f47ecf3cb702f4abd
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("rotation_from_euler_yzy", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    t4 = xp.sin(angles[1])
+    t5 = t1 * t3
+    t6 = t2 * t3
+    t7 = xp.cos(angles[2])
+    t8 = xp.sin(angles[2])
+    Q = batch.array(
+        (3, 3),
+        t5 * t7 - t2 * t8,
+        -(t1 * t4),
+        t5 * t8 + t2 * t7,
+        t4 * t7,
+        t3,
+        t4 * t8,
+        -(t6 * t7 + t1 * t8),
+        t2 * t4,
+        t1 * t7 - t6 * t8,
+    )
+    return delivered(out, Q)
+
+
+def euler_rate_matrix_yzy(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about y, z, y.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 ba6684559cbfa5211efd1920d50f40cb70bc54cc92f6f5e00dc8c9c9306ccb9b
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_yzy", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.sin(angles[1])
+    W = batch.array((3, 3), 0.0, t2, -(t1 * t3), 1.0, 0.0, xp.cos(angles[1]), 0.0, t1, t2 * t3)
+    return delivered(out, W)
+
+
+def euler_rate_matrix_body_yzy(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about y, z, y.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W_body (3, 3): angular velocity in the body frame from those rates
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 a35dfd48aac93458874306893e6f44c24955bbacc04abd7298941ffe4ad38df7
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_body_yzy", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.sin(angles[1])
+    t2 = xp.cos(angles[2])
+    t3 = xp.sin(angles[2])
+    W_body = batch.array((3, 3), t1 * t2, -t3, 0.0, xp.cos(angles[1]), 0.0, 1.0, t1 * t3, t2, 0.0)
+    return delivered(out, W_body)
+
+
+def euler_rates_yzy(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rates of Euler angles about y, z, y from the angular velocity in the fixed frame.
+    given       angles (3): Euler angles, in the order of the turns
+                omega (3): angular velocity
+    returns     theta_dot (3): rates of the Euler angles
+    verdict     holds under
+    assumes     sin(theta_2) != 0
+    operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
+    derivation  sha256 e6787b1ffc3ac3257b5fb969bb06df8128f53d9dc82afd679e4bc41ba6ee3198
+    signature   (3),(3)->(3)
+    """
+    batch, angles, omega = prepared("euler_rates_yzy", ("angles", angles, (3,)), ("omega", omega, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.sin(angles[1])
+    t4 = xp.where(t3 == 0.0, batch.number(0.0), omega[0] * t1 - omega[2] * t2) / t3
+    theta_dot = batch.array((3,), omega[1] + xp.cos(angles[1]) * t4, omega[0] * t2 + omega[2] * t1, -t4)
+    return delivered(out, theta_dot)
+
+
+def rotation_from_euler_zxy(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rotation by Euler angles about z, x, y.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     Q (3, 3): rotation
+    verdict     defined
+    assumes     nothing
+    operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
+    derivation  sha256 ca7633bf41e92038cc6b88046e6340d4c576629d0f18bc3aecb737f26530ca17
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("rotation_from_euler_zxy", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    t4 = xp.sin(angles[1])
+    t5 = t2 * t4
+    t6 = t1 * t4
+    t7 = xp.cos(angles[2])
+    t8 = xp.sin(angles[2])
+    Q = batch.array(
+        (3, 3),
+        t1 * t7 - t5 * t8,
+        -(t2 * t3),
+        t1 * t8 + t5 * t7,
+        t2 * t7 + t6 * t8,
+        t1 * t3,
+        t2 * t8 - t6 * t7,
+        -(t3 * t8),
+        t4,
+        t3 * t7,
+    )
+    return delivered(out, Q)
+
+
+def euler_rate_matrix_zxy(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about z, x, y.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 c9bbde2ea0fb35785f195db8cf9c22b079939ad6bc1baf139d90c4c613f8de4e
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_zxy", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    W = batch.array((3, 3), 0.0, t1, -(t2 * t3), 0.0, t2, t1 * t3, 1.0, 0.0, xp.sin(angles[1]))
+    return delivered(out, W)
+
+
+def euler_rate_matrix_body_zxy(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about z, x, y.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W_body (3, 3): angular velocity in the body frame from those rates
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 a611a63b6938b2b997498f97e27cd039fceb6b271b6c278f8fb653f9efd6344a
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_body_zxy", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[1])
+    t2 = xp.cos(angles[2])
+    t3 = xp.sin(angles[2])
+    W_body = batch.array((3, 3), -(t1 * t3), t2, 0.0, xp.sin(angles[1]), 0.0, 1.0, t1 * t2, t3, 0.0)
+    return delivered(out, W_body)
+
+
+def euler_rates_zxy(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rates of Euler angles about z, x, y from the angular velocity in the fixed frame.
+    given       angles (3): Euler angles, in the order of the turns
+                omega (3): angular velocity
+    returns     theta_dot (3): rates of the Euler angles
+    verdict     holds under
+    assumes     cos(theta_2) != 0
+    operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
+    derivation  sha256 ee67b04e12e2ce2ff7badd33424db51608115b788ef62f3b47fcf14fdb928c97
+    signature   (3),(3)->(3)
+    """
+    batch, angles, omega = prepared("euler_rates_zxy", ("angles", angles, (3,)), ("omega", omega, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    t4 = xp.where(t3 == 0.0, batch.number(0.0), omega[1] * t1 - omega[0] * t2) / t3
+    theta_dot = batch.array((3,), omega[2] - xp.sin(angles[1]) * t4, omega[0] * t1 + omega[1] * t2, t4)
+    return delivered(out, theta_dot)
+
+
+def rotation_from_euler_zxz(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rotation by Euler angles about z, x, z.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     Q (3, 3): rotation
+    verdict     defined
+    assumes     nothing
+    operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
+    derivation  sha256 756e561b63ad1d97719fdce482ca42e3886b6d3b2c0b57cbd62497adc959bff9
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("rotation_from_euler_zxz", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    t4 = xp.sin(angles[1])
+    t5 = t2 * t3
+    t6 = t1 * t3
+    t7 = xp.cos(angles[2])
+    t8 = xp.sin(angles[2])
+    Q = batch.array(
+        (3, 3),
+        t1 * t7 - t5 * t8,
+        -(t1 * t8 + t5 * t7),
+        t2 * t4,
+        t2 * t7 + t6 * t8,
+        t6 * t7 - t2 * t8,
+        -(t1 * t4),
+        t4 * t8,
+        t4 * t7,
+        t3,
+    )
+    return delivered(out, Q)
+
+
+def euler_rate_matrix_zxz(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about z, x, z.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 512360b2471fc102ac0fa8c9ac661115c57b4554ccbb378ff4a41d591c93840f
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_zxz", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.sin(angles[1])
+    W = batch.array((3, 3), 0.0, t1, t2 * t3, 0.0, t2, -(t1 * t3), 1.0, 0.0, xp.cos(angles[1]))
+    return delivered(out, W)
+
+
+def euler_rate_matrix_body_zxz(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about z, x, z.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W_body (3, 3): angular velocity in the body frame from those rates
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 adfc2a1f56123a02796689fcd31259419dc567c1cea84e1b93815971924418ae
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_body_zxz", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.sin(angles[1])
+    t2 = xp.cos(angles[2])
+    t3 = xp.sin(angles[2])
+    W_body = batch.array((3, 3), t1 * t3, t2, 0.0, t1 * t2, -t3, 0.0, xp.cos(angles[1]), 0.0, 1.0)
+    return delivered(out, W_body)
+
+
+def euler_rates_zxz(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rates of Euler angles about z, x, z from the angular velocity in the fixed frame.
+    given       angles (3): Euler angles, in the order of the turns
+                omega (3): angular velocity
+    returns     theta_dot (3): rates of the Euler angles
+    verdict     holds under
+    assumes     sin(theta_2) != 0
+    operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
+    derivation  sha256 09b879f243dc95114aab98bf81ea6eae784a54b0990675a477f7ce0c32d031d1
+    signature   (3),(3)->(3)
+    """
+    batch, angles, omega = prepared("euler_rates_zxz", ("angles", angles, (3,)), ("omega", omega, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.sin(angles[1])
+    t4 = xp.where(t3 == 0.0, batch.number(0.0), omega[1] * t1 - omega[0] * t2) / t3
+    theta_dot = batch.array((3,), omega[2] + xp.cos(angles[1]) * t4, omega[0] * t1 + omega[1] * t2, -t4)
+    return delivered(out, theta_dot)
+
+
+def rotation_from_euler_zyx(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rotation by Euler angles about z, y, x.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     Q (3, 3): rotation
+    verdict     defined
+    assumes     nothing
+    operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
+    derivation  sha256 b086cf1947f6376651c2d19f6e9839e418d89561cf84963157d2affe0010df0c
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("rotation_from_euler_zyx", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    t4 = xp.sin(angles[1])
+    t5 = t1 * t4
+    t6 = t2 * t4
+    t7 = xp.cos(angles[2])
+    t8 = xp.sin(angles[2])
+    Q = batch.array(
+        (3, 3),
+        t1 * t3,
+        t5 * t8 - t2 * t7,
+        t2 * t8 + t5 * t7,
+        t2 * t3,
+        t1 * t7 + t6 * t8,
+        t6 * t7 - t1 * t8,
+        -t4,
+        t3 * t8,
+        t3 * t7,
+    )
+    return delivered(out, Q)
+
+
+def euler_rate_matrix_zyx(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about z, y, x.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 c78d897ee452651cdb8b9bfc04d057d2602075b3c060b52e9abbb487376671ce
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_zyx", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    W = batch.array((3, 3), 0.0, -t2, t1 * t3, 0.0, t1, t2 * t3, 1.0, 0.0, -xp.sin(angles[1]))
+    return delivered(out, W)
+
+
+def euler_rate_matrix_body_zyx(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about z, y, x.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W_body (3, 3): angular velocity in the body frame from those rates
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 8abeae5db88e4e8b1f980002de3225324bc9a6183b8092de5393f5b48777d47e
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_body_zyx", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[1])
+    t2 = xp.cos(angles[2])
+    t3 = xp.sin(angles[2])
+    W_body = batch.array((3, 3), -xp.sin(angles[1]), 0.0, 1.0, t1 * t3, t2, 0.0, t1 * t2, -t3, 0.0)
+    return delivered(out, W_body)
+
+
+def euler_rates_zyx(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rates of Euler angles about z, y, x from the angular velocity in the fixed frame.
+    given       angles (3): Euler angles, in the order of the turns
+                omega (3): angular velocity
+    returns     theta_dot (3): rates of the Euler angles
+    verdict     holds under
+    assumes     cos(theta_2) != 0
+    operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
+    derivation  sha256 44ffc8749b3737689be53a3802e4e63272cccafc953c814cecb9e96ac9a325df
+    signature   (3),(3)->(3)
+    """
+    batch, angles, omega = prepared("euler_rates_zyx", ("angles", angles, (3,)), ("omega", omega, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    t4 = xp.where(t3 == 0.0, batch.number(0.0), omega[0] * t1 + omega[1] * t2) / t3
+    theta_dot = batch.array((3,), omega[2] + xp.sin(angles[1]) * t4, omega[1] * t1 - omega[0] * t2, t4)
+    return delivered(out, theta_dot)
+
+
+def rotation_from_euler_zyz(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rotation by Euler angles about z, y, z.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     Q (3, 3): rotation
+    verdict     defined
+    assumes     nothing
+    operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
+    derivation  sha256 43811e29291aaf24b8d2ac3cc8abeea6bd935d6d676c55cfca93e360e0f55e27
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("rotation_from_euler_zyz", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.cos(angles[1])
+    t4 = xp.sin(angles[1])
+    t5 = t1 * t3
+    t6 = t2 * t3
+    t7 = xp.cos(angles[2])
+    t8 = xp.sin(angles[2])
+    Q = batch.array(
+        (3, 3),
+        t5 * t7 - t2 * t8,
+        -(t5 * t8 + t2 * t7),
+        t1 * t4,
+        t6 * t7 + t1 * t8,
+        t1 * t7 - t6 * t8,
+        t2 * t4,
+        -(t4 * t7),
+        t4 * t8,
+        t3,
+    )
+    return delivered(out, Q)
+
+
+def euler_rate_matrix_zyz(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about z, y, z.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 6c84c4efffd55db4ea8213dc9b11cecc8349dad17b36135cc160d50d6109cb3f
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_zyz", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.sin(angles[1])
+    W = batch.array((3, 3), 0.0, -t2, t1 * t3, 0.0, t1, t2 * t3, 1.0, 0.0, xp.cos(angles[1]))
+    return delivered(out, W)
+
+
+def euler_rate_matrix_body_zyz(angles: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about z, y, z.
+    given       angles (3): Euler angles, in the order of the turns
+    returns     W_body (3, 3): angular velocity in the body frame from those rates
+    verdict     defined
+    assumes     nothing
+    operations  6: 2 multiply, 2 sine, 2 cosine
+    derivation  sha256 36a3c2c542a8d3639c876836964fedd9c9060e40dbe251339937870900c56103
+    signature   (3)->(3,3)
+    """
+    batch, angles = prepared("euler_rate_matrix_body_zyz", ("angles", angles, (3,)))
+    xp = batch.xp
+    t1 = xp.sin(angles[1])
+    t2 = xp.cos(angles[2])
+    t3 = xp.sin(angles[2])
+    W_body = batch.array((3, 3), -(t1 * t2), t3, 0.0, t1 * t3, t2, 0.0, xp.cos(angles[1]), 0.0, 1.0)
+    return delivered(out, W_body)
+
+
+def euler_rates_zyz(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
+    """Ex 3.10 The rates of Euler angles about z, y, z from the angular velocity in the fixed frame.
+    given       angles (3): Euler angles, in the order of the turns
+                omega (3): angular velocity
+    returns     theta_dot (3): rates of the Euler angles
+    verdict     holds under
+    assumes     sin(theta_2) != 0
+    operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
+    derivation  sha256 76b36cf9c5a1b834fc7624c1332aeaf5949ec6ce50867f34ab37b197a766426f
+    signature   (3),(3)->(3)
+    """
+    batch, angles, omega = prepared("euler_rates_zyz", ("angles", angles, (3,)), ("omega", omega, (3,)))
+    xp = batch.xp
+    t1 = xp.cos(angles[0])
+    t2 = xp.sin(angles[0])
+    t3 = xp.sin(angles[1])
+    t4 = xp.where(t3 == 0.0, batch.number(0.0), omega[0] * t1 + omega[1] * t2) / t3
+    theta_dot = batch.array((3,), omega[2] - xp.cos(angles[1]) * t4, omega[1] * t1 - omega[0] * t2, t4)
+    return delivered(out, theta_dot)

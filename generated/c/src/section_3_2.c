@@ -12,7 +12,7 @@
  *   verdict     defined
  *   assumes     nothing
  *   operations  0
- *   derivation  sha256 0312c264dacf74dfcdb531a0b73d78f9f32811ece66c1d3463eee307878679e9
+ *   derivation  sha256 3bb8a8fd474c059361c5ae7723890c819183529bb7e76fe026eab3cdd03133fd
  */
 void chasles_cross_product_matrix(const double v[3], double V[9])
 {
@@ -36,7 +36,7 @@ void chasles_cross_product_matrix(const double v[3], double V[9])
 /*
  * (2.38) chasles_cross_product_matrix in single precision.
  *   verdict: defined; assumes nothing
- *   0 operations; derivation sha256 0312c264dacf74dfcdb531a0b73d78f9f32811ece66c1d3463eee307878679e9
+ *   0 operations; derivation sha256 3bb8a8fd474c059361c5ae7723890c819183529bb7e76fe026eab3cdd03133fd
  */
 void chasles_cross_product_matrixf(const float v[3], float V[9])
 {
@@ -60,7 +60,7 @@ void chasles_cross_product_matrixf(const float v[3], float V[9])
 /*
  * (2.38) chasles_cross_product_matrix for a batch.
  *   verdict: defined; assumes nothing
- *   0 operations; derivation sha256 0312c264dacf74dfcdb531a0b73d78f9f32811ece66c1d3463eee307878679e9
+ *   0 operations; derivation sha256 3bb8a8fd474c059361c5ae7723890c819183529bb7e76fe026eab3cdd03133fd
  */
 void chasles_cross_product_matrix_batch(
     size_t count,
@@ -75,7 +75,7 @@ void chasles_cross_product_matrix_batch(
 /*
  * (2.38) chasles_cross_product_matrixf for a batch.
  *   verdict: defined; assumes nothing
- *   0 operations; derivation sha256 0312c264dacf74dfcdb531a0b73d78f9f32811ece66c1d3463eee307878679e9
+ *   0 operations; derivation sha256 3bb8a8fd474c059361c5ae7723890c819183529bb7e76fe026eab3cdd03133fd
  */
 void chasles_cross_product_matrix_batchf(
     size_t count,
@@ -95,7 +95,7 @@ void chasles_cross_product_matrix_batchf(
  *   verdict     defined
  *   assumes     |e| = 1
  *   operations  24: 6 add, 4 subtract, 12 multiply, 1 sine, 1 cosine
- *   derivation  sha256 c07116d01fd9f3eec8b45e4fed312a9f9b8324ab6b8b43de598c12d93744c18c
+ *   derivation  sha256 718b46e158071b0e8c0dfad7c9d62e35cfda18b9e1e5b352c23d0b196e545440
  */
 void chasles_rotation_from_axis_angle(const double e[3], double phi, double Q[9])
 {
@@ -133,7 +133,7 @@ void chasles_rotation_from_axis_angle(const double e[3], double phi, double Q[9]
 /*
  * (2.49) chasles_rotation_from_axis_angle in single precision.
  *   verdict: defined; assumes |e| = 1
- *   24 operations; derivation sha256 c07116d01fd9f3eec8b45e4fed312a9f9b8324ab6b8b43de598c12d93744c18c
+ *   24 operations; derivation sha256 718b46e158071b0e8c0dfad7c9d62e35cfda18b9e1e5b352c23d0b196e545440
  */
 void chasles_rotation_from_axis_anglef(const float e[3], float phi, float Q[9])
 {
@@ -171,7 +171,7 @@ void chasles_rotation_from_axis_anglef(const float e[3], float phi, float Q[9])
 /*
  * (2.49) chasles_rotation_from_axis_angle for a batch.
  *   verdict: defined; assumes |e| = 1
- *   24 operations; derivation sha256 c07116d01fd9f3eec8b45e4fed312a9f9b8324ab6b8b43de598c12d93744c18c
+ *   24 operations; derivation sha256 718b46e158071b0e8c0dfad7c9d62e35cfda18b9e1e5b352c23d0b196e545440
  */
 void chasles_rotation_from_axis_angle_batch(
     size_t count,
@@ -187,7 +187,7 @@ void chasles_rotation_from_axis_angle_batch(
 /*
  * (2.49) chasles_rotation_from_axis_anglef for a batch.
  *   verdict: defined; assumes |e| = 1
- *   24 operations; derivation sha256 c07116d01fd9f3eec8b45e4fed312a9f9b8324ab6b8b43de598c12d93744c18c
+ *   24 operations; derivation sha256 718b46e158071b0e8c0dfad7c9d62e35cfda18b9e1e5b352c23d0b196e545440
  */
 void chasles_rotation_from_axis_angle_batchf(
     size_t count,
@@ -210,7 +210,7 @@ void chasles_rotation_from_axis_angle_batchf(
  *   verdict     holds
  *   assumes     nothing
  *   operations  21: 9 add, 3 subtract, 9 multiply
- *   derivation  sha256 b77ed46db033f7eed0ae1124f68ad31f483b7d8664bffaa4de83c9fc5b24f2ac
+ *   derivation  sha256 182ba8442fabab0886c960f1777fa0a4369e031dfa994b01d86d1ae7766049ed
  */
 void chasles_point_after_displacement(
     const double Q[9],
@@ -233,7 +233,7 @@ void chasles_point_after_displacement(
 /*
  * (3.2) chasles_point_after_displacement in single precision.
  *   verdict: holds; assumes nothing
- *   21 operations; derivation sha256 b77ed46db033f7eed0ae1124f68ad31f483b7d8664bffaa4de83c9fc5b24f2ac
+ *   21 operations; derivation sha256 182ba8442fabab0886c960f1777fa0a4369e031dfa994b01d86d1ae7766049ed
  */
 void chasles_point_after_displacementf(
     const float Q[9],
@@ -256,7 +256,7 @@ void chasles_point_after_displacementf(
 /*
  * (3.2) chasles_point_after_displacement for a batch.
  *   verdict: holds; assumes nothing
- *   21 operations; derivation sha256 b77ed46db033f7eed0ae1124f68ad31f483b7d8664bffaa4de83c9fc5b24f2ac
+ *   21 operations; derivation sha256 182ba8442fabab0886c960f1777fa0a4369e031dfa994b01d86d1ae7766049ed
  */
 void chasles_point_after_displacement_batch(
     size_t count,
@@ -279,7 +279,7 @@ void chasles_point_after_displacement_batch(
 /*
  * (3.2) chasles_point_after_displacementf for a batch.
  *   verdict: holds; assumes nothing
- *   21 operations; derivation sha256 b77ed46db033f7eed0ae1124f68ad31f483b7d8664bffaa4de83c9fc5b24f2ac
+ *   21 operations; derivation sha256 182ba8442fabab0886c960f1777fa0a4369e031dfa994b01d86d1ae7766049ed
  */
 void chasles_point_after_displacement_batchf(
     size_t count,
@@ -309,7 +309,7 @@ void chasles_point_after_displacement_batchf(
  *   assumes     phi != 0
  *               |e| = 1
  *   operations  6: 2 add, 3 multiply, 1 divide
- *   derivation  sha256 dd456a80abab27dec7bf7669b19bfc9e5e0a1d2b37fff41b4cf74a191918c756
+ *   derivation  sha256 e42358121f712aa8bfa99f0924d6e3c4fa181e197a5844c621c6ec9a663691cf
  */
 void chasles_pitch_of_motion(const double e[3], double phi, const double d_P[3], double *result)
 {
@@ -320,7 +320,7 @@ void chasles_pitch_of_motion(const double e[3], double phi, const double d_P[3],
 /*
  * (3.7) chasles_pitch_of_motion in single precision.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   6 operations; derivation sha256 dd456a80abab27dec7bf7669b19bfc9e5e0a1d2b37fff41b4cf74a191918c756
+ *   6 operations; derivation sha256 e42358121f712aa8bfa99f0924d6e3c4fa181e197a5844c621c6ec9a663691cf
  */
 void chasles_pitch_of_motionf(const float e[3], float phi, const float d_P[3], float *result)
 {
@@ -332,7 +332,7 @@ void chasles_pitch_of_motionf(const float e[3], float phi, const float d_P[3], f
 /*
  * (3.7) chasles_pitch_of_motion for a batch.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   6 operations; derivation sha256 dd456a80abab27dec7bf7669b19bfc9e5e0a1d2b37fff41b4cf74a191918c756
+ *   6 operations; derivation sha256 e42358121f712aa8bfa99f0924d6e3c4fa181e197a5844c621c6ec9a663691cf
  */
 void chasles_pitch_of_motion_batch(
     size_t count,
@@ -353,7 +353,7 @@ void chasles_pitch_of_motion_batch(
 /*
  * (3.7) chasles_pitch_of_motionf for a batch.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   6 operations; derivation sha256 dd456a80abab27dec7bf7669b19bfc9e5e0a1d2b37fff41b4cf74a191918c756
+ *   6 operations; derivation sha256 e42358121f712aa8bfa99f0924d6e3c4fa181e197a5844c621c6ec9a663691cf
  */
 void chasles_pitch_of_motion_batchf(
     size_t count,

@@ -14,7 +14,7 @@
  *   assumes     phi != 0
  *               |e| = 1
  *   operations  19: 3 add, 2 subtract, 11 multiply, 2 divide, 1 cosine
- *   derivation  sha256 5ac2e58cb954695fb22629ed1368ffe7e286efef15ae1ae9e6c4f136f03b4fc3
+ *   derivation  sha256 de9dbdb464264fe2190e4545ce33ac1b9c2a37029a835382eb8d8b8d64b77997
  */
 void chasles_normal_matrix_inverse(const double e[3], double phi, double result[9])
 {
@@ -45,7 +45,7 @@ void chasles_normal_matrix_inverse(const double e[3], double phi, double result[
 /*
  * (3.16) chasles_normal_matrix_inverse in single precision.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   19 operations; derivation sha256 5ac2e58cb954695fb22629ed1368ffe7e286efef15ae1ae9e6c4f136f03b4fc3
+ *   19 operations; derivation sha256 de9dbdb464264fe2190e4545ce33ac1b9c2a37029a835382eb8d8b8d64b77997
  */
 void chasles_normal_matrix_inversef(const float e[3], float phi, float result[9])
 {
@@ -76,7 +76,7 @@ void chasles_normal_matrix_inversef(const float e[3], float phi, float result[9]
 /*
  * (3.16) chasles_normal_matrix_inverse for a batch.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   19 operations; derivation sha256 5ac2e58cb954695fb22629ed1368ffe7e286efef15ae1ae9e6c4f136f03b4fc3
+ *   19 operations; derivation sha256 de9dbdb464264fe2190e4545ce33ac1b9c2a37029a835382eb8d8b8d64b77997
  */
 void chasles_normal_matrix_inverse_batch(
     size_t count,
@@ -92,7 +92,7 @@ void chasles_normal_matrix_inverse_batch(
 /*
  * (3.16) chasles_normal_matrix_inversef for a batch.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   19 operations; derivation sha256 5ac2e58cb954695fb22629ed1368ffe7e286efef15ae1ae9e6c4f136f03b4fc3
+ *   19 operations; derivation sha256 de9dbdb464264fe2190e4545ce33ac1b9c2a37029a835382eb8d8b8d64b77997
  */
 void chasles_normal_matrix_inverse_batchf(
     size_t count,
@@ -116,7 +116,7 @@ void chasles_normal_matrix_inverse_batchf(
  *   assumes     phi != 0
  *               |e| = 1
  *   operations  64: 18 add, 10 subtract, 31 multiply, 3 divide, 1 sine, 1 cosine
- *   derivation  sha256 8ec72961c7242876eb3f39769aa85197309a72737bed03662c26f5d342deb5dd
+ *   derivation  sha256 b4190f47c4e271ccf9f3cb7fff7644b755a419d9433a3d4b5e45e29ee2c24f0d
  */
 void chasles_screw_axis_point(
     const double e[3],
@@ -161,7 +161,7 @@ void chasles_screw_axis_point(
 /*
  * (3.18) chasles_screw_axis_point in single precision.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   64 operations; derivation sha256 8ec72961c7242876eb3f39769aa85197309a72737bed03662c26f5d342deb5dd
+ *   64 operations; derivation sha256 b4190f47c4e271ccf9f3cb7fff7644b755a419d9433a3d4b5e45e29ee2c24f0d
  */
 void chasles_screw_axis_pointf(
     const float e[3],
@@ -206,7 +206,7 @@ void chasles_screw_axis_pointf(
 /*
  * (3.18) chasles_screw_axis_point for a batch.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   64 operations; derivation sha256 8ec72961c7242876eb3f39769aa85197309a72737bed03662c26f5d342deb5dd
+ *   64 operations; derivation sha256 b4190f47c4e271ccf9f3cb7fff7644b755a419d9433a3d4b5e45e29ee2c24f0d
  */
 void chasles_screw_axis_point_batch(
     size_t count,
@@ -229,7 +229,7 @@ void chasles_screw_axis_point_batch(
 /*
  * (3.18) chasles_screw_axis_pointf for a batch.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   64 operations; derivation sha256 8ec72961c7242876eb3f39769aa85197309a72737bed03662c26f5d342deb5dd
+ *   64 operations; derivation sha256 b4190f47c4e271ccf9f3cb7fff7644b755a419d9433a3d4b5e45e29ee2c24f0d
  */
 void chasles_screw_axis_point_batchf(
     size_t count,

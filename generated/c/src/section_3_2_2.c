@@ -13,7 +13,7 @@
  *   verdict     defined
  *   assumes     p_1 != p_2
  *   operations  21: 2 add, 6 subtract, 9 multiply, 3 divide, 1 square root
- *   derivation  sha256 5a85da491dcc75a6b181adfb1d68308f6f9082d82d41f48451dd972e32090871
+ *   derivation  sha256 82e7d2177f917dad0cc77578e3870137f26237efa6ecc37d77167d348f24892e
  */
 void chasles_plucker_line(const double p_1[3], const double p_2[3], double kappa[6])
 {
@@ -40,7 +40,7 @@ void chasles_plucker_line(const double p_1[3], const double p_2[3], double kappa
 /*
  * (3.23) chasles_plucker_line in single precision.
  *   verdict: defined; assumes p_1 != p_2
- *   21 operations; derivation sha256 5a85da491dcc75a6b181adfb1d68308f6f9082d82d41f48451dd972e32090871
+ *   21 operations; derivation sha256 82e7d2177f917dad0cc77578e3870137f26237efa6ecc37d77167d348f24892e
  */
 void chasles_plucker_linef(const float p_1[3], const float p_2[3], float kappa[6])
 {
@@ -67,7 +67,7 @@ void chasles_plucker_linef(const float p_1[3], const float p_2[3], float kappa[6
 /*
  * (3.23) chasles_plucker_line for a batch.
  *   verdict: defined; assumes p_1 != p_2
- *   21 operations; derivation sha256 5a85da491dcc75a6b181adfb1d68308f6f9082d82d41f48451dd972e32090871
+ *   21 operations; derivation sha256 82e7d2177f917dad0cc77578e3870137f26237efa6ecc37d77167d348f24892e
  */
 void chasles_plucker_line_batch(
     size_t count,
@@ -83,7 +83,7 @@ void chasles_plucker_line_batch(
 /*
  * (3.23) chasles_plucker_linef for a batch.
  *   verdict: defined; assumes p_1 != p_2
- *   21 operations; derivation sha256 5a85da491dcc75a6b181adfb1d68308f6f9082d82d41f48451dd972e32090871
+ *   21 operations; derivation sha256 82e7d2177f917dad0cc77578e3870137f26237efa6ecc37d77167d348f24892e
  */
 void chasles_plucker_line_batchf(
     size_t count,
@@ -105,7 +105,7 @@ void chasles_plucker_line_batchf(
  *   verdict     holds
  *   assumes     nothing
  *   operations  15: 3 add, 6 subtract, 6 multiply
- *   derivation  sha256 223828bdc4a9d4093c744a6ff52678a900ce93b81e0164b035948d0874cac985
+ *   derivation  sha256 d481e426032bffd4ad14a6ad5faec5b738471821083e120c2e85c360da015f46
  */
 void chasles_plucker_transfer(
     const double kappa_A[6],
@@ -133,7 +133,7 @@ void chasles_plucker_transfer(
 /*
  * (3.29a) chasles_plucker_transfer in single precision.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 223828bdc4a9d4093c744a6ff52678a900ce93b81e0164b035948d0874cac985
+ *   15 operations; derivation sha256 d481e426032bffd4ad14a6ad5faec5b738471821083e120c2e85c360da015f46
  */
 void chasles_plucker_transferf(
     const float kappa_A[6],
@@ -161,7 +161,7 @@ void chasles_plucker_transferf(
 /*
  * (3.29a) chasles_plucker_transfer for a batch.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 223828bdc4a9d4093c744a6ff52678a900ce93b81e0164b035948d0874cac985
+ *   15 operations; derivation sha256 d481e426032bffd4ad14a6ad5faec5b738471821083e120c2e85c360da015f46
  */
 void chasles_plucker_transfer_batch(
     size_t count,
@@ -182,7 +182,7 @@ void chasles_plucker_transfer_batch(
 /*
  * (3.29a) chasles_plucker_transferf for a batch.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 223828bdc4a9d4093c744a6ff52678a900ce93b81e0164b035948d0874cac985
+ *   15 operations; derivation sha256 d481e426032bffd4ad14a6ad5faec5b738471821083e120c2e85c360da015f46
  */
 void chasles_plucker_transfer_batchf(
     size_t count,

@@ -13,7 +13,7 @@
  *   verdict     holds
  *   assumes     nothing
  *   operations  45: 18 add, 27 multiply
- *   derivation  sha256 611a8f0b6c25dd9d15645ced341e936a7b46e306abd4c88ba7f151c73170f2b7
+ *   derivation  sha256 f86d42ad88c6c4cd9ee18d167dbadc4ff0defedb31eb0cad50cf0bc9001d047c
  */
 void chasles_rotation_in_triad_axes(const double triad[9], const double triad_prime[9], double Q[9])
 {
@@ -49,7 +49,7 @@ void chasles_rotation_in_triad_axes(const double triad[9], const double triad_pr
 /*
  * text 3.2.3 h chasles_rotation_in_triad_axes in single precision.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 611a8f0b6c25dd9d15645ced341e936a7b46e306abd4c88ba7f151c73170f2b7
+ *   45 operations; derivation sha256 f86d42ad88c6c4cd9ee18d167dbadc4ff0defedb31eb0cad50cf0bc9001d047c
  */
 void chasles_rotation_in_triad_axesf(const float triad[9], const float triad_prime[9], float Q[9])
 {
@@ -85,7 +85,7 @@ void chasles_rotation_in_triad_axesf(const float triad[9], const float triad_pri
 /*
  * text 3.2.3 h chasles_rotation_in_triad_axes for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 611a8f0b6c25dd9d15645ced341e936a7b46e306abd4c88ba7f151c73170f2b7
+ *   45 operations; derivation sha256 f86d42ad88c6c4cd9ee18d167dbadc4ff0defedb31eb0cad50cf0bc9001d047c
  */
 void chasles_rotation_in_triad_axes_batch(
     size_t count,
@@ -104,7 +104,7 @@ void chasles_rotation_in_triad_axes_batch(
 /*
  * text 3.2.3 h chasles_rotation_in_triad_axesf for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 611a8f0b6c25dd9d15645ced341e936a7b46e306abd4c88ba7f151c73170f2b7
+ *   45 operations; derivation sha256 f86d42ad88c6c4cd9ee18d167dbadc4ff0defedb31eb0cad50cf0bc9001d047c
  */
 void chasles_rotation_in_triad_axes_batchf(
     size_t count,
@@ -128,7 +128,7 @@ void chasles_rotation_in_triad_axes_batchf(
  *   verdict     holds under
  *   assumes     e_1, e_2, e_3 are orthonormal and right-handed
  *   operations  45: 18 add, 27 multiply
- *   derivation  sha256 d1a21d01da2012443d1a55e994887268f284c82c04bf89712cfcf42490ec03a4
+ *   derivation  sha256 831cb4bce4aa7a3c8c0f15db2f27996aaad3307aa6789c8822540498e2524999
  */
 void chasles_rotation_from_triads(const double triad[9], const double triad_prime[9], double Q[9])
 {
@@ -164,7 +164,7 @@ void chasles_rotation_from_triads(const double triad[9], const double triad_prim
 /*
  * text 3.2.3 g chasles_rotation_from_triads in single precision.
  *   verdict: holds under; assumes e_1, e_2, e_3 are orthonormal and right-handed
- *   45 operations; derivation sha256 d1a21d01da2012443d1a55e994887268f284c82c04bf89712cfcf42490ec03a4
+ *   45 operations; derivation sha256 831cb4bce4aa7a3c8c0f15db2f27996aaad3307aa6789c8822540498e2524999
  */
 void chasles_rotation_from_triadsf(const float triad[9], const float triad_prime[9], float Q[9])
 {
@@ -200,7 +200,7 @@ void chasles_rotation_from_triadsf(const float triad[9], const float triad_prime
 /*
  * text 3.2.3 g chasles_rotation_from_triads for a batch.
  *   verdict: holds under; assumes e_1, e_2, e_3 are orthonormal and right-handed
- *   45 operations; derivation sha256 d1a21d01da2012443d1a55e994887268f284c82c04bf89712cfcf42490ec03a4
+ *   45 operations; derivation sha256 831cb4bce4aa7a3c8c0f15db2f27996aaad3307aa6789c8822540498e2524999
  */
 void chasles_rotation_from_triads_batch(
     size_t count,
@@ -219,7 +219,7 @@ void chasles_rotation_from_triads_batch(
 /*
  * text 3.2.3 g chasles_rotation_from_triadsf for a batch.
  *   verdict: holds under; assumes e_1, e_2, e_3 are orthonormal and right-handed
- *   45 operations; derivation sha256 d1a21d01da2012443d1a55e994887268f284c82c04bf89712cfcf42490ec03a4
+ *   45 operations; derivation sha256 831cb4bce4aa7a3c8c0f15db2f27996aaad3307aa6789c8822540498e2524999
  */
 void chasles_rotation_from_triads_batchf(
     size_t count,

@@ -14,7 +14,7 @@
  *   assumes     |e| = 1
  *               phi != 0
  *   operations  26: 3 add, 7 subtract, 13 multiply, 1 divide, 1 sine, 1 cosine
- *   derivation  sha256 d1afff56486caa901f40463bd6490da7f0e507ea7be252aa239136060941d58a
+ *   derivation  sha256 e1fc88a281166d37c4f13a0f1c98c1109a22a36e707ca35c74db140722b40712
  */
 void chasles_natural_rate_matrix(const double e[3], double phi, double N[12])
 {
@@ -57,7 +57,7 @@ void chasles_natural_rate_matrix(const double e[3], double phi, double N[12])
 /*
  * (3.76b) chasles_natural_rate_matrix in single precision.
  *   verdict: defined; assumes |e| = 1, phi != 0
- *   26 operations; derivation sha256 d1afff56486caa901f40463bd6490da7f0e507ea7be252aa239136060941d58a
+ *   26 operations; derivation sha256 e1fc88a281166d37c4f13a0f1c98c1109a22a36e707ca35c74db140722b40712
  */
 void chasles_natural_rate_matrixf(const float e[3], float phi, float N[12])
 {
@@ -100,7 +100,7 @@ void chasles_natural_rate_matrixf(const float e[3], float phi, float N[12])
 /*
  * (3.76b) chasles_natural_rate_matrix for a batch.
  *   verdict: defined; assumes |e| = 1, phi != 0
- *   26 operations; derivation sha256 d1afff56486caa901f40463bd6490da7f0e507ea7be252aa239136060941d58a
+ *   26 operations; derivation sha256 e1fc88a281166d37c4f13a0f1c98c1109a22a36e707ca35c74db140722b40712
  */
 void chasles_natural_rate_matrix_batch(
     size_t count,
@@ -116,7 +116,7 @@ void chasles_natural_rate_matrix_batch(
 /*
  * (3.76b) chasles_natural_rate_matrixf for a batch.
  *   verdict: defined; assumes |e| = 1, phi != 0
- *   26 operations; derivation sha256 d1afff56486caa901f40463bd6490da7f0e507ea7be252aa239136060941d58a
+ *   26 operations; derivation sha256 e1fc88a281166d37c4f13a0f1c98c1109a22a36e707ca35c74db140722b40712
  */
 void chasles_natural_rate_matrix_batchf(
     size_t count,
@@ -137,7 +137,7 @@ void chasles_natural_rate_matrix_batchf(
  *   verdict     defined
  *   assumes     |e| = 1
  *   operations  39: 6 add, 8 subtract, 23 multiply, 1 sine, 1 cosine
- *   derivation  sha256 3932af0d951f36376775451ce3a1ee43e73ece9dbe47180b18d5645998d83d28
+ *   derivation  sha256 b7ab95a60e442ca39ebc9aa95a991d12a881db386cc9141fe5cf492c3075fee7
  */
 void chasles_linear_rate_matrix(const double e[3], double phi, double L[12])
 {
@@ -185,7 +185,7 @@ void chasles_linear_rate_matrix(const double e[3], double phi, double L[12])
 /*
  * (3.76c) chasles_linear_rate_matrix in single precision.
  *   verdict: defined; assumes |e| = 1
- *   39 operations; derivation sha256 3932af0d951f36376775451ce3a1ee43e73ece9dbe47180b18d5645998d83d28
+ *   39 operations; derivation sha256 b7ab95a60e442ca39ebc9aa95a991d12a881db386cc9141fe5cf492c3075fee7
  */
 void chasles_linear_rate_matrixf(const float e[3], float phi, float L[12])
 {
@@ -233,7 +233,7 @@ void chasles_linear_rate_matrixf(const float e[3], float phi, float L[12])
 /*
  * (3.76c) chasles_linear_rate_matrix for a batch.
  *   verdict: defined; assumes |e| = 1
- *   39 operations; derivation sha256 3932af0d951f36376775451ce3a1ee43e73ece9dbe47180b18d5645998d83d28
+ *   39 operations; derivation sha256 b7ab95a60e442ca39ebc9aa95a991d12a881db386cc9141fe5cf492c3075fee7
  */
 void chasles_linear_rate_matrix_batch(
     size_t count,
@@ -249,7 +249,7 @@ void chasles_linear_rate_matrix_batch(
 /*
  * (3.76c) chasles_linear_rate_matrixf for a batch.
  *   verdict: defined; assumes |e| = 1
- *   39 operations; derivation sha256 3932af0d951f36376775451ce3a1ee43e73ece9dbe47180b18d5645998d83d28
+ *   39 operations; derivation sha256 b7ab95a60e442ca39ebc9aa95a991d12a881db386cc9141fe5cf492c3075fee7
  */
 void chasles_linear_rate_matrix_batchf(
     size_t count,
@@ -270,7 +270,7 @@ void chasles_linear_rate_matrix_batchf(
  *   verdict     defined
  *   assumes     |e| = 1
  *   operations  8: 6 multiply, 1 sine, 1 cosine
- *   derivation  sha256 3a735e68dbe0a8f64cc814f18a0e5c5ed23fe697bfaae80247e65c806f072dee
+ *   derivation  sha256 17761ec312807cb6e198cbca110c91735f2e6c31f7d446942864ba3607190db0
  */
 void chasles_euler_rodrigues_rate_matrix(const double e[3], double phi, double H[12])
 {
@@ -300,7 +300,7 @@ void chasles_euler_rodrigues_rate_matrix(const double e[3], double phi, double H
 /*
  * (3.76d) chasles_euler_rodrigues_rate_matrix in single precision.
  *   verdict: defined; assumes |e| = 1
- *   8 operations; derivation sha256 3a735e68dbe0a8f64cc814f18a0e5c5ed23fe697bfaae80247e65c806f072dee
+ *   8 operations; derivation sha256 17761ec312807cb6e198cbca110c91735f2e6c31f7d446942864ba3607190db0
  */
 void chasles_euler_rodrigues_rate_matrixf(const float e[3], float phi, float H[12])
 {
@@ -330,7 +330,7 @@ void chasles_euler_rodrigues_rate_matrixf(const float e[3], float phi, float H[1
 /*
  * (3.76d) chasles_euler_rodrigues_rate_matrix for a batch.
  *   verdict: defined; assumes |e| = 1
- *   8 operations; derivation sha256 3a735e68dbe0a8f64cc814f18a0e5c5ed23fe697bfaae80247e65c806f072dee
+ *   8 operations; derivation sha256 17761ec312807cb6e198cbca110c91735f2e6c31f7d446942864ba3607190db0
  */
 void chasles_euler_rodrigues_rate_matrix_batch(
     size_t count,
@@ -346,7 +346,7 @@ void chasles_euler_rodrigues_rate_matrix_batch(
 /*
  * (3.76d) chasles_euler_rodrigues_rate_matrixf for a batch.
  *   verdict: defined; assumes |e| = 1
- *   8 operations; derivation sha256 3a735e68dbe0a8f64cc814f18a0e5c5ed23fe697bfaae80247e65c806f072dee
+ *   8 operations; derivation sha256 17761ec312807cb6e198cbca110c91735f2e6c31f7d446942864ba3607190db0
  */
 void chasles_euler_rodrigues_rate_matrix_batchf(
     size_t count,
@@ -367,7 +367,7 @@ void chasles_euler_rodrigues_rate_matrix_batchf(
  *   verdict     holds under
  *   assumes     phi != pi
  *   operations  20: 7 add, 3 subtract, 9 multiply, 1 divide
- *   derivation  sha256 6c875acb2742adb076485e3b75a69754af3515e24d15f1d3ff9dfbcee252fa0e
+ *   derivation  sha256 4c9780f18d97d0466d9140eebd5c08965e14e5fcea3bdc9bb1a23121dedc811e
  */
 void chasles_rotation_from_linear_invariants(const double q[3], double q_0, double Q[9])
 {
@@ -401,7 +401,7 @@ void chasles_rotation_from_linear_invariants(const double q[3], double q_0, doub
 /*
  * text 3.4.2 f chasles_rotation_from_linear_invariants in single precision.
  *   verdict: holds under; assumes phi != pi
- *   20 operations; derivation sha256 6c875acb2742adb076485e3b75a69754af3515e24d15f1d3ff9dfbcee252fa0e
+ *   20 operations; derivation sha256 4c9780f18d97d0466d9140eebd5c08965e14e5fcea3bdc9bb1a23121dedc811e
  */
 void chasles_rotation_from_linear_invariantsf(const float q[3], float q_0, float Q[9])
 {
@@ -435,7 +435,7 @@ void chasles_rotation_from_linear_invariantsf(const float q[3], float q_0, float
 /*
  * text 3.4.2 f chasles_rotation_from_linear_invariants for a batch.
  *   verdict: holds under; assumes phi != pi
- *   20 operations; derivation sha256 6c875acb2742adb076485e3b75a69754af3515e24d15f1d3ff9dfbcee252fa0e
+ *   20 operations; derivation sha256 4c9780f18d97d0466d9140eebd5c08965e14e5fcea3bdc9bb1a23121dedc811e
  */
 void chasles_rotation_from_linear_invariants_batch(
     size_t count,
@@ -451,7 +451,7 @@ void chasles_rotation_from_linear_invariants_batch(
 /*
  * text 3.4.2 f chasles_rotation_from_linear_invariantsf for a batch.
  *   verdict: holds under; assumes phi != pi
- *   20 operations; derivation sha256 6c875acb2742adb076485e3b75a69754af3515e24d15f1d3ff9dfbcee252fa0e
+ *   20 operations; derivation sha256 4c9780f18d97d0466d9140eebd5c08965e14e5fcea3bdc9bb1a23121dedc811e
  */
 void chasles_rotation_from_linear_invariants_batchf(
     size_t count,
@@ -472,7 +472,7 @@ void chasles_rotation_from_linear_invariants_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  29: 8 add, 4 subtract, 17 multiply
- *   derivation  sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
+ *   derivation  sha256 3c07bce2c1a977983f72743fca7632ae529437a279a1c8c5ae50fd5f0549711b
  */
 void chasles_rotation_from_euler_rodrigues(const double q[3], double q_0, double Q[9])
 {
@@ -509,7 +509,7 @@ void chasles_rotation_from_euler_rodrigues(const double q[3], double q_0, double
 /*
  * text 3.4.2 f chasles_rotation_from_euler_rodrigues in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
+ *   29 operations; derivation sha256 3c07bce2c1a977983f72743fca7632ae529437a279a1c8c5ae50fd5f0549711b
  */
 void chasles_rotation_from_euler_rodriguesf(const float q[3], float q_0, float Q[9])
 {
@@ -546,7 +546,7 @@ void chasles_rotation_from_euler_rodriguesf(const float q[3], float q_0, float Q
 /*
  * text 3.4.2 f chasles_rotation_from_euler_rodrigues for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
+ *   29 operations; derivation sha256 3c07bce2c1a977983f72743fca7632ae529437a279a1c8c5ae50fd5f0549711b
  */
 void chasles_rotation_from_euler_rodrigues_batch(
     size_t count,
@@ -562,7 +562,7 @@ void chasles_rotation_from_euler_rodrigues_batch(
 /*
  * text 3.4.2 f chasles_rotation_from_euler_rodriguesf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 935e22e6e2702e8b1869ebd21a1a148db28b5400c4d4ba7831d8fae8467c7712
+ *   29 operations; derivation sha256 3c07bce2c1a977983f72743fca7632ae529437a279a1c8c5ae50fd5f0549711b
  */
 void chasles_rotation_from_euler_rodrigues_batchf(
     size_t count,
@@ -583,7 +583,7 @@ void chasles_rotation_from_euler_rodrigues_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  10: 2 add, 4 subtract, 4 multiply
- *   derivation  sha256 33d342698b1bbb0ed8e2b1fc28a50f559e7edf4004942693b00b69e15c4fa640
+ *   derivation  sha256 95f6d9d982139ac08ba7031fbcb43368472a4ebbbdfb2464e1e93ced6035d2a7
  */
 void chasles_linear_invariants(const double Q[9], double q[3], double *q_0)
 {
@@ -600,7 +600,7 @@ void chasles_linear_invariants(const double Q[9], double q[3], double *q_0)
 /*
  * text 3.4.2 g chasles_linear_invariants in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   10 operations; derivation sha256 33d342698b1bbb0ed8e2b1fc28a50f559e7edf4004942693b00b69e15c4fa640
+ *   10 operations; derivation sha256 95f6d9d982139ac08ba7031fbcb43368472a4ebbbdfb2464e1e93ced6035d2a7
  */
 void chasles_linear_invariantsf(const float Q[9], float q[3], float *q_0)
 {
@@ -617,7 +617,7 @@ void chasles_linear_invariantsf(const float Q[9], float q[3], float *q_0)
 /*
  * text 3.4.2 g chasles_linear_invariants for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   10 operations; derivation sha256 33d342698b1bbb0ed8e2b1fc28a50f559e7edf4004942693b00b69e15c4fa640
+ *   10 operations; derivation sha256 95f6d9d982139ac08ba7031fbcb43368472a4ebbbdfb2464e1e93ced6035d2a7
  */
 void chasles_linear_invariants_batch(
     size_t count,
@@ -633,7 +633,7 @@ void chasles_linear_invariants_batch(
 /*
  * text 3.4.2 g chasles_linear_invariantsf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   10 operations; derivation sha256 33d342698b1bbb0ed8e2b1fc28a50f559e7edf4004942693b00b69e15c4fa640
+ *   10 operations; derivation sha256 95f6d9d982139ac08ba7031fbcb43368472a4ebbbdfb2464e1e93ced6035d2a7
  */
 void chasles_linear_invariants_batchf(
     size_t count,
@@ -654,7 +654,7 @@ void chasles_linear_invariants_batchf(
  *   verdict     holds under
  *   assumes     Q is a rotation
  *   operations  67: 21 add, 10 subtract, 25 multiply, 5 divide, 5 square root, 1 arctangent2
- *   derivation  sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1
+ *   derivation  sha256 ebef68658de75058803abc99b987c49de9d1cb40a8a48992731943208a493cc1
  */
 void chasles_natural_invariants(const double Q[9], double e[3], double *phi)
 {
@@ -731,7 +731,7 @@ void chasles_natural_invariants(const double Q[9], double e[3], double *phi)
 /*
  * text 3.4.2 h chasles_natural_invariants in single precision.
  *   verdict: holds under; assumes Q is a rotation
- *   67 operations; derivation sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1
+ *   67 operations; derivation sha256 ebef68658de75058803abc99b987c49de9d1cb40a8a48992731943208a493cc1
  */
 void chasles_natural_invariantsf(const float Q[9], float e[3], float *phi)
 {
@@ -808,7 +808,7 @@ void chasles_natural_invariantsf(const float Q[9], float e[3], float *phi)
 /*
  * text 3.4.2 h chasles_natural_invariants for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   67 operations; derivation sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1
+ *   67 operations; derivation sha256 ebef68658de75058803abc99b987c49de9d1cb40a8a48992731943208a493cc1
  */
 void chasles_natural_invariants_batch(
     size_t count,
@@ -824,7 +824,7 @@ void chasles_natural_invariants_batch(
 /*
  * text 3.4.2 h chasles_natural_invariantsf for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   67 operations; derivation sha256 693fae184fbad785f6c958322a55a428d4d2cf957b5b1ec9d427d14171059dc1
+ *   67 operations; derivation sha256 ebef68658de75058803abc99b987c49de9d1cb40a8a48992731943208a493cc1
  */
 void chasles_natural_invariants_batchf(
     size_t count,
@@ -845,7 +845,7 @@ void chasles_natural_invariants_batchf(
  *   verdict     holds under
  *   assumes     Q is a rotation
  *   operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root
- *   derivation  sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6
+ *   derivation  sha256 dd50774c5c2bf2f86eb0208023cc96df52230dc832595717873ebc239257408b
  */
 void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *q_0)
 {
@@ -909,7 +909,7 @@ void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parameters in single precision.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6
+ *   49 operations; derivation sha256 dd50774c5c2bf2f86eb0208023cc96df52230dc832595717873ebc239257408b
  */
 void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_0)
 {
@@ -973,7 +973,7 @@ void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parameters for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6
+ *   49 operations; derivation sha256 dd50774c5c2bf2f86eb0208023cc96df52230dc832595717873ebc239257408b
  */
 void chasles_euler_rodrigues_parameters_batch(
     size_t count,
@@ -989,7 +989,7 @@ void chasles_euler_rodrigues_parameters_batch(
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parametersf for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 c66522bc1222984921739ab7850dccccbf8fbbe1d8486421a7f4d56f7e8f0ed6
+ *   49 operations; derivation sha256 dd50774c5c2bf2f86eb0208023cc96df52230dc832595717873ebc239257408b
  */
 void chasles_euler_rodrigues_parameters_batchf(
     size_t count,
@@ -1013,7 +1013,7 @@ void chasles_euler_rodrigues_parameters_batchf(
  *   verdict     holds under
  *   assumes     Q is a rotation
  *   operations  125: 35 add, 23 subtract, 53 multiply, 8 divide, 5 square root, 1 arctangent2
- *   derivation  sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06
+ *   derivation  sha256 084045f80fb5246b6238e7a7964fcbca354b318c91fb4317affa411197007d32
  */
 void chasles_screw_of_motion(
     const double Q[9],
@@ -1113,7 +1113,7 @@ void chasles_screw_of_motion(
 /*
  * text 3.4.2 j chasles_screw_of_motion in single precision.
  *   verdict: holds under; assumes Q is a rotation
- *   125 operations; derivation sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06
+ *   125 operations; derivation sha256 084045f80fb5246b6238e7a7964fcbca354b318c91fb4317affa411197007d32
  */
 void chasles_screw_of_motionf(
     const float Q[9],
@@ -1213,7 +1213,7 @@ void chasles_screw_of_motionf(
 /*
  * text 3.4.2 j chasles_screw_of_motion for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   125 operations; derivation sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06
+ *   125 operations; derivation sha256 084045f80fb5246b6238e7a7964fcbca354b318c91fb4317affa411197007d32
  */
 void chasles_screw_of_motion_batch(
     size_t count,
@@ -1238,7 +1238,7 @@ void chasles_screw_of_motion_batch(
 /*
  * text 3.4.2 j chasles_screw_of_motionf for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   125 operations; derivation sha256 a921b326d86915c9921f28097282bb77dc3c75a0d6f0e7c5e31e928ffc828a06
+ *   125 operations; derivation sha256 084045f80fb5246b6238e7a7964fcbca354b318c91fb4317affa411197007d32
  */
 void chasles_screw_of_motion_batchf(
     size_t count,
@@ -1270,7 +1270,7 @@ void chasles_screw_of_motion_batchf(
  *   verdict     holds under
  *   assumes     omega != 0
  *   operations  48: 4 add, 12 subtract, 24 multiply, 7 divide, 1 square root
- *   derivation  sha256 8db7e09eddaec370ad0459ae8e80d7446e066a7c7a50b64d1e58a04d14bf3409
+ *   derivation  sha256 4b277ff5c0cbaa806e6d4015ddd9655e971afe904b281a1305d42348d080ad0a
  */
 void chasles_instant_screw(
     const double omega[3],
@@ -1308,7 +1308,7 @@ void chasles_instant_screw(
 /*
  * text 3.4.1 c chasles_instant_screw in single precision.
  *   verdict: holds under; assumes omega != 0
- *   48 operations; derivation sha256 8db7e09eddaec370ad0459ae8e80d7446e066a7c7a50b64d1e58a04d14bf3409
+ *   48 operations; derivation sha256 4b277ff5c0cbaa806e6d4015ddd9655e971afe904b281a1305d42348d080ad0a
  */
 void chasles_instant_screwf(
     const float omega[3],
@@ -1346,7 +1346,7 @@ void chasles_instant_screwf(
 /*
  * text 3.4.1 c chasles_instant_screw for a batch.
  *   verdict: holds under; assumes omega != 0
- *   48 operations; derivation sha256 8db7e09eddaec370ad0459ae8e80d7446e066a7c7a50b64d1e58a04d14bf3409
+ *   48 operations; derivation sha256 4b277ff5c0cbaa806e6d4015ddd9655e971afe904b281a1305d42348d080ad0a
  */
 void chasles_instant_screw_batch(
     size_t count,
@@ -1369,7 +1369,7 @@ void chasles_instant_screw_batch(
 /*
  * text 3.4.1 c chasles_instant_screwf for a batch.
  *   verdict: holds under; assumes omega != 0
- *   48 operations; derivation sha256 8db7e09eddaec370ad0459ae8e80d7446e066a7c7a50b64d1e58a04d14bf3409
+ *   48 operations; derivation sha256 4b277ff5c0cbaa806e6d4015ddd9655e971afe904b281a1305d42348d080ad0a
  */
 void chasles_instant_screw_batchf(
     size_t count,
@@ -1397,7 +1397,7 @@ void chasles_instant_screw_batchf(
  *   verdict     ill-formed as printed, defined as read
  *   assumes     |e| = 1
  *   operations  6: 1 subtract, 3 multiply, 1 sine, 1 cosine
- *   derivation  sha256 4f53ceafce1dca350cbdb1d07bdf8034bfa4606e93e39373e34ca9e8e55d7ef2
+ *   derivation  sha256 e83271b1008e0a8f79d951be0e922c03ff1db20bdf750dbd6823385c500dc4c0
  */
 void chasles_natural_velocity_matrix(const double e[3], double phi, double N_tilde[12])
 {
@@ -1429,7 +1429,7 @@ void chasles_natural_velocity_matrix(const double e[3], double phi, double N_til
 /*
  * (3.77b) chasles_natural_velocity_matrix in single precision.
  *   verdict: ill-formed as printed, defined as read; assumes |e| = 1
- *   6 operations; derivation sha256 4f53ceafce1dca350cbdb1d07bdf8034bfa4606e93e39373e34ca9e8e55d7ef2
+ *   6 operations; derivation sha256 e83271b1008e0a8f79d951be0e922c03ff1db20bdf750dbd6823385c500dc4c0
  */
 void chasles_natural_velocity_matrixf(const float e[3], float phi, float N_tilde[12])
 {
@@ -1461,7 +1461,7 @@ void chasles_natural_velocity_matrixf(const float e[3], float phi, float N_tilde
 /*
  * (3.77b) chasles_natural_velocity_matrix for a batch.
  *   verdict: ill-formed as printed, defined as read; assumes |e| = 1
- *   6 operations; derivation sha256 4f53ceafce1dca350cbdb1d07bdf8034bfa4606e93e39373e34ca9e8e55d7ef2
+ *   6 operations; derivation sha256 e83271b1008e0a8f79d951be0e922c03ff1db20bdf750dbd6823385c500dc4c0
  */
 void chasles_natural_velocity_matrix_batch(
     size_t count,
@@ -1477,7 +1477,7 @@ void chasles_natural_velocity_matrix_batch(
 /*
  * (3.77b) chasles_natural_velocity_matrixf for a batch.
  *   verdict: ill-formed as printed, defined as read; assumes |e| = 1
- *   6 operations; derivation sha256 4f53ceafce1dca350cbdb1d07bdf8034bfa4606e93e39373e34ca9e8e55d7ef2
+ *   6 operations; derivation sha256 e83271b1008e0a8f79d951be0e922c03ff1db20bdf750dbd6823385c500dc4c0
  */
 void chasles_natural_velocity_matrix_batchf(
     size_t count,
@@ -1499,7 +1499,7 @@ void chasles_natural_velocity_matrix_batchf(
  *   assumes     |e| = 1
  *               phi != pi
  *   operations  7: 1 add, 3 multiply, 1 divide, 1 sine, 1 cosine
- *   derivation  sha256 e678fa61f2ca614341b1b520d453177cbb36d5adbe5d7bfc71cf23d916da1626
+ *   derivation  sha256 cfd5d2173b7e9659e301600a82f009ed771ccc410ef77dba7a6e29d1ff28db3f
  */
 void chasles_linear_velocity_matrix(const double e[3], double phi, double L_tilde[12])
 {
@@ -1528,7 +1528,7 @@ void chasles_linear_velocity_matrix(const double e[3], double phi, double L_tild
 /*
  * (3.77c) chasles_linear_velocity_matrix in single precision.
  *   verdict: ill-formed as printed, defined as read; assumes |e| = 1, phi != pi
- *   7 operations; derivation sha256 e678fa61f2ca614341b1b520d453177cbb36d5adbe5d7bfc71cf23d916da1626
+ *   7 operations; derivation sha256 cfd5d2173b7e9659e301600a82f009ed771ccc410ef77dba7a6e29d1ff28db3f
  */
 void chasles_linear_velocity_matrixf(const float e[3], float phi, float L_tilde[12])
 {
@@ -1557,7 +1557,7 @@ void chasles_linear_velocity_matrixf(const float e[3], float phi, float L_tilde[
 /*
  * (3.77c) chasles_linear_velocity_matrix for a batch.
  *   verdict: ill-formed as printed, defined as read; assumes |e| = 1, phi != pi
- *   7 operations; derivation sha256 e678fa61f2ca614341b1b520d453177cbb36d5adbe5d7bfc71cf23d916da1626
+ *   7 operations; derivation sha256 cfd5d2173b7e9659e301600a82f009ed771ccc410ef77dba7a6e29d1ff28db3f
  */
 void chasles_linear_velocity_matrix_batch(
     size_t count,
@@ -1573,7 +1573,7 @@ void chasles_linear_velocity_matrix_batch(
 /*
  * (3.77c) chasles_linear_velocity_matrixf for a batch.
  *   verdict: ill-formed as printed, defined as read; assumes |e| = 1, phi != pi
- *   7 operations; derivation sha256 e678fa61f2ca614341b1b520d453177cbb36d5adbe5d7bfc71cf23d916da1626
+ *   7 operations; derivation sha256 cfd5d2173b7e9659e301600a82f009ed771ccc410ef77dba7a6e29d1ff28db3f
  */
 void chasles_linear_velocity_matrix_batchf(
     size_t count,
@@ -1594,7 +1594,7 @@ void chasles_linear_velocity_matrix_batchf(
  *   verdict     ill-formed as printed, defined as read
  *   assumes     |e| = 1
  *   operations  8: 6 multiply, 1 sine, 1 cosine
- *   derivation  sha256 49057ffb7954605c353481ff3155b854e23f59cd6c3eb25c530b76ce9a72408e
+ *   derivation  sha256 c271922e4bf373d339f79acd80f1f8cdd9c0d1d59ac7927436759b3c12c04d1a
  */
 void chasles_euler_rodrigues_velocity_matrix(const double e[3], double phi, double H_tilde[12])
 {
@@ -1624,7 +1624,7 @@ void chasles_euler_rodrigues_velocity_matrix(const double e[3], double phi, doub
 /*
  * (3.77d) chasles_euler_rodrigues_velocity_matrix in single precision.
  *   verdict: ill-formed as printed, defined as read; assumes |e| = 1
- *   8 operations; derivation sha256 49057ffb7954605c353481ff3155b854e23f59cd6c3eb25c530b76ce9a72408e
+ *   8 operations; derivation sha256 c271922e4bf373d339f79acd80f1f8cdd9c0d1d59ac7927436759b3c12c04d1a
  */
 void chasles_euler_rodrigues_velocity_matrixf(const float e[3], float phi, float H_tilde[12])
 {
@@ -1654,7 +1654,7 @@ void chasles_euler_rodrigues_velocity_matrixf(const float e[3], float phi, float
 /*
  * (3.77d) chasles_euler_rodrigues_velocity_matrix for a batch.
  *   verdict: ill-formed as printed, defined as read; assumes |e| = 1
- *   8 operations; derivation sha256 49057ffb7954605c353481ff3155b854e23f59cd6c3eb25c530b76ce9a72408e
+ *   8 operations; derivation sha256 c271922e4bf373d339f79acd80f1f8cdd9c0d1d59ac7927436759b3c12c04d1a
  */
 void chasles_euler_rodrigues_velocity_matrix_batch(
     size_t count,
@@ -1673,7 +1673,7 @@ void chasles_euler_rodrigues_velocity_matrix_batch(
 /*
  * (3.77d) chasles_euler_rodrigues_velocity_matrixf for a batch.
  *   verdict: ill-formed as printed, defined as read; assumes |e| = 1
- *   8 operations; derivation sha256 49057ffb7954605c353481ff3155b854e23f59cd6c3eb25c530b76ce9a72408e
+ *   8 operations; derivation sha256 c271922e4bf373d339f79acd80f1f8cdd9c0d1d59ac7927436759b3c12c04d1a
  */
 void chasles_euler_rodrigues_velocity_matrix_batchf(
     size_t count,
@@ -1699,7 +1699,7 @@ void chasles_euler_rodrigues_velocity_matrix_batchf(
  *   assumes     |e| = 1
  *               phi != 0
  *   operations  35: 2 add, 10 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine
- *   derivation  sha256 a45c42e2bfaa929db67370adbe054106e4220311d7cb3f6156f04276d0320465
+ *   derivation  sha256 e0fe2be4e1944552a8aae53cb2c6a50c8014716c08d0ff9ae5c638b1e525a98a
  */
 void chasles_pose_rate_natural(const double e[3], double phi, const double t[6], double s_dot[7])
 {
@@ -1725,7 +1725,7 @@ void chasles_pose_rate_natural(const double e[3], double phi, const double t[6],
 /*
  * (3.78) chasles_pose_rate_natural in single precision.
  *   verdict: holds under; assumes |e| = 1, phi != 0
- *   35 operations; derivation sha256 a45c42e2bfaa929db67370adbe054106e4220311d7cb3f6156f04276d0320465
+ *   35 operations; derivation sha256 e0fe2be4e1944552a8aae53cb2c6a50c8014716c08d0ff9ae5c638b1e525a98a
  */
 void chasles_pose_rate_naturalf(const float e[3], float phi, const float t[6], float s_dot[7])
 {
@@ -1751,7 +1751,7 @@ void chasles_pose_rate_naturalf(const float e[3], float phi, const float t[6], f
 /*
  * (3.78) chasles_pose_rate_natural for a batch.
  *   verdict: holds under; assumes |e| = 1, phi != 0
- *   35 operations; derivation sha256 a45c42e2bfaa929db67370adbe054106e4220311d7cb3f6156f04276d0320465
+ *   35 operations; derivation sha256 e0fe2be4e1944552a8aae53cb2c6a50c8014716c08d0ff9ae5c638b1e525a98a
  */
 void chasles_pose_rate_natural_batch(
     size_t count,
@@ -1772,7 +1772,7 @@ void chasles_pose_rate_natural_batch(
 /*
  * (3.78) chasles_pose_rate_naturalf for a batch.
  *   verdict: holds under; assumes |e| = 1, phi != 0
- *   35 operations; derivation sha256 a45c42e2bfaa929db67370adbe054106e4220311d7cb3f6156f04276d0320465
+ *   35 operations; derivation sha256 e0fe2be4e1944552a8aae53cb2c6a50c8014716c08d0ff9ae5c638b1e525a98a
  */
 void chasles_pose_rate_natural_batchf(
     size_t count,
@@ -1799,7 +1799,7 @@ void chasles_pose_rate_natural_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  53: 7 add, 11 subtract, 33 multiply, 1 sine, 1 cosine
- *   derivation  sha256 4cb4ee584c4c8eabc8772f8942b039808bd844366959cb05e5013b108a6a13b3
+ *   derivation  sha256 189ef6e9f765d525a72b57ca9af776b0182a9ee410509efb645451bc6726d1fc
  */
 void chasles_pose_rate_linear(const double e[3], double phi, const double t[6], double s_dot[7])
 {
@@ -1830,7 +1830,7 @@ void chasles_pose_rate_linear(const double e[3], double phi, const double t[6], 
 /*
  * (3.78) chasles_pose_rate_linear in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   53 operations; derivation sha256 4cb4ee584c4c8eabc8772f8942b039808bd844366959cb05e5013b108a6a13b3
+ *   53 operations; derivation sha256 189ef6e9f765d525a72b57ca9af776b0182a9ee410509efb645451bc6726d1fc
  */
 void chasles_pose_rate_linearf(const float e[3], float phi, const float t[6], float s_dot[7])
 {
@@ -1861,7 +1861,7 @@ void chasles_pose_rate_linearf(const float e[3], float phi, const float t[6], fl
 /*
  * (3.78) chasles_pose_rate_linear for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   53 operations; derivation sha256 4cb4ee584c4c8eabc8772f8942b039808bd844366959cb05e5013b108a6a13b3
+ *   53 operations; derivation sha256 189ef6e9f765d525a72b57ca9af776b0182a9ee410509efb645451bc6726d1fc
  */
 void chasles_pose_rate_linear_batch(
     size_t count,
@@ -1878,7 +1878,7 @@ void chasles_pose_rate_linear_batch(
 /*
  * (3.78) chasles_pose_rate_linearf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   53 operations; derivation sha256 4cb4ee584c4c8eabc8772f8942b039808bd844366959cb05e5013b108a6a13b3
+ *   53 operations; derivation sha256 189ef6e9f765d525a72b57ca9af776b0182a9ee410509efb645451bc6726d1fc
  */
 void chasles_pose_rate_linear_batchf(
     size_t count,
@@ -1905,7 +1905,7 @@ void chasles_pose_rate_linear_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  28: 5 add, 3 subtract, 18 multiply, 1 sine, 1 cosine
- *   derivation  sha256 ccca2d15e0eec02319f6d43a1e14916d4dc7aee6853dc302880ff46b704da961
+ *   derivation  sha256 f3d6e1cd4da56d7bd2e7d19355819bb0ee5c55f0499e4140cf6289caedee70b5
  */
 void chasles_pose_rate_euler_rodrigues(
     const double e[3],
@@ -1938,7 +1938,7 @@ void chasles_pose_rate_euler_rodrigues(
 /*
  * (3.78) chasles_pose_rate_euler_rodrigues in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   28 operations; derivation sha256 ccca2d15e0eec02319f6d43a1e14916d4dc7aee6853dc302880ff46b704da961
+ *   28 operations; derivation sha256 f3d6e1cd4da56d7bd2e7d19355819bb0ee5c55f0499e4140cf6289caedee70b5
  */
 void chasles_pose_rate_euler_rodriguesf(
     const float e[3],
@@ -1971,7 +1971,7 @@ void chasles_pose_rate_euler_rodriguesf(
 /*
  * (3.78) chasles_pose_rate_euler_rodrigues for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   28 operations; derivation sha256 ccca2d15e0eec02319f6d43a1e14916d4dc7aee6853dc302880ff46b704da961
+ *   28 operations; derivation sha256 f3d6e1cd4da56d7bd2e7d19355819bb0ee5c55f0499e4140cf6289caedee70b5
  */
 void chasles_pose_rate_euler_rodrigues_batch(
     size_t count,
@@ -1992,7 +1992,7 @@ void chasles_pose_rate_euler_rodrigues_batch(
 /*
  * (3.78) chasles_pose_rate_euler_rodriguesf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   28 operations; derivation sha256 ccca2d15e0eec02319f6d43a1e14916d4dc7aee6853dc302880ff46b704da961
+ *   28 operations; derivation sha256 f3d6e1cd4da56d7bd2e7d19355819bb0ee5c55f0499e4140cf6289caedee70b5
  */
 void chasles_pose_rate_euler_rodrigues_batchf(
     size_t count,
@@ -2019,7 +2019,7 @@ void chasles_pose_rate_euler_rodrigues_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  27: 6 add, 4 subtract, 15 multiply, 1 sine, 1 cosine
- *   derivation  sha256 e7ecc39745f5c7fe863f4574b3d7db66237826b5cd6ef5ba62078dc2f87eb979
+ *   derivation  sha256 c547c350f36f76493c5a80e27f6e6ff0a7bbcb5e42f17854dc37df488fa2d1d3
  */
 void chasles_twist_from_pose_rate_natural(
     const double e[3],
@@ -2049,7 +2049,7 @@ void chasles_twist_from_pose_rate_natural(
 /*
  * (3.80a) chasles_twist_from_pose_rate_natural in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   27 operations; derivation sha256 e7ecc39745f5c7fe863f4574b3d7db66237826b5cd6ef5ba62078dc2f87eb979
+ *   27 operations; derivation sha256 c547c350f36f76493c5a80e27f6e6ff0a7bbcb5e42f17854dc37df488fa2d1d3
  */
 void chasles_twist_from_pose_rate_naturalf(
     const float e[3],
@@ -2079,7 +2079,7 @@ void chasles_twist_from_pose_rate_naturalf(
 /*
  * (3.80a) chasles_twist_from_pose_rate_natural for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   27 operations; derivation sha256 e7ecc39745f5c7fe863f4574b3d7db66237826b5cd6ef5ba62078dc2f87eb979
+ *   27 operations; derivation sha256 c547c350f36f76493c5a80e27f6e6ff0a7bbcb5e42f17854dc37df488fa2d1d3
  */
 void chasles_twist_from_pose_rate_natural_batch(
     size_t count,
@@ -2100,7 +2100,7 @@ void chasles_twist_from_pose_rate_natural_batch(
 /*
  * (3.80a) chasles_twist_from_pose_rate_naturalf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   27 operations; derivation sha256 e7ecc39745f5c7fe863f4574b3d7db66237826b5cd6ef5ba62078dc2f87eb979
+ *   27 operations; derivation sha256 c547c350f36f76493c5a80e27f6e6ff0a7bbcb5e42f17854dc37df488fa2d1d3
  */
 void chasles_twist_from_pose_rate_natural_batchf(
     size_t count,
@@ -2128,7 +2128,7 @@ void chasles_twist_from_pose_rate_natural_batchf(
  *   assumes     |e| = 1
  *               phi != pi
  *   operations  25: 4 add, 6 subtract, 12 multiply, 1 divide, 1 sine, 1 cosine
- *   derivation  sha256 fa1304d2c5d6753e7d389022ed11c42daecd4c9ae21809318a87cd32029de36f
+ *   derivation  sha256 4ecd692ea6a746b01d998342c37406b925a7404e435cd53bd23ae593fd1bc105
  */
 void chasles_twist_from_pose_rate_linear(
     const double e[3],
@@ -2158,7 +2158,7 @@ void chasles_twist_from_pose_rate_linear(
 /*
  * (3.80a) chasles_twist_from_pose_rate_linear in single precision.
  *   verdict: holds under; assumes |e| = 1, phi != pi
- *   25 operations; derivation sha256 fa1304d2c5d6753e7d389022ed11c42daecd4c9ae21809318a87cd32029de36f
+ *   25 operations; derivation sha256 4ecd692ea6a746b01d998342c37406b925a7404e435cd53bd23ae593fd1bc105
  */
 void chasles_twist_from_pose_rate_linearf(
     const float e[3],
@@ -2188,7 +2188,7 @@ void chasles_twist_from_pose_rate_linearf(
 /*
  * (3.80a) chasles_twist_from_pose_rate_linear for a batch.
  *   verdict: holds under; assumes |e| = 1, phi != pi
- *   25 operations; derivation sha256 fa1304d2c5d6753e7d389022ed11c42daecd4c9ae21809318a87cd32029de36f
+ *   25 operations; derivation sha256 4ecd692ea6a746b01d998342c37406b925a7404e435cd53bd23ae593fd1bc105
  */
 void chasles_twist_from_pose_rate_linear_batch(
     size_t count,
@@ -2209,7 +2209,7 @@ void chasles_twist_from_pose_rate_linear_batch(
 /*
  * (3.80a) chasles_twist_from_pose_rate_linearf for a batch.
  *   verdict: holds under; assumes |e| = 1, phi != pi
- *   25 operations; derivation sha256 fa1304d2c5d6753e7d389022ed11c42daecd4c9ae21809318a87cd32029de36f
+ *   25 operations; derivation sha256 4ecd692ea6a746b01d998342c37406b925a7404e435cd53bd23ae593fd1bc105
  */
 void chasles_twist_from_pose_rate_linear_batchf(
     size_t count,
@@ -2236,7 +2236,7 @@ void chasles_twist_from_pose_rate_linear_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  29: 3 add, 6 subtract, 18 multiply, 1 sine, 1 cosine
- *   derivation  sha256 e7f95cb1e1f8858232fa295001c353462018829181e53800500336674a222548
+ *   derivation  sha256 b999fb50f6b8266afa4af08030b5b82d1ebea06845e8af11dd17b512fc685539
  */
 void chasles_twist_from_pose_rate_euler_rodrigues(
     const double e[3],
@@ -2267,7 +2267,7 @@ void chasles_twist_from_pose_rate_euler_rodrigues(
 /*
  * (3.80a) chasles_twist_from_pose_rate_euler_rodrigues in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 e7f95cb1e1f8858232fa295001c353462018829181e53800500336674a222548
+ *   29 operations; derivation sha256 b999fb50f6b8266afa4af08030b5b82d1ebea06845e8af11dd17b512fc685539
  */
 void chasles_twist_from_pose_rate_euler_rodriguesf(
     const float e[3],
@@ -2298,7 +2298,7 @@ void chasles_twist_from_pose_rate_euler_rodriguesf(
 /*
  * (3.80a) chasles_twist_from_pose_rate_euler_rodrigues for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 e7f95cb1e1f8858232fa295001c353462018829181e53800500336674a222548
+ *   29 operations; derivation sha256 b999fb50f6b8266afa4af08030b5b82d1ebea06845e8af11dd17b512fc685539
  */
 void chasles_twist_from_pose_rate_euler_rodrigues_batch(
     size_t count,
@@ -2319,7 +2319,7 @@ void chasles_twist_from_pose_rate_euler_rodrigues_batch(
 /*
  * (3.80a) chasles_twist_from_pose_rate_euler_rodriguesf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 e7f95cb1e1f8858232fa295001c353462018829181e53800500336674a222548
+ *   29 operations; derivation sha256 b999fb50f6b8266afa4af08030b5b82d1ebea06845e8af11dd17b512fc685539
  */
 void chasles_twist_from_pose_rate_euler_rodrigues_batchf(
     size_t count,
@@ -2346,7 +2346,7 @@ void chasles_twist_from_pose_rate_euler_rodrigues_batchf(
  *   verdict     holds
  *   assumes     nothing
  *   operations  15: 3 add, 6 subtract, 6 multiply
- *   derivation  sha256 967e7d1cf62d3815299774946eb2642eb91e46a3429c284829933f4e75e4e219
+ *   derivation  sha256 87fe5cb944dd44a9cd372da4669b8884852f9c624fe6396c2609cc622574a33c
  */
 void chasles_twist_transfer(
     const double t_A[6],
@@ -2374,7 +2374,7 @@ void chasles_twist_transfer(
 /*
  * (3.83a) chasles_twist_transfer in single precision.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 967e7d1cf62d3815299774946eb2642eb91e46a3429c284829933f4e75e4e219
+ *   15 operations; derivation sha256 87fe5cb944dd44a9cd372da4669b8884852f9c624fe6396c2609cc622574a33c
  */
 void chasles_twist_transferf(const float t_A[6], const float a[3], const float p[3], float t_P[6])
 {
@@ -2398,7 +2398,7 @@ void chasles_twist_transferf(const float t_A[6], const float a[3], const float p
 /*
  * (3.83a) chasles_twist_transfer for a batch.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 967e7d1cf62d3815299774946eb2642eb91e46a3429c284829933f4e75e4e219
+ *   15 operations; derivation sha256 87fe5cb944dd44a9cd372da4669b8884852f9c624fe6396c2609cc622574a33c
  */
 void chasles_twist_transfer_batch(
     size_t count,
@@ -2415,7 +2415,7 @@ void chasles_twist_transfer_batch(
 /*
  * (3.83a) chasles_twist_transferf for a batch.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 967e7d1cf62d3815299774946eb2642eb91e46a3429c284829933f4e75e4e219
+ *   15 operations; derivation sha256 87fe5cb944dd44a9cd372da4669b8884852f9c624fe6396c2609cc622574a33c
  */
 void chasles_twist_transfer_batchf(
     size_t count,

@@ -13,7 +13,7 @@
  *   verdict     defined
  *   assumes     Q is a rotation
  *   operations  15: 6 add, 3 subtract, 6 multiply
- *   derivation  sha256 9353bb16e90ad45c91a0cb2ecc494d929aa7746b83fe6af49af9df200dbbb47d
+ *   derivation  sha256 3673c9e5772f66657c3c4c7e52b8d1d02cb8e3ff0362603e6e2c2ced9eec2be9
  */
 void chasles_angular_acceleration_matrix(
     const double omega[3],
@@ -49,7 +49,7 @@ void chasles_angular_acceleration_matrix(
 /*
  * (3.86) chasles_angular_acceleration_matrix in single precision.
  *   verdict: defined; assumes Q is a rotation
- *   15 operations; derivation sha256 9353bb16e90ad45c91a0cb2ecc494d929aa7746b83fe6af49af9df200dbbb47d
+ *   15 operations; derivation sha256 3673c9e5772f66657c3c4c7e52b8d1d02cb8e3ff0362603e6e2c2ced9eec2be9
  */
 void chasles_angular_acceleration_matrixf(
     const float omega[3],
@@ -85,7 +85,7 @@ void chasles_angular_acceleration_matrixf(
 /*
  * (3.86) chasles_angular_acceleration_matrix for a batch.
  *   verdict: defined; assumes Q is a rotation
- *   15 operations; derivation sha256 9353bb16e90ad45c91a0cb2ecc494d929aa7746b83fe6af49af9df200dbbb47d
+ *   15 operations; derivation sha256 3673c9e5772f66657c3c4c7e52b8d1d02cb8e3ff0362603e6e2c2ced9eec2be9
  */
 void chasles_angular_acceleration_matrix_batch(
     size_t count,
@@ -104,7 +104,7 @@ void chasles_angular_acceleration_matrix_batch(
 /*
  * (3.86) chasles_angular_acceleration_matrixf for a batch.
  *   verdict: defined; assumes Q is a rotation
- *   15 operations; derivation sha256 9353bb16e90ad45c91a0cb2ecc494d929aa7746b83fe6af49af9df200dbbb47d
+ *   15 operations; derivation sha256 3673c9e5772f66657c3c4c7e52b8d1d02cb8e3ff0362603e6e2c2ced9eec2be9
  */
 void chasles_angular_acceleration_matrix_batchf(
     size_t count,
@@ -131,7 +131,7 @@ void chasles_angular_acceleration_matrix_batchf(
  *   verdict     holds
  *   assumes     nothing
  *   operations  36: 6 add, 12 subtract, 18 multiply
- *   derivation  sha256 d86e77df283994951e7f23ec5c1e412135f31c7e3539b9cb228bb538b4e39021
+ *   derivation  sha256 ad4b1ded89b128a2825ce9b201373d59a10b719839dd6046e7cd5cd6a7683d73
  */
 void chasles_acceleration_of_point(
     const double omega[3],
@@ -161,7 +161,7 @@ void chasles_acceleration_of_point(
 /*
  * (3.89) chasles_acceleration_of_point in single precision.
  *   verdict: holds; assumes nothing
- *   36 operations; derivation sha256 d86e77df283994951e7f23ec5c1e412135f31c7e3539b9cb228bb538b4e39021
+ *   36 operations; derivation sha256 ad4b1ded89b128a2825ce9b201373d59a10b719839dd6046e7cd5cd6a7683d73
  */
 void chasles_acceleration_of_pointf(
     const float omega[3],
@@ -191,7 +191,7 @@ void chasles_acceleration_of_pointf(
 /*
  * (3.89) chasles_acceleration_of_point for a batch.
  *   verdict: holds; assumes nothing
- *   36 operations; derivation sha256 d86e77df283994951e7f23ec5c1e412135f31c7e3539b9cb228bb538b4e39021
+ *   36 operations; derivation sha256 ad4b1ded89b128a2825ce9b201373d59a10b719839dd6046e7cd5cd6a7683d73
  */
 void chasles_acceleration_of_point_batch(
     size_t count,
@@ -216,7 +216,7 @@ void chasles_acceleration_of_point_batch(
 /*
  * (3.89) chasles_acceleration_of_pointf for a batch.
  *   verdict: holds; assumes nothing
- *   36 operations; derivation sha256 d86e77df283994951e7f23ec5c1e412135f31c7e3539b9cb228bb538b4e39021
+ *   36 operations; derivation sha256 ad4b1ded89b128a2825ce9b201373d59a10b719839dd6046e7cd5cd6a7683d73
  */
 void chasles_acceleration_of_point_batchf(
     size_t count,

@@ -16,7 +16,7 @@
  *   verdict     holds
  *   assumes     nothing
  *   operations  45: 18 add, 3 subtract, 24 multiply
- *   derivation  sha256 7250d2e1f78a2d6f1161bc2db7ddeb5dc0c6fc84979f0eaa84197fdb6599dd36
+ *   derivation  sha256 6e6be7f2f4f9486b0b3934025971cafd38dee9799b1f38a1e26068c30dce66d2
  */
 void chasles_moving_frame_velocity(
     const double o_dot[3],
@@ -43,7 +43,7 @@ void chasles_moving_frame_velocity(
 /*
  * (3.103) chasles_moving_frame_velocity in single precision.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 7250d2e1f78a2d6f1161bc2db7ddeb5dc0c6fc84979f0eaa84197fdb6599dd36
+ *   45 operations; derivation sha256 6e6be7f2f4f9486b0b3934025971cafd38dee9799b1f38a1e26068c30dce66d2
  */
 void chasles_moving_frame_velocityf(
     const float o_dot[3],
@@ -70,7 +70,7 @@ void chasles_moving_frame_velocityf(
 /*
  * (3.103) chasles_moving_frame_velocity for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 7250d2e1f78a2d6f1161bc2db7ddeb5dc0c6fc84979f0eaa84197fdb6599dd36
+ *   45 operations; derivation sha256 6e6be7f2f4f9486b0b3934025971cafd38dee9799b1f38a1e26068c30dce66d2
  */
 void chasles_moving_frame_velocity_batch(
     size_t count,
@@ -95,7 +95,7 @@ void chasles_moving_frame_velocity_batch(
 /*
  * (3.103) chasles_moving_frame_velocityf for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 7250d2e1f78a2d6f1161bc2db7ddeb5dc0c6fc84979f0eaa84197fdb6599dd36
+ *   45 operations; derivation sha256 6e6be7f2f4f9486b0b3934025971cafd38dee9799b1f38a1e26068c30dce66d2
  */
 void chasles_moving_frame_velocity_batchf(
     size_t count,
@@ -131,7 +131,7 @@ void chasles_moving_frame_velocity_batchf(
  *   verdict     holds
  *   assumes     nothing
  *   operations  96: 30 add, 12 subtract, 54 multiply
- *   derivation  sha256 fbd2b527f0f93f4cf924de6668a33e19726d1caade279c11a0d657fe9ec4e961
+ *   derivation  sha256 c6a64a4bffadd3c29b367c3f55b97d7b2681a5145fdcaad4db2217220fcdf5d7
  */
 void chasles_moving_frame_acceleration(
     const double o_ddot[3],
@@ -169,7 +169,7 @@ void chasles_moving_frame_acceleration(
 /*
  * (3.105) chasles_moving_frame_acceleration in single precision.
  *   verdict: holds; assumes nothing
- *   96 operations; derivation sha256 fbd2b527f0f93f4cf924de6668a33e19726d1caade279c11a0d657fe9ec4e961
+ *   96 operations; derivation sha256 c6a64a4bffadd3c29b367c3f55b97d7b2681a5145fdcaad4db2217220fcdf5d7
  */
 void chasles_moving_frame_accelerationf(
     const float o_ddot[3],
@@ -207,7 +207,7 @@ void chasles_moving_frame_accelerationf(
 /*
  * (3.105) chasles_moving_frame_acceleration for a batch.
  *   verdict: holds; assumes nothing
- *   96 operations; derivation sha256 fbd2b527f0f93f4cf924de6668a33e19726d1caade279c11a0d657fe9ec4e961
+ *   96 operations; derivation sha256 c6a64a4bffadd3c29b367c3f55b97d7b2681a5145fdcaad4db2217220fcdf5d7
  */
 void chasles_moving_frame_acceleration_batch(
     size_t count,
@@ -236,7 +236,7 @@ void chasles_moving_frame_acceleration_batch(
 /*
  * (3.105) chasles_moving_frame_accelerationf for a batch.
  *   verdict: holds; assumes nothing
- *   96 operations; derivation sha256 fbd2b527f0f93f4cf924de6668a33e19726d1caade279c11a0d657fe9ec4e961
+ *   96 operations; derivation sha256 c6a64a4bffadd3c29b367c3f55b97d7b2681a5145fdcaad4db2217220fcdf5d7
  */
 void chasles_moving_frame_acceleration_batchf(
     size_t count,

@@ -15,7 +15,7 @@
  *   verdict     holds under
  *   assumes     f != 0
  *   operations  49: 4 add, 12 subtract, 27 multiply, 5 divide, 1 square root
- *   derivation  sha256 b1179904e05c970df60da3f9b180c2bce98c765bdb6795544ff955fce9c3d5bd
+ *   derivation  sha256 202f4b902dd00275fba8ef8414c228a0b5c26afdff0a7af1bce653c7734c0abd
  */
 void chasles_wrench_axis(
     const double f[3],
@@ -56,7 +56,7 @@ void chasles_wrench_axis(
 /*
  * text 3.7 d chasles_wrench_axis in single precision.
  *   verdict: holds under; assumes f != 0
- *   49 operations; derivation sha256 b1179904e05c970df60da3f9b180c2bce98c765bdb6795544ff955fce9c3d5bd
+ *   49 operations; derivation sha256 202f4b902dd00275fba8ef8414c228a0b5c26afdff0a7af1bce653c7734c0abd
  */
 void chasles_wrench_axisf(
     const float f[3],
@@ -97,7 +97,7 @@ void chasles_wrench_axisf(
 /*
  * text 3.7 d chasles_wrench_axis for a batch.
  *   verdict: holds under; assumes f != 0
- *   49 operations; derivation sha256 b1179904e05c970df60da3f9b180c2bce98c765bdb6795544ff955fce9c3d5bd
+ *   49 operations; derivation sha256 202f4b902dd00275fba8ef8414c228a0b5c26afdff0a7af1bce653c7734c0abd
  */
 void chasles_wrench_axis_batch(
     size_t count,
@@ -120,7 +120,7 @@ void chasles_wrench_axis_batch(
 /*
  * text 3.7 d chasles_wrench_axisf for a batch.
  *   verdict: holds under; assumes f != 0
- *   49 operations; derivation sha256 b1179904e05c970df60da3f9b180c2bce98c765bdb6795544ff955fce9c3d5bd
+ *   49 operations; derivation sha256 202f4b902dd00275fba8ef8414c228a0b5c26afdff0a7af1bce653c7734c0abd
  */
 void chasles_wrench_axis_batchf(
     size_t count,
@@ -148,7 +148,7 @@ void chasles_wrench_axis_batchf(
  *   verdict     holds
  *   assumes     nothing
  *   operations  11: 5 add, 6 multiply
- *   derivation  sha256 f08018ccded03ad1a1392a205f144588142ee91077c0ed0b4f636ec1d31e4312
+ *   derivation  sha256 617dde215c7374cf883e5eee1c553ba9ac4be615aefadba268d99e0e6ea0d471
  */
 void chasles_power(const double t[6], const double w[6], double *Pi)
 {
@@ -160,7 +160,7 @@ void chasles_power(const double t[6], const double w[6], double *Pi)
 /*
  * (3.114) chasles_power in single precision.
  *   verdict: holds; assumes nothing
- *   11 operations; derivation sha256 f08018ccded03ad1a1392a205f144588142ee91077c0ed0b4f636ec1d31e4312
+ *   11 operations; derivation sha256 617dde215c7374cf883e5eee1c553ba9ac4be615aefadba268d99e0e6ea0d471
  */
 void chasles_powerf(const float t[6], const float w[6], float *Pi)
 {
@@ -172,7 +172,7 @@ void chasles_powerf(const float t[6], const float w[6], float *Pi)
 /*
  * (3.114) chasles_power for a batch.
  *   verdict: holds; assumes nothing
- *   11 operations; derivation sha256 f08018ccded03ad1a1392a205f144588142ee91077c0ed0b4f636ec1d31e4312
+ *   11 operations; derivation sha256 617dde215c7374cf883e5eee1c553ba9ac4be615aefadba268d99e0e6ea0d471
  */
 void chasles_power_batch(
     size_t count,
@@ -188,7 +188,7 @@ void chasles_power_batch(
 /*
  * (3.114) chasles_powerf for a batch.
  *   verdict: holds; assumes nothing
- *   11 operations; derivation sha256 f08018ccded03ad1a1392a205f144588142ee91077c0ed0b4f636ec1d31e4312
+ *   11 operations; derivation sha256 617dde215c7374cf883e5eee1c553ba9ac4be615aefadba268d99e0e6ea0d471
  */
 void chasles_power_batchf(
     size_t count,
@@ -209,7 +209,7 @@ void chasles_power_batchf(
  *   verdict     holds
  *   assumes     nothing
  *   operations  11: 5 add, 6 multiply
- *   derivation  sha256 b087dfb5c9785b14414c4d9ab347a0bbefd48c42f8ad121de5653c94dd3546ee
+ *   derivation  sha256 ff89a0890a6cc023ff107ee9855d7c2d1ece4959f3b60c0975fbab9854bfa4ae
  */
 void chasles_reciprocal_product(const double s_w[6], const double s_t[6], double *product)
 {
@@ -221,7 +221,7 @@ void chasles_reciprocal_product(const double s_w[6], const double s_t[6], double
 /*
  * text 3.7 k chasles_reciprocal_product in single precision.
  *   verdict: holds; assumes nothing
- *   11 operations; derivation sha256 b087dfb5c9785b14414c4d9ab347a0bbefd48c42f8ad121de5653c94dd3546ee
+ *   11 operations; derivation sha256 ff89a0890a6cc023ff107ee9855d7c2d1ece4959f3b60c0975fbab9854bfa4ae
  */
 void chasles_reciprocal_productf(const float s_w[6], const float s_t[6], float *product)
 {
@@ -233,7 +233,7 @@ void chasles_reciprocal_productf(const float s_w[6], const float s_t[6], float *
 /*
  * text 3.7 k chasles_reciprocal_product for a batch.
  *   verdict: holds; assumes nothing
- *   11 operations; derivation sha256 b087dfb5c9785b14414c4d9ab347a0bbefd48c42f8ad121de5653c94dd3546ee
+ *   11 operations; derivation sha256 ff89a0890a6cc023ff107ee9855d7c2d1ece4959f3b60c0975fbab9854bfa4ae
  */
 void chasles_reciprocal_product_batch(
     size_t count,
@@ -249,7 +249,7 @@ void chasles_reciprocal_product_batch(
 /*
  * text 3.7 k chasles_reciprocal_productf for a batch.
  *   verdict: holds; assumes nothing
- *   11 operations; derivation sha256 b087dfb5c9785b14414c4d9ab347a0bbefd48c42f8ad121de5653c94dd3546ee
+ *   11 operations; derivation sha256 ff89a0890a6cc023ff107ee9855d7c2d1ece4959f3b60c0975fbab9854bfa4ae
  */
 void chasles_reciprocal_product_batchf(
     size_t count,
@@ -271,7 +271,7 @@ void chasles_reciprocal_product_batchf(
  *   verdict     holds
  *   assumes     nothing
  *   operations  15: 3 add, 6 subtract, 6 multiply
- *   derivation  sha256 9e54b67526c12869cc182865d5846fded980a863cc3a11fe5be4e32dc500f446
+ *   derivation  sha256 1aa9230b677002dd380c437470136d192f3980131abe2874f2f060fe645f158d
  */
 void chasles_wrench_transfer(
     const double w_A[6],
@@ -299,7 +299,7 @@ void chasles_wrench_transfer(
 /*
  * (3.119a) chasles_wrench_transfer in single precision.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 9e54b67526c12869cc182865d5846fded980a863cc3a11fe5be4e32dc500f446
+ *   15 operations; derivation sha256 1aa9230b677002dd380c437470136d192f3980131abe2874f2f060fe645f158d
  */
 void chasles_wrench_transferf(const float w_A[6], const float a[3], const float p[3], float w_P[6])
 {
@@ -323,7 +323,7 @@ void chasles_wrench_transferf(const float w_A[6], const float a[3], const float 
 /*
  * (3.119a) chasles_wrench_transfer for a batch.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 9e54b67526c12869cc182865d5846fded980a863cc3a11fe5be4e32dc500f446
+ *   15 operations; derivation sha256 1aa9230b677002dd380c437470136d192f3980131abe2874f2f060fe645f158d
  */
 void chasles_wrench_transfer_batch(
     size_t count,
@@ -340,7 +340,7 @@ void chasles_wrench_transfer_batch(
 /*
  * (3.119a) chasles_wrench_transferf for a batch.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 9e54b67526c12869cc182865d5846fded980a863cc3a11fe5be4e32dc500f446
+ *   15 operations; derivation sha256 1aa9230b677002dd380c437470136d192f3980131abe2874f2f060fe645f158d
  */
 void chasles_wrench_transfer_batchf(
     size_t count,

@@ -10,6 +10,7 @@ from chasles.lowering.request import Request
 from chasles.proof.judge import Decision
 from chasles.proof.verdict import HoldsUnder, Verdict
 from chasles.statements import Entry
+from chasles.statements import Kernel as Asked
 from chasles.statements.fingerprint import fingerprint
 from chasles.targets.kernel import EmissionError, Heading, Kernel
 from chasles.targets.self_checks import checks_of
@@ -17,14 +18,14 @@ from chasles.targets.self_checks import checks_of
 __all__ = ["kernel_of"]
 
 
-def kernel_of(entry: Entry, decide: Decide) -> Kernel:
-    """The kernel that a statement asks for; `decide` gives verdicts, as `Judge.decide` does.
+def kernel_of(entry: Entry, decide: Decide, asked: Asked | None = None) -> Kernel:
+    """The kernel `asked` of a statement, or the first that it asks for; `decide` gives verdicts, as `Judge.decide` does.
 
     Raises EmissionError where the statement does not stand, where no program can be made of it, and where the program
     is not proved to equal what stands.
     """
     try:
-        request = requested(entry, decide)
+        request = requested(entry, decide, asked)
         program = program_of(request)
     except LoweringError as error:
         raise EmissionError(str(error)) from error

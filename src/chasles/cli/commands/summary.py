@@ -34,7 +34,7 @@ def command(sections: tuple[str, ...], samples: int, json: bool) -> int:
     judge = Judge()
     entries = chosen(chapter(), (), sections)
     outcome = decide(entries, judge)
-    asking = [entry for entry in entries if entry.statement.kernel is not None]
+    asking = [(entry, kernel) for entry in entries for kernel in entry.kernels]
     verification = verified(asking, installed_kernels(), ("generic",), samples, judge)
     if json:
         from chasles.report.records import as_json

@@ -43,8 +43,8 @@ def command(names: tuple[str, ...], points: tuple[str, ...], samples: int, stric
     from chasles.report.records import as_json
     from chasles.report.screen import Screen
 
-    entries = asking(chapter(), names)
-    found = verified(entries, installed_kernels(), tuple(dict.fromkeys(points)), samples, Judge())
+    asked = asking(chapter(), names)
+    found = verified(asked, installed_kernels(), tuple(dict.fromkeys(points)), samples, Judge())
     if json:
         click.echo(as_json(found.as_json()))
     else:
