@@ -5,11 +5,27 @@ Each turn is about an axis of the body as the turns before have left it; the ang
 
 from itertools import count
 
-from chasles.derivations.notation import FREQUENCY, Q, omega, one, unit_columns
+from chasles.derivations.notation import Q, omega, one, unit_columns
 
 from chasles.statements import Claim, Condition, Definition, Kernel, Section, Stack, nonzero
 from chasles.statements.statement import Statement
-from chasles.vocabulary import CPM, Block, Node, column, cos, det, dot, matrix, rate, row, scalar, sin, square, vector
+from chasles.vocabulary import (
+    CPM,
+    FREQUENCY,
+    Block,
+    Node,
+    column,
+    cos,
+    det,
+    dot,
+    matrix,
+    rate,
+    row,
+    scalar,
+    sin,
+    square,
+    vector,
+)
 
 exercises = Section("3.9", "Exercises")
 
@@ -134,7 +150,7 @@ def _rates_of_rotation(sequence: str, rotation: Definition, fixed: Definition, b
 
 def _determinants(sequence: str, fixed: Definition, body: Definition) -> tuple[Claim, Claim]:
     """Where either matrix is singular."""
-    i, j, k = sequence
+    i, j, k = tuple(sequence)
     value = -sin(theta_2) if i == k else _signed(cos(theta_2), i, j, k)
     said = f"for Euler angles about {i}, {j}, {k}"
     return (
@@ -159,7 +175,7 @@ def _determinants(sequence: str, fixed: Definition, body: Definition) -> tuple[C
 
 def _solved(sequence: str, fixed: Definition) -> tuple[Condition, Claim]:
     """The rates are components along the first axis and along two more, at right angles, that the first turn moves."""
-    i, j, k = sequence
+    i, j, k = tuple(sequence)
     other, turned = _left_out(i, j), _turn(i, theta_1)
     second, across = dot(turned @ AXES[j], omega), dot(turned @ AXES[other], omega)
     lever, share = (sin(theta_2), cos(theta_2)) if i == k else (cos(theta_2), _signed(sin(theta_2), i, j, k))

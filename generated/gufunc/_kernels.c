@@ -169,7 +169,7 @@ static const char rotation_from_axis_angle_types[] = {
 /*
  * (3.2) The loops of point_after_displacement.
  *   verdict: holds; assumes nothing
- *   21 operations; derivation sha256 182ba8442fabab0886c960f1777fa0a4369e031dfa994b01d86d1ae7766049ed
+ *   21 operations; derivation sha256 e64cf405ca27a59ae4dba57aa45f63f61552677dd356e49c7554622691f7c536
  */
 static void point_after_displacement_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -229,7 +229,7 @@ static const char point_after_displacement_types[] = {
 /*
  * (3.7) The loops of pitch_of_motion.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   6 operations; derivation sha256 e42358121f712aa8bfa99f0924d6e3c4fa181e197a5844c621c6ec9a663691cf
+ *   6 operations; derivation sha256 608f8e0b5c013b248e286c77597896f6fd34f1056e0cae176c0fffd5faf1f7e9
  */
 static void pitch_of_motion_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -501,7 +501,7 @@ static const char plucker_transfer_types[] = {
 /*
  * text 3.2.3 h The loops of rotation_in_triad_axes.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 f86d42ad88c6c4cd9ee18d167dbadc4ff0defedb31eb0cad50cf0bc9001d047c
+ *   45 operations; derivation sha256 37884df5c1bb0988ddff944acb988e27fc619a7e538a026682fcc0b6c146645c
  */
 static void rotation_in_triad_axes_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -552,7 +552,7 @@ static const char rotation_in_triad_axes_types[] = {
 /*
  * text 3.2.3 g The loops of rotation_from_triads.
  *   verdict: holds under; assumes e_1, e_2, e_3 are orthonormal and right-handed
- *   45 operations; derivation sha256 831cb4bce4aa7a3c8c0f15db2f27996aaad3307aa6789c8822540498e2524999
+ *   45 operations; derivation sha256 20bfc4be7482a03cac2887f4c4003cd47cd58752cd4f74993b4c1f541b5fe56f
  */
 static void rotation_from_triads_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -871,7 +871,7 @@ static const char euler_rodrigues_rate_matrix_types[] = {
 /*
  * text 3.4.2 f The loops of rotation_from_linear_invariants.
  *   verdict: holds under; assumes phi != pi
- *   20 operations; derivation sha256 4c9780f18d97d0466d9140eebd5c08965e14e5fcea3bdc9bb1a23121dedc811e
+ *   20 operations; derivation sha256 2fa7ad4fc6b8551a66ecf4ae0dcef7f683204ee4a7508c44cff97a90cf66edae
  */
 static void rotation_from_linear_invariants_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -922,7 +922,7 @@ static const char rotation_from_linear_invariants_types[] = {
 /*
  * text 3.4.2 f The loops of rotation_from_euler_rodrigues.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 3c07bce2c1a977983f72743fca7632ae529437a279a1c8c5ae50fd5f0549711b
+ *   29 operations; derivation sha256 2c3e1cfe8648bfbd86be147e00c4d94b0f95d070a78440d91f72e1992881fe27
  */
 static void rotation_from_euler_rodrigues_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -973,7 +973,7 @@ static const char rotation_from_euler_rodrigues_types[] = {
 /*
  * text 3.4.2 g The loops of linear_invariants.
  *   verdict: holds under; assumes |e| = 1
- *   10 operations; derivation sha256 95f6d9d982139ac08ba7031fbcb43368472a4ebbbdfb2464e1e93ced6035d2a7
+ *   10 operations; derivation sha256 14dfe57d89d33f7df4edddb11ba2240a90e01a0500293b07fdf9dbc9ba2f6fb4
  */
 static void linear_invariants_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1075,7 +1075,7 @@ static const char natural_invariants_types[] = {
 /*
  * text 3.4.2 i The loops of euler_rodrigues_parameters.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 dd50774c5c2bf2f86eb0208023cc96df52230dc832595717873ebc239257408b
+ *   49 operations; derivation sha256 e342588bb3d3cb6097f1e419f205ef19d1f2da08fb839c41c34e6fd10d09d80a
  */
 static void euler_rodrigues_parameters_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1903,7 +1903,7 @@ static const char acceleration_of_point_types[] = {
 /*
  * (3.103) The loops of moving_frame_velocity.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 6e6be7f2f4f9486b0b3934025971cafd38dee9799b1f38a1e26068c30dce66d2
+ *   45 operations; derivation sha256 ba5162a4c227d151481d733bdae324ab6291b1fd0ab7dc70c10c9528eb8fe68a
  */
 static void moving_frame_velocity_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1967,7 +1967,7 @@ static const char moving_frame_velocity_types[] = {
 /*
  * (3.105) The loops of moving_frame_acceleration.
  *   verdict: holds; assumes nothing
- *   96 operations; derivation sha256 c6a64a4bffadd3c29b367c3f55b97d7b2681a5145fdcaad4db2217220fcdf5d7
+ *   96 operations; derivation sha256 74c77bd125ea9d0274b42074c1b21085b73b81a7223e34013bdebc723f3f2463
  */
 static void moving_frame_acceleration_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2256,7 +2256,7 @@ static const char wrench_transfer_types[] = {
 /*
  * (3.133a) The loops of inertia_about_point.
  *   verdict: holds under; assumes m > 0
- *   30 operations; derivation sha256 a5fa9c9f317c8c327a3a877870bb21ecfb296530ddbdb33ca9de1fbe84969f2e
+ *   30 operations; derivation sha256 a4bcf979f78da4a884e3373c8facc5d578200165bff4389fa5501d7b3122d970
  */
 static void inertia_about_point_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2316,7 +2316,7 @@ static const char inertia_about_point_types[] = {
 /*
  * (3.133a) The loops of inertia_about_point_sym6.
  *   verdict: holds under; assumes m > 0
- *   27 operations; derivation sha256 a5fa9c9f317c8c327a3a877870bb21ecfb296530ddbdb33ca9de1fbe84969f2e
+ *   27 operations; derivation sha256 a4bcf979f78da4a884e3373c8facc5d578200165bff4389fa5501d7b3122d970
  */
 static void inertia_about_point_sym6_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2376,7 +2376,7 @@ static const char inertia_about_point_sym6_types[] = {
 /*
  * (3.142) The loops of momentum_screw.
  *   verdict: holds; assumes nothing
- *   18 operations; derivation sha256 80c7c45197881a39651064604e97f25d45942c522abe6695f2bfe2266f1c516e
+ *   18 operations; derivation sha256 cddae1b98dff52f00d26c14d98c872c387bd5cede0f73b8f98489dc5f9efeecd
  */
 static void momentum_screw_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2431,7 +2431,7 @@ static const char momentum_screw_types[] = {
 /*
  * (3.142) The loops of momentum_screw_sym6.
  *   verdict: holds; assumes nothing
- *   18 operations; derivation sha256 80c7c45197881a39651064604e97f25d45942c522abe6695f2bfe2266f1c516e
+ *   18 operations; derivation sha256 cddae1b98dff52f00d26c14d98c872c387bd5cede0f73b8f98489dc5f9efeecd
  */
 static void momentum_screw_sym6_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2486,7 +2486,7 @@ static const char momentum_screw_sym6_types[] = {
 /*
  * (3.145) The loops of kinetic_energy.
  *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 3882c568cd5f4ba28dfc86901f1dd5c428812173920d2aa179d05751da2a7975
+ *   35 operations; derivation sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
  */
 static void kinetic_energy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2541,7 +2541,7 @@ static const char kinetic_energy_types[] = {
 /*
  * (3.145) The loops of kinetic_energy_sym6.
  *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 3882c568cd5f4ba28dfc86901f1dd5c428812173920d2aa179d05751da2a7975
+ *   35 operations; derivation sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
  */
 static void kinetic_energy_sym6_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2596,7 +2596,7 @@ static const char kinetic_energy_sym6_types[] = {
 /*
  * text 3.8 v The loops of newton_euler_wrench.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 6437e8b747bc7e3f01a61bf3dbb6a0ad1b59f43d0644e10b0e540fd5649789ee
+ *   45 operations; derivation sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
  */
 static void newton_euler_wrench_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2656,7 +2656,7 @@ static const char newton_euler_wrench_types[] = {
 /*
  * text 3.8 v The loops of newton_euler_wrench_sym6.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 6437e8b747bc7e3f01a61bf3dbb6a0ad1b59f43d0644e10b0e540fd5649789ee
+ *   45 operations; derivation sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
  */
 static void newton_euler_wrench_sym6_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2716,7 +2716,7 @@ static const char newton_euler_wrench_sym6_types[] = {
 /*
  * text 3.8 v The loops of newton_euler_twist_rate.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   82 operations; derivation sha256 e06660d08fead23cab933be2dd9375e8b58d94e7a9bd309a40ba06215be583fc
+ *   82 operations; derivation sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
  */
 static void newton_euler_twist_rate_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2776,7 +2776,7 @@ static const char newton_euler_twist_rate_types[] = {
 /*
  * text 3.8 v The loops of newton_euler_twist_rate_sym6.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   73 operations; derivation sha256 e06660d08fead23cab933be2dd9375e8b58d94e7a9bd309a40ba06215be583fc
+ *   73 operations; derivation sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
  */
 static void newton_euler_twist_rate_sym6_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2836,7 +2836,7 @@ static const char newton_euler_twist_rate_sym6_types[] = {
 /*
  * (3.147) The loops of inertia_dyad.
  *   verdict: holds; assumes nothing
- *   30 operations; derivation sha256 88494f41ab06f7d91528b20a3a9cde4825fee1dc0889e9e6058401c7a3b56450
+ *   30 operations; derivation sha256 a5bd251535f48b198cf4a48c134786e54eacca65f02a00b3451cfcb8e99e18ac
  */
 static void inertia_dyad_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2896,7 +2896,7 @@ static const char inertia_dyad_types[] = {
 /*
  * (3.147) The loops of inertia_dyad_sym6.
  *   verdict: holds; assumes nothing
- *   27 operations; derivation sha256 88494f41ab06f7d91528b20a3a9cde4825fee1dc0889e9e6058401c7a3b56450
+ *   27 operations; derivation sha256 a5bd251535f48b198cf4a48c134786e54eacca65f02a00b3451cfcb8e99e18ac
  */
 static void inertia_dyad_sym6_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -5319,8 +5319,9 @@ static const Kernel kernels[] = {
             "  returns     p_prime (3): position of P after the displacement\n"
             "  verdict     holds\n"
             "  assumes     nothing\n"
+            "  expects     Q is a rotation\n"
             "  operations  21: 9 add, 3 subtract, 9 multiply\n"
-            "  derivation  sha256 182ba8442fabab0886c960f1777fa0a4369e031dfa994b01d86d1ae7766049ed\n"
+            "  derivation  sha256 e64cf405ca27a59ae4dba57aa45f63f61552677dd356e49c7554622691f7c536\n"
             "  signature   (3,3),(3),(3),(3)->(3)\n"
             "",
         .loops = point_after_displacement_loops,
@@ -5341,7 +5342,7 @@ static const Kernel kernels[] = {
             "  assumes     phi != 0\n"
             "              |e| = 1\n"
             "  operations  6: 2 add, 3 multiply, 1 divide\n"
-            "  derivation  sha256 e42358121f712aa8bfa99f0924d6e3c4fa181e197a5844c621c6ec9a663691cf\n"
+            "  derivation  sha256 608f8e0b5c013b248e286c77597896f6fd34f1056e0cae176c0fffd5faf1f7e9\n"
             "  signature   (3),(),(3)->()\n"
             "",
         .loops = pitch_of_motion_loops,
@@ -5440,8 +5441,10 @@ static const Kernel kernels[] = {
             "  returns     Q (3, 3): components of the rotation in the axes of the triad\n"
             "  verdict     holds\n"
             "  assumes     nothing\n"
+            "  expects     triad is a rotation\n"
+            "              triad' is a rotation\n"
             "  operations  45: 18 add, 27 multiply\n"
-            "  derivation  sha256 f86d42ad88c6c4cd9ee18d167dbadc4ff0defedb31eb0cad50cf0bc9001d047c\n"
+            "  derivation  sha256 37884df5c1bb0988ddff944acb988e27fc619a7e538a026682fcc0b6c146645c\n"
             "  signature   (3,3),(3,3)->(3,3)\n"
             "",
         .loops = rotation_in_triad_axes_loops,
@@ -5459,8 +5462,10 @@ static const Kernel kernels[] = {
             "  returns     Q (3, 3): rotation\n"
             "  verdict     holds under\n"
             "  assumes     e_1, e_2, e_3 are orthonormal and right-handed\n"
+            "  expects     triad is a rotation\n"
+            "              triad' is a rotation\n"
             "  operations  45: 18 add, 27 multiply\n"
-            "  derivation  sha256 831cb4bce4aa7a3c8c0f15db2f27996aaad3307aa6789c8822540498e2524999\n"
+            "  derivation  sha256 20bfc4be7482a03cac2887f4c4003cd47cd58752cd4f74993b4c1f541b5fe56f\n"
             "  signature   (3,3),(3,3)->(3,3)\n"
             "",
         .loops = rotation_from_triads_loops,
@@ -5577,8 +5582,10 @@ static const Kernel kernels[] = {
             "  returns     Q (3, 3): rotation\n"
             "  verdict     holds under\n"
             "  assumes     phi != pi\n"
+            "  expects     |[q, q_0]| = 1\n"
+            "              1 + q_0 != 0\n"
             "  operations  20: 7 add, 3 subtract, 9 multiply, 1 divide\n"
-            "  derivation  sha256 4c9780f18d97d0466d9140eebd5c08965e14e5fcea3bdc9bb1a23121dedc811e\n"
+            "  derivation  sha256 2fa7ad4fc6b8551a66ecf4ae0dcef7f683204ee4a7508c44cff97a90cf66edae\n"
             "  signature   (3),()->(3,3)\n"
             "",
         .loops = rotation_from_linear_invariants_loops,
@@ -5596,8 +5603,9 @@ static const Kernel kernels[] = {
             "  returns     Q (3, 3): rotation\n"
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
+            "  expects     |[q, q_0]| = 1\n"
             "  operations  29: 8 add, 4 subtract, 17 multiply\n"
-            "  derivation  sha256 3c07bce2c1a977983f72743fca7632ae529437a279a1c8c5ae50fd5f0549711b\n"
+            "  derivation  sha256 2c3e1cfe8648bfbd86be147e00c4d94b0f95d070a78440d91f72e1992881fe27\n"
             "  signature   (3),()->(3,3)\n"
             "",
         .loops = rotation_from_euler_rodrigues_loops,
@@ -5615,8 +5623,9 @@ static const Kernel kernels[] = {
             "              q_0: scalar part of four invariants of the rotation\n"
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
+            "  expects     Q is a rotation\n"
             "  operations  10: 2 add, 4 subtract, 4 multiply\n"
-            "  derivation  sha256 95f6d9d982139ac08ba7031fbcb43368472a4ebbbdfb2464e1e93ced6035d2a7\n"
+            "  derivation  sha256 14dfe57d89d33f7df4edddb11ba2240a90e01a0500293b07fdf9dbc9ba2f6fb4\n"
             "  signature   (3,3)->(3),()\n"
             "",
         .loops = linear_invariants_loops,
@@ -5654,7 +5663,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     Q is a rotation\n"
             "  operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root\n"
-            "  derivation  sha256 dd50774c5c2bf2f86eb0208023cc96df52230dc832595717873ebc239257408b\n"
+            "  derivation  sha256 e342588bb3d3cb6097f1e419f205ef19d1f2da08fb839c41c34e6fd10d09d80a\n"
             "  signature   (3,3)->(3),()\n"
             "",
         .loops = euler_rodrigues_parameters_loops,
@@ -5959,8 +5968,9 @@ static const Kernel kernels[] = {
             "  returns     p_dot (3): time derivative of: position of any point P\n"
             "  verdict     holds\n"
             "  assumes     nothing\n"
+            "  expects     Q is a rotation\n"
             "  operations  45: 18 add, 3 subtract, 24 multiply\n"
-            "  derivation  sha256 6e6be7f2f4f9486b0b3934025971cafd38dee9799b1f38a1e26068c30dce66d2\n"
+            "  derivation  sha256 ba5162a4c227d151481d733bdae324ab6291b1fd0ab7dc70c10c9528eb8fe68a\n"
             "  signature   (3),(3,3),(3),(3),(3)->(3)\n"
             "",
         .loops = moving_frame_velocity_loops,
@@ -5984,8 +5994,9 @@ static const Kernel kernels[] = {
             "  returns     p_ddot (3): second time derivative of: position of any point P\n"
             "  verdict     holds\n"
             "  assumes     nothing\n"
+            "  expects     Q is a rotation\n"
             "  operations  96: 30 add, 12 subtract, 54 multiply\n"
-            "  derivation  sha256 c6a64a4bffadd3c29b367c3f55b97d7b2681a5145fdcaad4db2217220fcdf5d7\n"
+            "  derivation  sha256 74c77bd125ea9d0274b42074c1b21085b73b81a7223e34013bdebc723f3f2463\n"
             "  signature   (3),(3,3),(3),(3),(3),(3),(3)->(3)\n"
             "",
         .loops = moving_frame_acceleration_loops,
@@ -6084,8 +6095,9 @@ static const Kernel kernels[] = {
             "  returns     I_A (3, 3): moment of inertia with respect to A\n"
             "  verdict     holds under\n"
             "  assumes     m > 0\n"
+            "  expects     I_C is symmetric\n"
             "  operations  30: 5 add, 12 subtract, 13 multiply\n"
-            "  derivation  sha256 a5fa9c9f317c8c327a3a877870bb21ecfb296530ddbdb33ca9de1fbe84969f2e\n"
+            "  derivation  sha256 a4bcf979f78da4a884e3373c8facc5d578200165bff4389fa5501d7b3122d970\n"
             "  signature   (3,3),(),(3),(3)->(3,3)\n"
             "",
         .loops = inertia_about_point_loops,
@@ -6106,8 +6118,9 @@ static const Kernel kernels[] = {
             "  returns     I_A (6): moment of inertia with respect to A, symmetric, as (xx, xy, xz, yy, yz, zz)\n"
             "  verdict     holds under\n"
             "  assumes     m > 0\n"
+            "  expects     I_C is symmetric\n"
             "  operations  27: 5 add, 9 subtract, 13 multiply\n"
-            "  derivation  sha256 a5fa9c9f317c8c327a3a877870bb21ecfb296530ddbdb33ca9de1fbe84969f2e\n"
+            "  derivation  sha256 a4bcf979f78da4a884e3373c8facc5d578200165bff4389fa5501d7b3122d970\n"
             "  signature   (6),(),(3),(3)->(6)\n"
             "",
         .loops = inertia_about_point_sym6_loops,
@@ -6126,8 +6139,10 @@ static const Kernel kernels[] = {
             "  returns     mu (6): [I_C omega; m c_dot]\n"
             "  verdict     holds\n"
             "  assumes     nothing\n"
+            "  expects     I_C is symmetric\n"
+            "              m > 0\n"
             "  operations  18: 6 add, 12 multiply\n"
-            "  derivation  sha256 80c7c45197881a39651064604e97f25d45942c522abe6695f2bfe2266f1c516e\n"
+            "  derivation  sha256 cddae1b98dff52f00d26c14d98c872c387bd5cede0f73b8f98489dc5f9efeecd\n"
             "  signature   (3,3),(),(6)->(6)\n"
             "",
         .loops = momentum_screw_loops,
@@ -6147,8 +6162,10 @@ static const Kernel kernels[] = {
             "  returns     mu (6): [I_C omega; m c_dot]\n"
             "  verdict     holds\n"
             "  assumes     nothing\n"
+            "  expects     I_C is symmetric\n"
+            "              m > 0\n"
             "  operations  18: 6 add, 12 multiply\n"
-            "  derivation  sha256 80c7c45197881a39651064604e97f25d45942c522abe6695f2bfe2266f1c516e\n"
+            "  derivation  sha256 cddae1b98dff52f00d26c14d98c872c387bd5cede0f73b8f98489dc5f9efeecd\n"
             "  signature   (6),(),(6)->(6)\n"
             "",
         .loops = momentum_screw_sym6_loops,
@@ -6167,8 +6184,10 @@ static const Kernel kernels[] = {
             "  returns     T: kinetic energy\n"
             "  verdict     holds\n"
             "  assumes     nothing\n"
+            "  expects     I_C is symmetric\n"
+            "              m > 0\n"
             "  operations  35: 11 add, 24 multiply\n"
-            "  derivation  sha256 3882c568cd5f4ba28dfc86901f1dd5c428812173920d2aa179d05751da2a7975\n"
+            "  derivation  sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3\n"
             "  signature   (3,3),(),(6)->()\n"
             "",
         .loops = kinetic_energy_loops,
@@ -6188,8 +6207,10 @@ static const Kernel kernels[] = {
             "  returns     T: kinetic energy\n"
             "  verdict     holds\n"
             "  assumes     nothing\n"
+            "  expects     I_C is symmetric\n"
+            "              m > 0\n"
             "  operations  35: 11 add, 24 multiply\n"
-            "  derivation  sha256 3882c568cd5f4ba28dfc86901f1dd5c428812173920d2aa179d05751da2a7975\n"
+            "  derivation  sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3\n"
             "  signature   (6),(),(6)->()\n"
             "",
         .loops = kinetic_energy_sym6_loops,
@@ -6209,8 +6230,10 @@ static const Kernel kernels[] = {
             "  returns     w (6): wrench: moment, force\n"
             "  verdict     holds\n"
             "  assumes     nothing\n"
+            "  expects     I_C is symmetric\n"
+            "              m > 0\n"
             "  operations  45: 15 add, 3 subtract, 27 multiply\n"
-            "  derivation  sha256 6437e8b747bc7e3f01a61bf3dbb6a0ad1b59f43d0644e10b0e540fd5649789ee\n"
+            "  derivation  sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47\n"
             "  signature   (3,3),(),(6),(6)->(6)\n"
             "",
         .loops = newton_euler_wrench_loops,
@@ -6231,8 +6254,10 @@ static const Kernel kernels[] = {
             "  returns     w (6): wrench: moment, force\n"
             "  verdict     holds\n"
             "  assumes     nothing\n"
+            "  expects     I_C is symmetric\n"
+            "              m > 0\n"
             "  operations  45: 15 add, 3 subtract, 27 multiply\n"
-            "  derivation  sha256 6437e8b747bc7e3f01a61bf3dbb6a0ad1b59f43d0644e10b0e540fd5649789ee\n"
+            "  derivation  sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47\n"
             "  signature   (6),(),(6),(6)->(6)\n"
             "",
         .loops = newton_euler_wrench_sym6_loops,
@@ -6254,8 +6279,9 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     det(I_C) != 0\n"
             "              m > 0\n"
+            "  expects     I_C is positive-definite\n"
             "  operations  82: 14 add, 15 subtract, 51 multiply, 2 divide\n"
-            "  derivation  sha256 e06660d08fead23cab933be2dd9375e8b58d94e7a9bd309a40ba06215be583fc\n"
+            "  derivation  sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd\n"
             "  signature   (3,3),(),(6),(6)->(6)\n"
             "",
         .loops = newton_euler_twist_rate_loops,
@@ -6278,8 +6304,9 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     det(I_C) != 0\n"
             "              m > 0\n"
+            "  expects     I_C is positive-definite\n"
             "  operations  73: 14 add, 12 subtract, 45 multiply, 2 divide\n"
-            "  derivation  sha256 e06660d08fead23cab933be2dd9375e8b58d94e7a9bd309a40ba06215be583fc\n"
+            "  derivation  sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd\n"
             "  signature   (6),(),(6),(6)->(6)\n"
             "",
         .loops = newton_euler_twist_rate_sym6_loops,
@@ -6299,8 +6326,10 @@ static const Kernel kernels[] = {
             "  returns     M_A (6, 6): inertia dyad at A\n"
             "  verdict     holds\n"
             "  assumes     nothing\n"
+            "  expects     I_C is symmetric\n"
+            "              m > 0\n"
             "  operations  30: 6 add, 9 subtract, 15 multiply\n"
-            "  derivation  sha256 88494f41ab06f7d91528b20a3a9cde4825fee1dc0889e9e6058401c7a3b56450\n"
+            "  derivation  sha256 a5bd251535f48b198cf4a48c134786e54eacca65f02a00b3451cfcb8e99e18ac\n"
             "  signature   (3,3),(),(3),(3)->(6,6)\n"
             "",
         .loops = inertia_dyad_loops,
@@ -6321,8 +6350,10 @@ static const Kernel kernels[] = {
             "  returns     M_A (6, 6): inertia dyad at A\n"
             "  verdict     holds\n"
             "  assumes     nothing\n"
+            "  expects     I_C is symmetric\n"
+            "              m > 0\n"
             "  operations  27: 6 add, 6 subtract, 15 multiply\n"
-            "  derivation  sha256 88494f41ab06f7d91528b20a3a9cde4825fee1dc0889e9e6058401c7a3b56450\n"
+            "  derivation  sha256 a5bd251535f48b198cf4a48c134786e54eacca65f02a00b3451cfcb8e99e18ac\n"
             "  signature   (6),(),(3),(3)->(6,6)\n"
             "",
         .loops = inertia_dyad_sym6_loops,

@@ -179,8 +179,9 @@ def point_after_displacement(Q: Any, a: Any, a_prime: Any, p: Any, /, *, out: An
     returns     p_prime (3): position of P after the displacement
     verdict     holds
     assumes     nothing
+    expects     Q is a rotation
     operations  21: 9 add, 3 subtract, 9 multiply
-    derivation  sha256 182ba8442fabab0886c960f1777fa0a4369e031dfa994b01d86d1ae7766049ed
+    derivation  sha256 e64cf405ca27a59ae4dba57aa45f63f61552677dd356e49c7554622691f7c536
     signature   (3,3),(3),(3),(3)->(3)
     """
     batch, Q, a, a_prime, p = prepared(
@@ -212,7 +213,7 @@ def pitch_of_motion(e: Any, phi: Any, d_P: Any, /, *, out: Any = None) -> Any:
     assumes     phi != 0
                 |e| = 1
     operations  6: 2 add, 3 multiply, 1 divide
-    derivation  sha256 e42358121f712aa8bfa99f0924d6e3c4fa181e197a5844c621c6ec9a663691cf
+    derivation  sha256 608f8e0b5c013b248e286c77597896f6fd34f1056e0cae176c0fffd5faf1f7e9
     signature   (3),(),(3)->()
     """
     batch, e, phi, d_P = prepared(
@@ -396,8 +397,10 @@ def rotation_in_triad_axes(triad: Any, triad_prime: Any, /, *, out: Any = None) 
     returns     Q (3, 3): components of the rotation in the axes of the triad
     verdict     holds
     assumes     nothing
+    expects     triad is a rotation
+                triad' is a rotation
     operations  45: 18 add, 27 multiply
-    derivation  sha256 f86d42ad88c6c4cd9ee18d167dbadc4ff0defedb31eb0cad50cf0bc9001d047c
+    derivation  sha256 37884df5c1bb0988ddff944acb988e27fc619a7e538a026682fcc0b6c146645c
     signature   (3,3),(3,3)->(3,3)
     """
     batch, triad, triad_prime = prepared(
@@ -436,8 +439,10 @@ def rotation_from_triads(triad: Any, triad_prime: Any, /, *, out: Any = None) ->
     returns     Q (3, 3): rotation
     verdict     holds under
     assumes     e_1, e_2, e_3 are orthonormal and right-handed
+    expects     triad is a rotation
+                triad' is a rotation
     operations  45: 18 add, 27 multiply
-    derivation  sha256 831cb4bce4aa7a3c8c0f15db2f27996aaad3307aa6789c8822540498e2524999
+    derivation  sha256 20bfc4be7482a03cac2887f4c4003cd47cd58752cd4f74993b4c1f541b5fe56f
     signature   (3,3),(3,3)->(3,3)
     """
     batch, triad, triad_prime = prepared(
@@ -651,8 +656,10 @@ def rotation_from_linear_invariants(q: Any, q_0: Any, /, *, out: Any = None) -> 
     returns     Q (3, 3): rotation
     verdict     holds under
     assumes     phi != pi
+    expects     |[q, q_0]| = 1
+                1 + q_0 != 0
     operations  20: 7 add, 3 subtract, 9 multiply, 1 divide
-    derivation  sha256 4c9780f18d97d0466d9140eebd5c08965e14e5fcea3bdc9bb1a23121dedc811e
+    derivation  sha256 2fa7ad4fc6b8551a66ecf4ae0dcef7f683204ee4a7508c44cff97a90cf66edae
     signature   (3),()->(3,3)
     """
     batch, q, q_0 = prepared("rotation_from_linear_invariants", ("q", q, (3,)), ("q_0", q_0, ()))
@@ -686,8 +693,9 @@ def rotation_from_euler_rodrigues(q: Any, q_0: Any, /, *, out: Any = None) -> An
     returns     Q (3, 3): rotation
     verdict     holds under
     assumes     |e| = 1
+    expects     |[q, q_0]| = 1
     operations  29: 8 add, 4 subtract, 17 multiply
-    derivation  sha256 3c07bce2c1a977983f72743fca7632ae529437a279a1c8c5ae50fd5f0549711b
+    derivation  sha256 2c3e1cfe8648bfbd86be147e00c4d94b0f95d070a78440d91f72e1992881fe27
     signature   (3),()->(3,3)
     """
     batch, q, q_0 = prepared("rotation_from_euler_rodrigues", ("q", q, (3,)), ("q_0", q_0, ()))
@@ -723,8 +731,9 @@ def linear_invariants(Q: Any, /, *, out: Any = None) -> Any:
                 q_0: scalar part of four invariants of the rotation
     verdict     holds under
     assumes     |e| = 1
+    expects     Q is a rotation
     operations  10: 2 add, 4 subtract, 4 multiply
-    derivation  sha256 95f6d9d982139ac08ba7031fbcb43368472a4ebbbdfb2464e1e93ced6035d2a7
+    derivation  sha256 14dfe57d89d33f7df4edddb11ba2240a90e01a0500293b07fdf9dbc9ba2f6fb4
     signature   (3,3)->(3),()
     """
     batch, Q = prepared("linear_invariants", ("Q", Q, (3, 3)))
@@ -831,7 +840,7 @@ def euler_rodrigues_parameters(Q: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     Q is a rotation
     operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root
-    derivation  sha256 dd50774c5c2bf2f86eb0208023cc96df52230dc832595717873ebc239257408b
+    derivation  sha256 e342588bb3d3cb6097f1e419f205ef19d1f2da08fb839c41c34e6fd10d09d80a
     signature   (3,3)->(3),()
     """
     batch, Q = prepared("euler_rodrigues_parameters", ("Q", Q, (3, 3)))
@@ -1459,8 +1468,9 @@ def moving_frame_velocity(o_dot: Any, Q: Any, omega: Any, rho: Any, rho_dot: Any
     returns     p_dot (3): time derivative of: position of any point P
     verdict     holds
     assumes     nothing
+    expects     Q is a rotation
     operations  45: 18 add, 3 subtract, 24 multiply
-    derivation  sha256 6e6be7f2f4f9486b0b3934025971cafd38dee9799b1f38a1e26068c30dce66d2
+    derivation  sha256 ba5162a4c227d151481d733bdae324ab6291b1fd0ab7dc70c10c9528eb8fe68a
     signature   (3),(3,3),(3),(3),(3)->(3)
     """
     batch, o_dot, Q, omega, rho, rho_dot = prepared(
@@ -1499,8 +1509,9 @@ def moving_frame_acceleration(o_ddot: Any, Q: Any, omega: Any, omega_dot: Any, r
     returns     p_ddot (3): second time derivative of: position of any point P
     verdict     holds
     assumes     nothing
+    expects     Q is a rotation
     operations  96: 30 add, 12 subtract, 54 multiply
-    derivation  sha256 c6a64a4bffadd3c29b367c3f55b97d7b2681a5145fdcaad4db2217220fcdf5d7
+    derivation  sha256 74c77bd125ea9d0274b42074c1b21085b73b81a7223e34013bdebc723f3f2463
     signature   (3),(3,3),(3),(3),(3),(3),(3)->(3)
     """
     batch, o_ddot, Q, omega, omega_dot, rho, rho_dot, rho_ddot = prepared(
@@ -1645,8 +1656,9 @@ def inertia_about_point(I_C: Any, m: Any, c: Any, a: Any, /, *, out: Any = None)
     returns     I_A (3, 3): moment of inertia with respect to A
     verdict     holds under
     assumes     m > 0
+    expects     I_C is symmetric
     operations  30: 5 add, 12 subtract, 13 multiply
-    derivation  sha256 a5fa9c9f317c8c327a3a877870bb21ecfb296530ddbdb33ca9de1fbe84969f2e
+    derivation  sha256 a4bcf979f78da4a884e3373c8facc5d578200165bff4389fa5501d7b3122d970
     signature   (3,3),(),(3),(3)->(3,3)
     """
     batch, I_C, m, c, a = prepared(
@@ -1690,8 +1702,9 @@ def inertia_about_point_sym6(I_C: Any, m: Any, c: Any, a: Any, /, *, out: Any = 
     returns     I_A (6): moment of inertia with respect to A, symmetric, as (xx, xy, xz, yy, yz, zz)
     verdict     holds under
     assumes     m > 0
+    expects     I_C is symmetric
     operations  27: 5 add, 9 subtract, 13 multiply
-    derivation  sha256 a5fa9c9f317c8c327a3a877870bb21ecfb296530ddbdb33ca9de1fbe84969f2e
+    derivation  sha256 a4bcf979f78da4a884e3373c8facc5d578200165bff4389fa5501d7b3122d970
     signature   (6),(),(3),(3)->(6)
     """
     batch, I_C, m, c, a = prepared(
@@ -1727,8 +1740,10 @@ def momentum_screw(I_C: Any, m: Any, t: Any, /, *, out: Any = None) -> Any:
     returns     mu (6): [I_C omega; m c_dot]
     verdict     holds
     assumes     nothing
+    expects     I_C is symmetric
+                m > 0
     operations  18: 6 add, 12 multiply
-    derivation  sha256 80c7c45197881a39651064604e97f25d45942c522abe6695f2bfe2266f1c516e
+    derivation  sha256 cddae1b98dff52f00d26c14d98c872c387bd5cede0f73b8f98489dc5f9efeecd
     signature   (3,3),(),(6)->(6)
     """
     batch, I_C, m, t = prepared("momentum_screw", ("I_C", I_C, (3, 3)), ("m", m, ()), ("t", t, (6,)))
@@ -1753,8 +1768,10 @@ def momentum_screw_sym6(I_C: Any, m: Any, t: Any, /, *, out: Any = None) -> Any:
     returns     mu (6): [I_C omega; m c_dot]
     verdict     holds
     assumes     nothing
+    expects     I_C is symmetric
+                m > 0
     operations  18: 6 add, 12 multiply
-    derivation  sha256 80c7c45197881a39651064604e97f25d45942c522abe6695f2bfe2266f1c516e
+    derivation  sha256 cddae1b98dff52f00d26c14d98c872c387bd5cede0f73b8f98489dc5f9efeecd
     signature   (6),(),(6)->(6)
     """
     batch, I_C, m, t = prepared("momentum_screw_sym6", ("I_C", I_C, (6,)), ("m", m, ()), ("t", t, (6,)))
@@ -1778,8 +1795,10 @@ def kinetic_energy(I_C: Any, m: Any, t: Any, /, *, out: Any = None) -> Any:
     returns     T: kinetic energy
     verdict     holds
     assumes     nothing
+    expects     I_C is symmetric
+                m > 0
     operations  35: 11 add, 24 multiply
-    derivation  sha256 3882c568cd5f4ba28dfc86901f1dd5c428812173920d2aa179d05751da2a7975
+    derivation  sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
     signature   (3,3),(),(6)->()
     """
     batch, I_C, m, t = prepared("kinetic_energy", ("I_C", I_C, (3, 3)), ("m", m, ()), ("t", t, (6,)))
@@ -1802,8 +1821,10 @@ def kinetic_energy_sym6(I_C: Any, m: Any, t: Any, /, *, out: Any = None) -> Any:
     returns     T: kinetic energy
     verdict     holds
     assumes     nothing
+    expects     I_C is symmetric
+                m > 0
     operations  35: 11 add, 24 multiply
-    derivation  sha256 3882c568cd5f4ba28dfc86901f1dd5c428812173920d2aa179d05751da2a7975
+    derivation  sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
     signature   (6),(),(6)->()
     """
     batch, I_C, m, t = prepared("kinetic_energy_sym6", ("I_C", I_C, (6,)), ("m", m, ()), ("t", t, (6,)))
@@ -1826,8 +1847,10 @@ def newton_euler_wrench(I_C: Any, m: Any, t: Any, t_dot: Any, /, *, out: Any = N
     returns     w (6): wrench: moment, force
     verdict     holds
     assumes     nothing
+    expects     I_C is symmetric
+                m > 0
     operations  45: 15 add, 3 subtract, 27 multiply
-    derivation  sha256 6437e8b747bc7e3f01a61bf3dbb6a0ad1b59f43d0644e10b0e540fd5649789ee
+    derivation  sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
     signature   (3,3),(),(6),(6)->(6)
     """
     batch, I_C, m, t, t_dot = prepared(
@@ -1865,8 +1888,10 @@ def newton_euler_wrench_sym6(I_C: Any, m: Any, t: Any, t_dot: Any, /, *, out: An
     returns     w (6): wrench: moment, force
     verdict     holds
     assumes     nothing
+    expects     I_C is symmetric
+                m > 0
     operations  45: 15 add, 3 subtract, 27 multiply
-    derivation  sha256 6437e8b747bc7e3f01a61bf3dbb6a0ad1b59f43d0644e10b0e540fd5649789ee
+    derivation  sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
     signature   (6),(),(6),(6)->(6)
     """
     batch, I_C, m, t, t_dot = prepared(
@@ -1905,8 +1930,9 @@ def newton_euler_twist_rate(I_C: Any, m: Any, t: Any, w: Any, /, *, out: Any = N
     verdict     holds under
     assumes     det(I_C) != 0
                 m > 0
+    expects     I_C is positive-definite
     operations  82: 14 add, 15 subtract, 51 multiply, 2 divide
-    derivation  sha256 e06660d08fead23cab933be2dd9375e8b58d94e7a9bd309a40ba06215be583fc
+    derivation  sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
     signature   (3,3),(),(6),(6)->(6)
     """
     batch, I_C, m, t, w = prepared(
@@ -1956,8 +1982,9 @@ def newton_euler_twist_rate_sym6(I_C: Any, m: Any, t: Any, w: Any, /, *, out: An
     verdict     holds under
     assumes     det(I_C) != 0
                 m > 0
+    expects     I_C is positive-definite
     operations  73: 14 add, 12 subtract, 45 multiply, 2 divide
-    derivation  sha256 e06660d08fead23cab933be2dd9375e8b58d94e7a9bd309a40ba06215be583fc
+    derivation  sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
     signature   (6),(),(6),(6)->(6)
     """
     batch, I_C, m, t, w = prepared(
@@ -2002,8 +2029,10 @@ def inertia_dyad(I_C: Any, m: Any, c: Any, a: Any, /, *, out: Any = None) -> Any
     returns     M_A (6, 6): inertia dyad at A
     verdict     holds
     assumes     nothing
+    expects     I_C is symmetric
+                m > 0
     operations  30: 6 add, 9 subtract, 15 multiply
-    derivation  sha256 88494f41ab06f7d91528b20a3a9cde4825fee1dc0889e9e6058401c7a3b56450
+    derivation  sha256 a5bd251535f48b198cf4a48c134786e54eacca65f02a00b3451cfcb8e99e18ac
     signature   (3,3),(),(3),(3)->(6,6)
     """
     batch, I_C, m, c, a = prepared(
@@ -2077,8 +2106,10 @@ def inertia_dyad_sym6(I_C: Any, m: Any, c: Any, a: Any, /, *, out: Any = None) -
     returns     M_A (6, 6): inertia dyad at A
     verdict     holds
     assumes     nothing
+    expects     I_C is symmetric
+                m > 0
     operations  27: 6 add, 6 subtract, 15 multiply
-    derivation  sha256 88494f41ab06f7d91528b20a3a9cde4825fee1dc0889e9e6058401c7a3b56450
+    derivation  sha256 a5bd251535f48b198cf4a48c134786e54eacca65f02a00b3451cfcb8e99e18ac
     signature   (6),(),(3),(3)->(6,6)
     """
     batch, I_C, m, c, a = prepared(

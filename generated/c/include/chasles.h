@@ -72,8 +72,9 @@ void chasles_rotation_from_axis_angle_batchf(
  *   returns     p_prime[3]: position of P after the displacement
  *   verdict     holds
  *   assumes     nothing
+ *   expects     Q is a rotation
  *   operations  21: 9 add, 3 subtract, 9 multiply
- *   derivation  sha256 182ba8442fabab0886c960f1777fa0a4369e031dfa994b01d86d1ae7766049ed
+ *   derivation  sha256 e64cf405ca27a59ae4dba57aa45f63f61552677dd356e49c7554622691f7c536
  */
 void chasles_point_after_displacement(
     const double Q[9],
@@ -112,7 +113,7 @@ void chasles_point_after_displacement_batchf(
  *   assumes     phi != 0
  *               |e| = 1
  *   operations  6: 2 add, 3 multiply, 1 divide
- *   derivation  sha256 e42358121f712aa8bfa99f0924d6e3c4fa181e197a5844c621c6ec9a663691cf
+ *   derivation  sha256 608f8e0b5c013b248e286c77597896f6fd34f1056e0cae176c0fffd5faf1f7e9
  */
 void chasles_pitch_of_motion(const double e[3], double phi, const double d_P[3], double *result);
 void chasles_pitch_of_motionf(const float e[3], float phi, const float d_P[3], float *result);
@@ -257,8 +258,10 @@ void chasles_plucker_transfer_batchf(
  *   returns     Q[9]: components of the rotation in the axes of the triad
  *   verdict     holds
  *   assumes     nothing
+ *   expects     triad is a rotation
+ *               triad' is a rotation
  *   operations  45: 18 add, 27 multiply
- *   derivation  sha256 f86d42ad88c6c4cd9ee18d167dbadc4ff0defedb31eb0cad50cf0bc9001d047c
+ *   derivation  sha256 37884df5c1bb0988ddff944acb988e27fc619a7e538a026682fcc0b6c146645c
  */
 void chasles_rotation_in_triad_axes(const double triad[9], const double triad_prime[9], double Q[9]);
 void chasles_rotation_in_triad_axesf(const float triad[9], const float triad_prime[9], float Q[9]);
@@ -280,8 +283,10 @@ void chasles_rotation_in_triad_axes_batchf(
  *   returns     Q[9]: rotation
  *   verdict     holds under
  *   assumes     e_1, e_2, e_3 are orthonormal and right-handed
+ *   expects     triad is a rotation
+ *               triad' is a rotation
  *   operations  45: 18 add, 27 multiply
- *   derivation  sha256 831cb4bce4aa7a3c8c0f15db2f27996aaad3307aa6789c8822540498e2524999
+ *   derivation  sha256 20bfc4be7482a03cac2887f4c4003cd47cd58752cd4f74993b4c1f541b5fe56f
  */
 void chasles_rotation_from_triads(const double triad[9], const double triad_prime[9], double Q[9]);
 void chasles_rotation_from_triadsf(const float triad[9], const float triad_prime[9], float Q[9]);
@@ -446,8 +451,10 @@ void chasles_euler_rodrigues_rate_matrix_batchf(
  *   returns     Q[9]: rotation
  *   verdict     holds under
  *   assumes     phi != pi
+ *   expects     |[q, q_0]| = 1
+ *               1 + q_0 != 0
  *   operations  20: 7 add, 3 subtract, 9 multiply, 1 divide
- *   derivation  sha256 4c9780f18d97d0466d9140eebd5c08965e14e5fcea3bdc9bb1a23121dedc811e
+ *   derivation  sha256 2fa7ad4fc6b8551a66ecf4ae0dcef7f683204ee4a7508c44cff97a90cf66edae
  */
 void chasles_rotation_from_linear_invariants(const double q[3], double q_0, double Q[9]);
 void chasles_rotation_from_linear_invariantsf(const float q[3], float q_0, float Q[9]);
@@ -469,8 +476,9 @@ void chasles_rotation_from_linear_invariants_batchf(
  *   returns     Q[9]: rotation
  *   verdict     holds under
  *   assumes     |e| = 1
+ *   expects     |[q, q_0]| = 1
  *   operations  29: 8 add, 4 subtract, 17 multiply
- *   derivation  sha256 3c07bce2c1a977983f72743fca7632ae529437a279a1c8c5ae50fd5f0549711b
+ *   derivation  sha256 2c3e1cfe8648bfbd86be147e00c4d94b0f95d070a78440d91f72e1992881fe27
  */
 void chasles_rotation_from_euler_rodrigues(const double q[3], double q_0, double Q[9]);
 void chasles_rotation_from_euler_rodriguesf(const float q[3], float q_0, float Q[9]);
@@ -492,8 +500,9 @@ void chasles_rotation_from_euler_rodrigues_batchf(
  *               q_0: scalar part of four invariants of the rotation
  *   verdict     holds under
  *   assumes     |e| = 1
+ *   expects     Q is a rotation
  *   operations  10: 2 add, 4 subtract, 4 multiply
- *   derivation  sha256 95f6d9d982139ac08ba7031fbcb43368472a4ebbbdfb2464e1e93ced6035d2a7
+ *   derivation  sha256 14dfe57d89d33f7df4edddb11ba2240a90e01a0500293b07fdf9dbc9ba2f6fb4
  */
 void chasles_linear_invariants(const double Q[9], double q[3], double *q_0);
 void chasles_linear_invariantsf(const float Q[9], float q[3], float *q_0);
@@ -539,7 +548,7 @@ void chasles_natural_invariants_batchf(
  *   verdict     holds under
  *   assumes     Q is a rotation
  *   operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root
- *   derivation  sha256 dd50774c5c2bf2f86eb0208023cc96df52230dc832595717873ebc239257408b
+ *   derivation  sha256 e342588bb3d3cb6097f1e419f205ef19d1f2da08fb839c41c34e6fd10d09d80a
  */
 void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *q_0);
 void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_0);
@@ -1010,8 +1019,9 @@ void chasles_acceleration_of_point_batchf(
  *   returns     p_dot[3]: time derivative of: position of any point P
  *   verdict     holds
  *   assumes     nothing
+ *   expects     Q is a rotation
  *   operations  45: 18 add, 3 subtract, 24 multiply
- *   derivation  sha256 6e6be7f2f4f9486b0b3934025971cafd38dee9799b1f38a1e26068c30dce66d2
+ *   derivation  sha256 ba5162a4c227d151481d733bdae324ab6291b1fd0ab7dc70c10c9528eb8fe68a
  */
 void chasles_moving_frame_velocity(
     const double o_dot[3],
@@ -1057,8 +1067,9 @@ void chasles_moving_frame_velocity_batchf(
  *   returns     p_ddot[3]: second time derivative of: position of any point P
  *   verdict     holds
  *   assumes     nothing
+ *   expects     Q is a rotation
  *   operations  96: 30 add, 12 subtract, 54 multiply
- *   derivation  sha256 c6a64a4bffadd3c29b367c3f55b97d7b2681a5145fdcaad4db2217220fcdf5d7
+ *   derivation  sha256 74c77bd125ea9d0274b42074c1b21085b73b81a7223e34013bdebc723f3f2463
  */
 void chasles_moving_frame_acceleration(
     const double o_ddot[3],
@@ -1223,8 +1234,9 @@ void chasles_wrench_transfer_batchf(
  *   returns     I_A[9]: moment of inertia with respect to A
  *   verdict     holds under
  *   assumes     m > 0
+ *   expects     I_C is symmetric
  *   operations  30: 5 add, 12 subtract, 13 multiply
- *   derivation  sha256 a5fa9c9f317c8c327a3a877870bb21ecfb296530ddbdb33ca9de1fbe84969f2e
+ *   derivation  sha256 a4bcf979f78da4a884e3373c8facc5d578200165bff4389fa5501d7b3122d970
  */
 void chasles_inertia_about_point(
     const double I_C[9],
@@ -1263,8 +1275,9 @@ void chasles_inertia_about_point_batchf(
  *   returns     I_A[6]: moment of inertia with respect to A, symmetric, as (xx, xy, xz, yy, yz, zz)
  *   verdict     holds under
  *   assumes     m > 0
+ *   expects     I_C is symmetric
  *   operations  27: 5 add, 9 subtract, 13 multiply
- *   derivation  sha256 a5fa9c9f317c8c327a3a877870bb21ecfb296530ddbdb33ca9de1fbe84969f2e
+ *   derivation  sha256 a4bcf979f78da4a884e3373c8facc5d578200165bff4389fa5501d7b3122d970
  */
 void chasles_inertia_about_point_sym6(
     const double I_C[6],
@@ -1301,8 +1314,10 @@ void chasles_inertia_about_point_sym6_batchf(
  *   returns     mu[6]: [I_C omega; m c_dot]
  *   verdict     holds
  *   assumes     nothing
+ *   expects     I_C is symmetric
+ *               m > 0
  *   operations  18: 6 add, 12 multiply
- *   derivation  sha256 80c7c45197881a39651064604e97f25d45942c522abe6695f2bfe2266f1c516e
+ *   derivation  sha256 cddae1b98dff52f00d26c14d98c872c387bd5cede0f73b8f98489dc5f9efeecd
  */
 void chasles_momentum_screw(const double I_C[9], double m, const double t[6], double mu[6]);
 void chasles_momentum_screwf(const float I_C[9], float m, const float t[6], float mu[6]);
@@ -1328,8 +1343,10 @@ void chasles_momentum_screw_batchf(
  *   returns     mu[6]: [I_C omega; m c_dot]
  *   verdict     holds
  *   assumes     nothing
+ *   expects     I_C is symmetric
+ *               m > 0
  *   operations  18: 6 add, 12 multiply
- *   derivation  sha256 80c7c45197881a39651064604e97f25d45942c522abe6695f2bfe2266f1c516e
+ *   derivation  sha256 cddae1b98dff52f00d26c14d98c872c387bd5cede0f73b8f98489dc5f9efeecd
  */
 void chasles_momentum_screw_sym6(const double I_C[6], double m, const double t[6], double mu[6]);
 void chasles_momentum_screw_sym6f(const float I_C[6], float m, const float t[6], float mu[6]);
@@ -1354,8 +1371,10 @@ void chasles_momentum_screw_sym6_batchf(
  *   returns     T: kinetic energy
  *   verdict     holds
  *   assumes     nothing
+ *   expects     I_C is symmetric
+ *               m > 0
  *   operations  35: 11 add, 24 multiply
- *   derivation  sha256 3882c568cd5f4ba28dfc86901f1dd5c428812173920d2aa179d05751da2a7975
+ *   derivation  sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
  */
 void chasles_kinetic_energy(const double I_C[9], double m, const double t[6], double *T);
 void chasles_kinetic_energyf(const float I_C[9], float m, const float t[6], float *T);
@@ -1381,8 +1400,10 @@ void chasles_kinetic_energy_batchf(
  *   returns     T: kinetic energy
  *   verdict     holds
  *   assumes     nothing
+ *   expects     I_C is symmetric
+ *               m > 0
  *   operations  35: 11 add, 24 multiply
- *   derivation  sha256 3882c568cd5f4ba28dfc86901f1dd5c428812173920d2aa179d05751da2a7975
+ *   derivation  sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
  */
 void chasles_kinetic_energy_sym6(const double I_C[6], double m, const double t[6], double *T);
 void chasles_kinetic_energy_sym6f(const float I_C[6], float m, const float t[6], float *T);
@@ -1408,8 +1429,10 @@ void chasles_kinetic_energy_sym6_batchf(
  *   returns     w[6]: wrench: moment, force
  *   verdict     holds
  *   assumes     nothing
+ *   expects     I_C is symmetric
+ *               m > 0
  *   operations  45: 15 add, 3 subtract, 27 multiply
- *   derivation  sha256 6437e8b747bc7e3f01a61bf3dbb6a0ad1b59f43d0644e10b0e540fd5649789ee
+ *   derivation  sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
  */
 void chasles_newton_euler_wrench(
     const double I_C[9],
@@ -1448,8 +1471,10 @@ void chasles_newton_euler_wrench_batchf(
  *   returns     w[6]: wrench: moment, force
  *   verdict     holds
  *   assumes     nothing
+ *   expects     I_C is symmetric
+ *               m > 0
  *   operations  45: 15 add, 3 subtract, 27 multiply
- *   derivation  sha256 6437e8b747bc7e3f01a61bf3dbb6a0ad1b59f43d0644e10b0e540fd5649789ee
+ *   derivation  sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
  */
 void chasles_newton_euler_wrench_sym6(
     const double I_C[6],
@@ -1489,8 +1514,9 @@ void chasles_newton_euler_wrench_sym6_batchf(
  *   verdict     holds under
  *   assumes     det(I_C) != 0
  *               m > 0
+ *   expects     I_C is positive-definite
  *   operations  82: 14 add, 15 subtract, 51 multiply, 2 divide
- *   derivation  sha256 e06660d08fead23cab933be2dd9375e8b58d94e7a9bd309a40ba06215be583fc
+ *   derivation  sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
  */
 void chasles_newton_euler_twist_rate(
     const double I_C[9],
@@ -1531,8 +1557,9 @@ void chasles_newton_euler_twist_rate_batchf(
  *   verdict     holds under
  *   assumes     det(I_C) != 0
  *               m > 0
+ *   expects     I_C is positive-definite
  *   operations  73: 14 add, 12 subtract, 45 multiply, 2 divide
- *   derivation  sha256 e06660d08fead23cab933be2dd9375e8b58d94e7a9bd309a40ba06215be583fc
+ *   derivation  sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
  */
 void chasles_newton_euler_twist_rate_sym6(
     const double I_C[6],
@@ -1570,8 +1597,10 @@ void chasles_newton_euler_twist_rate_sym6_batchf(
  *   returns     M_A[36]: inertia dyad at A
  *   verdict     holds
  *   assumes     nothing
+ *   expects     I_C is symmetric
+ *               m > 0
  *   operations  30: 6 add, 9 subtract, 15 multiply
- *   derivation  sha256 88494f41ab06f7d91528b20a3a9cde4825fee1dc0889e9e6058401c7a3b56450
+ *   derivation  sha256 a5bd251535f48b198cf4a48c134786e54eacca65f02a00b3451cfcb8e99e18ac
  */
 void chasles_inertia_dyad(
     const double I_C[9],
@@ -1610,8 +1639,10 @@ void chasles_inertia_dyad_batchf(
  *   returns     M_A[36]: inertia dyad at A
  *   verdict     holds
  *   assumes     nothing
+ *   expects     I_C is symmetric
+ *               m > 0
  *   operations  27: 6 add, 6 subtract, 15 multiply
- *   derivation  sha256 88494f41ab06f7d91528b20a3a9cde4825fee1dc0889e9e6058401c7a3b56450
+ *   derivation  sha256 a5bd251535f48b198cf4a48c134786e54eacca65f02a00b3451cfcb8e99e18ac
  */
 void chasles_inertia_dyad_sym6(
     const double I_C[6],

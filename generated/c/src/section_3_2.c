@@ -209,8 +209,9 @@ void chasles_rotation_from_axis_angle_batchf(
  *   returns     p_prime[3]: position of P after the displacement
  *   verdict     holds
  *   assumes     nothing
+ *   expects     Q is a rotation
  *   operations  21: 9 add, 3 subtract, 9 multiply
- *   derivation  sha256 182ba8442fabab0886c960f1777fa0a4369e031dfa994b01d86d1ae7766049ed
+ *   derivation  sha256 e64cf405ca27a59ae4dba57aa45f63f61552677dd356e49c7554622691f7c536
  */
 void chasles_point_after_displacement(
     const double Q[9],
@@ -233,7 +234,7 @@ void chasles_point_after_displacement(
 /*
  * (3.2) chasles_point_after_displacement in single precision.
  *   verdict: holds; assumes nothing
- *   21 operations; derivation sha256 182ba8442fabab0886c960f1777fa0a4369e031dfa994b01d86d1ae7766049ed
+ *   21 operations; derivation sha256 e64cf405ca27a59ae4dba57aa45f63f61552677dd356e49c7554622691f7c536
  */
 void chasles_point_after_displacementf(
     const float Q[9],
@@ -256,7 +257,7 @@ void chasles_point_after_displacementf(
 /*
  * (3.2) chasles_point_after_displacement for a batch.
  *   verdict: holds; assumes nothing
- *   21 operations; derivation sha256 182ba8442fabab0886c960f1777fa0a4369e031dfa994b01d86d1ae7766049ed
+ *   21 operations; derivation sha256 e64cf405ca27a59ae4dba57aa45f63f61552677dd356e49c7554622691f7c536
  */
 void chasles_point_after_displacement_batch(
     size_t count,
@@ -279,7 +280,7 @@ void chasles_point_after_displacement_batch(
 /*
  * (3.2) chasles_point_after_displacementf for a batch.
  *   verdict: holds; assumes nothing
- *   21 operations; derivation sha256 182ba8442fabab0886c960f1777fa0a4369e031dfa994b01d86d1ae7766049ed
+ *   21 operations; derivation sha256 e64cf405ca27a59ae4dba57aa45f63f61552677dd356e49c7554622691f7c536
  */
 void chasles_point_after_displacement_batchf(
     size_t count,
@@ -309,7 +310,7 @@ void chasles_point_after_displacement_batchf(
  *   assumes     phi != 0
  *               |e| = 1
  *   operations  6: 2 add, 3 multiply, 1 divide
- *   derivation  sha256 e42358121f712aa8bfa99f0924d6e3c4fa181e197a5844c621c6ec9a663691cf
+ *   derivation  sha256 608f8e0b5c013b248e286c77597896f6fd34f1056e0cae176c0fffd5faf1f7e9
  */
 void chasles_pitch_of_motion(const double e[3], double phi, const double d_P[3], double *result)
 {
@@ -320,7 +321,7 @@ void chasles_pitch_of_motion(const double e[3], double phi, const double d_P[3],
 /*
  * (3.7) chasles_pitch_of_motion in single precision.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   6 operations; derivation sha256 e42358121f712aa8bfa99f0924d6e3c4fa181e197a5844c621c6ec9a663691cf
+ *   6 operations; derivation sha256 608f8e0b5c013b248e286c77597896f6fd34f1056e0cae176c0fffd5faf1f7e9
  */
 void chasles_pitch_of_motionf(const float e[3], float phi, const float d_P[3], float *result)
 {
@@ -332,7 +333,7 @@ void chasles_pitch_of_motionf(const float e[3], float phi, const float d_P[3], f
 /*
  * (3.7) chasles_pitch_of_motion for a batch.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   6 operations; derivation sha256 e42358121f712aa8bfa99f0924d6e3c4fa181e197a5844c621c6ec9a663691cf
+ *   6 operations; derivation sha256 608f8e0b5c013b248e286c77597896f6fd34f1056e0cae176c0fffd5faf1f7e9
  */
 void chasles_pitch_of_motion_batch(
     size_t count,
@@ -353,7 +354,7 @@ void chasles_pitch_of_motion_batch(
 /*
  * (3.7) chasles_pitch_of_motionf for a batch.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   6 operations; derivation sha256 e42358121f712aa8bfa99f0924d6e3c4fa181e197a5844c621c6ec9a663691cf
+ *   6 operations; derivation sha256 608f8e0b5c013b248e286c77597896f6fd34f1056e0cae176c0fffd5faf1f7e9
  */
 void chasles_pitch_of_motion_batchf(
     size_t count,

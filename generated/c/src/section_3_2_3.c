@@ -12,8 +12,10 @@
  *   returns     Q[9]: components of the rotation in the axes of the triad
  *   verdict     holds
  *   assumes     nothing
+ *   expects     triad is a rotation
+ *               triad' is a rotation
  *   operations  45: 18 add, 27 multiply
- *   derivation  sha256 f86d42ad88c6c4cd9ee18d167dbadc4ff0defedb31eb0cad50cf0bc9001d047c
+ *   derivation  sha256 37884df5c1bb0988ddff944acb988e27fc619a7e538a026682fcc0b6c146645c
  */
 void chasles_rotation_in_triad_axes(const double triad[9], const double triad_prime[9], double Q[9])
 {
@@ -49,7 +51,7 @@ void chasles_rotation_in_triad_axes(const double triad[9], const double triad_pr
 /*
  * text 3.2.3 h chasles_rotation_in_triad_axes in single precision.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 f86d42ad88c6c4cd9ee18d167dbadc4ff0defedb31eb0cad50cf0bc9001d047c
+ *   45 operations; derivation sha256 37884df5c1bb0988ddff944acb988e27fc619a7e538a026682fcc0b6c146645c
  */
 void chasles_rotation_in_triad_axesf(const float triad[9], const float triad_prime[9], float Q[9])
 {
@@ -85,7 +87,7 @@ void chasles_rotation_in_triad_axesf(const float triad[9], const float triad_pri
 /*
  * text 3.2.3 h chasles_rotation_in_triad_axes for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 f86d42ad88c6c4cd9ee18d167dbadc4ff0defedb31eb0cad50cf0bc9001d047c
+ *   45 operations; derivation sha256 37884df5c1bb0988ddff944acb988e27fc619a7e538a026682fcc0b6c146645c
  */
 void chasles_rotation_in_triad_axes_batch(
     size_t count,
@@ -104,7 +106,7 @@ void chasles_rotation_in_triad_axes_batch(
 /*
  * text 3.2.3 h chasles_rotation_in_triad_axesf for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 f86d42ad88c6c4cd9ee18d167dbadc4ff0defedb31eb0cad50cf0bc9001d047c
+ *   45 operations; derivation sha256 37884df5c1bb0988ddff944acb988e27fc619a7e538a026682fcc0b6c146645c
  */
 void chasles_rotation_in_triad_axes_batchf(
     size_t count,
@@ -127,8 +129,10 @@ void chasles_rotation_in_triad_axes_batchf(
  *   returns     Q[9]: rotation
  *   verdict     holds under
  *   assumes     e_1, e_2, e_3 are orthonormal and right-handed
+ *   expects     triad is a rotation
+ *               triad' is a rotation
  *   operations  45: 18 add, 27 multiply
- *   derivation  sha256 831cb4bce4aa7a3c8c0f15db2f27996aaad3307aa6789c8822540498e2524999
+ *   derivation  sha256 20bfc4be7482a03cac2887f4c4003cd47cd58752cd4f74993b4c1f541b5fe56f
  */
 void chasles_rotation_from_triads(const double triad[9], const double triad_prime[9], double Q[9])
 {
@@ -164,7 +168,7 @@ void chasles_rotation_from_triads(const double triad[9], const double triad_prim
 /*
  * text 3.2.3 g chasles_rotation_from_triads in single precision.
  *   verdict: holds under; assumes e_1, e_2, e_3 are orthonormal and right-handed
- *   45 operations; derivation sha256 831cb4bce4aa7a3c8c0f15db2f27996aaad3307aa6789c8822540498e2524999
+ *   45 operations; derivation sha256 20bfc4be7482a03cac2887f4c4003cd47cd58752cd4f74993b4c1f541b5fe56f
  */
 void chasles_rotation_from_triadsf(const float triad[9], const float triad_prime[9], float Q[9])
 {
@@ -200,7 +204,7 @@ void chasles_rotation_from_triadsf(const float triad[9], const float triad_prime
 /*
  * text 3.2.3 g chasles_rotation_from_triads for a batch.
  *   verdict: holds under; assumes e_1, e_2, e_3 are orthonormal and right-handed
- *   45 operations; derivation sha256 831cb4bce4aa7a3c8c0f15db2f27996aaad3307aa6789c8822540498e2524999
+ *   45 operations; derivation sha256 20bfc4be7482a03cac2887f4c4003cd47cd58752cd4f74993b4c1f541b5fe56f
  */
 void chasles_rotation_from_triads_batch(
     size_t count,
@@ -219,7 +223,7 @@ void chasles_rotation_from_triads_batch(
 /*
  * text 3.2.3 g chasles_rotation_from_triadsf for a batch.
  *   verdict: holds under; assumes e_1, e_2, e_3 are orthonormal and right-handed
- *   45 operations; derivation sha256 831cb4bce4aa7a3c8c0f15db2f27996aaad3307aa6789c8822540498e2524999
+ *   45 operations; derivation sha256 20bfc4be7482a03cac2887f4c4003cd47cd58752cd4f74993b4c1f541b5fe56f
  */
 void chasles_rotation_from_triads_batchf(
     size_t count,

@@ -366,8 +366,10 @@ void chasles_euler_rodrigues_rate_matrix_batchf(
  *   returns     Q[9]: rotation
  *   verdict     holds under
  *   assumes     phi != pi
+ *   expects     |[q, q_0]| = 1
+ *               1 + q_0 != 0
  *   operations  20: 7 add, 3 subtract, 9 multiply, 1 divide
- *   derivation  sha256 4c9780f18d97d0466d9140eebd5c08965e14e5fcea3bdc9bb1a23121dedc811e
+ *   derivation  sha256 2fa7ad4fc6b8551a66ecf4ae0dcef7f683204ee4a7508c44cff97a90cf66edae
  */
 void chasles_rotation_from_linear_invariants(const double q[3], double q_0, double Q[9])
 {
@@ -401,7 +403,7 @@ void chasles_rotation_from_linear_invariants(const double q[3], double q_0, doub
 /*
  * text 3.4.2 f chasles_rotation_from_linear_invariants in single precision.
  *   verdict: holds under; assumes phi != pi
- *   20 operations; derivation sha256 4c9780f18d97d0466d9140eebd5c08965e14e5fcea3bdc9bb1a23121dedc811e
+ *   20 operations; derivation sha256 2fa7ad4fc6b8551a66ecf4ae0dcef7f683204ee4a7508c44cff97a90cf66edae
  */
 void chasles_rotation_from_linear_invariantsf(const float q[3], float q_0, float Q[9])
 {
@@ -435,7 +437,7 @@ void chasles_rotation_from_linear_invariantsf(const float q[3], float q_0, float
 /*
  * text 3.4.2 f chasles_rotation_from_linear_invariants for a batch.
  *   verdict: holds under; assumes phi != pi
- *   20 operations; derivation sha256 4c9780f18d97d0466d9140eebd5c08965e14e5fcea3bdc9bb1a23121dedc811e
+ *   20 operations; derivation sha256 2fa7ad4fc6b8551a66ecf4ae0dcef7f683204ee4a7508c44cff97a90cf66edae
  */
 void chasles_rotation_from_linear_invariants_batch(
     size_t count,
@@ -451,7 +453,7 @@ void chasles_rotation_from_linear_invariants_batch(
 /*
  * text 3.4.2 f chasles_rotation_from_linear_invariantsf for a batch.
  *   verdict: holds under; assumes phi != pi
- *   20 operations; derivation sha256 4c9780f18d97d0466d9140eebd5c08965e14e5fcea3bdc9bb1a23121dedc811e
+ *   20 operations; derivation sha256 2fa7ad4fc6b8551a66ecf4ae0dcef7f683204ee4a7508c44cff97a90cf66edae
  */
 void chasles_rotation_from_linear_invariants_batchf(
     size_t count,
@@ -471,8 +473,9 @@ void chasles_rotation_from_linear_invariants_batchf(
  *   returns     Q[9]: rotation
  *   verdict     holds under
  *   assumes     |e| = 1
+ *   expects     |[q, q_0]| = 1
  *   operations  29: 8 add, 4 subtract, 17 multiply
- *   derivation  sha256 3c07bce2c1a977983f72743fca7632ae529437a279a1c8c5ae50fd5f0549711b
+ *   derivation  sha256 2c3e1cfe8648bfbd86be147e00c4d94b0f95d070a78440d91f72e1992881fe27
  */
 void chasles_rotation_from_euler_rodrigues(const double q[3], double q_0, double Q[9])
 {
@@ -509,7 +512,7 @@ void chasles_rotation_from_euler_rodrigues(const double q[3], double q_0, double
 /*
  * text 3.4.2 f chasles_rotation_from_euler_rodrigues in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 3c07bce2c1a977983f72743fca7632ae529437a279a1c8c5ae50fd5f0549711b
+ *   29 operations; derivation sha256 2c3e1cfe8648bfbd86be147e00c4d94b0f95d070a78440d91f72e1992881fe27
  */
 void chasles_rotation_from_euler_rodriguesf(const float q[3], float q_0, float Q[9])
 {
@@ -546,7 +549,7 @@ void chasles_rotation_from_euler_rodriguesf(const float q[3], float q_0, float Q
 /*
  * text 3.4.2 f chasles_rotation_from_euler_rodrigues for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 3c07bce2c1a977983f72743fca7632ae529437a279a1c8c5ae50fd5f0549711b
+ *   29 operations; derivation sha256 2c3e1cfe8648bfbd86be147e00c4d94b0f95d070a78440d91f72e1992881fe27
  */
 void chasles_rotation_from_euler_rodrigues_batch(
     size_t count,
@@ -562,7 +565,7 @@ void chasles_rotation_from_euler_rodrigues_batch(
 /*
  * text 3.4.2 f chasles_rotation_from_euler_rodriguesf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 3c07bce2c1a977983f72743fca7632ae529437a279a1c8c5ae50fd5f0549711b
+ *   29 operations; derivation sha256 2c3e1cfe8648bfbd86be147e00c4d94b0f95d070a78440d91f72e1992881fe27
  */
 void chasles_rotation_from_euler_rodrigues_batchf(
     size_t count,
@@ -582,8 +585,9 @@ void chasles_rotation_from_euler_rodrigues_batchf(
  *               q_0: scalar part of four invariants of the rotation
  *   verdict     holds under
  *   assumes     |e| = 1
+ *   expects     Q is a rotation
  *   operations  10: 2 add, 4 subtract, 4 multiply
- *   derivation  sha256 95f6d9d982139ac08ba7031fbcb43368472a4ebbbdfb2464e1e93ced6035d2a7
+ *   derivation  sha256 14dfe57d89d33f7df4edddb11ba2240a90e01a0500293b07fdf9dbc9ba2f6fb4
  */
 void chasles_linear_invariants(const double Q[9], double q[3], double *q_0)
 {
@@ -600,7 +604,7 @@ void chasles_linear_invariants(const double Q[9], double q[3], double *q_0)
 /*
  * text 3.4.2 g chasles_linear_invariants in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   10 operations; derivation sha256 95f6d9d982139ac08ba7031fbcb43368472a4ebbbdfb2464e1e93ced6035d2a7
+ *   10 operations; derivation sha256 14dfe57d89d33f7df4edddb11ba2240a90e01a0500293b07fdf9dbc9ba2f6fb4
  */
 void chasles_linear_invariantsf(const float Q[9], float q[3], float *q_0)
 {
@@ -617,7 +621,7 @@ void chasles_linear_invariantsf(const float Q[9], float q[3], float *q_0)
 /*
  * text 3.4.2 g chasles_linear_invariants for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   10 operations; derivation sha256 95f6d9d982139ac08ba7031fbcb43368472a4ebbbdfb2464e1e93ced6035d2a7
+ *   10 operations; derivation sha256 14dfe57d89d33f7df4edddb11ba2240a90e01a0500293b07fdf9dbc9ba2f6fb4
  */
 void chasles_linear_invariants_batch(
     size_t count,
@@ -633,7 +637,7 @@ void chasles_linear_invariants_batch(
 /*
  * text 3.4.2 g chasles_linear_invariantsf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   10 operations; derivation sha256 95f6d9d982139ac08ba7031fbcb43368472a4ebbbdfb2464e1e93ced6035d2a7
+ *   10 operations; derivation sha256 14dfe57d89d33f7df4edddb11ba2240a90e01a0500293b07fdf9dbc9ba2f6fb4
  */
 void chasles_linear_invariants_batchf(
     size_t count,
@@ -845,7 +849,7 @@ void chasles_natural_invariants_batchf(
  *   verdict     holds under
  *   assumes     Q is a rotation
  *   operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root
- *   derivation  sha256 dd50774c5c2bf2f86eb0208023cc96df52230dc832595717873ebc239257408b
+ *   derivation  sha256 e342588bb3d3cb6097f1e419f205ef19d1f2da08fb839c41c34e6fd10d09d80a
  */
 void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *q_0)
 {
@@ -909,7 +913,7 @@ void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parameters in single precision.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 dd50774c5c2bf2f86eb0208023cc96df52230dc832595717873ebc239257408b
+ *   49 operations; derivation sha256 e342588bb3d3cb6097f1e419f205ef19d1f2da08fb839c41c34e6fd10d09d80a
  */
 void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_0)
 {
@@ -973,7 +977,7 @@ void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parameters for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 dd50774c5c2bf2f86eb0208023cc96df52230dc832595717873ebc239257408b
+ *   49 operations; derivation sha256 e342588bb3d3cb6097f1e419f205ef19d1f2da08fb839c41c34e6fd10d09d80a
  */
 void chasles_euler_rodrigues_parameters_batch(
     size_t count,
@@ -989,7 +993,7 @@ void chasles_euler_rodrigues_parameters_batch(
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parametersf for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 dd50774c5c2bf2f86eb0208023cc96df52230dc832595717873ebc239257408b
+ *   49 operations; derivation sha256 e342588bb3d3cb6097f1e419f205ef19d1f2da08fb839c41c34e6fd10d09d80a
  */
 void chasles_euler_rodrigues_parameters_batchf(
     size_t count,

@@ -15,8 +15,9 @@
  *   returns     p_dot[3]: time derivative of: position of any point P
  *   verdict     holds
  *   assumes     nothing
+ *   expects     Q is a rotation
  *   operations  45: 18 add, 3 subtract, 24 multiply
- *   derivation  sha256 6e6be7f2f4f9486b0b3934025971cafd38dee9799b1f38a1e26068c30dce66d2
+ *   derivation  sha256 ba5162a4c227d151481d733bdae324ab6291b1fd0ab7dc70c10c9528eb8fe68a
  */
 void chasles_moving_frame_velocity(
     const double o_dot[3],
@@ -43,7 +44,7 @@ void chasles_moving_frame_velocity(
 /*
  * (3.103) chasles_moving_frame_velocity in single precision.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 6e6be7f2f4f9486b0b3934025971cafd38dee9799b1f38a1e26068c30dce66d2
+ *   45 operations; derivation sha256 ba5162a4c227d151481d733bdae324ab6291b1fd0ab7dc70c10c9528eb8fe68a
  */
 void chasles_moving_frame_velocityf(
     const float o_dot[3],
@@ -70,7 +71,7 @@ void chasles_moving_frame_velocityf(
 /*
  * (3.103) chasles_moving_frame_velocity for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 6e6be7f2f4f9486b0b3934025971cafd38dee9799b1f38a1e26068c30dce66d2
+ *   45 operations; derivation sha256 ba5162a4c227d151481d733bdae324ab6291b1fd0ab7dc70c10c9528eb8fe68a
  */
 void chasles_moving_frame_velocity_batch(
     size_t count,
@@ -95,7 +96,7 @@ void chasles_moving_frame_velocity_batch(
 /*
  * (3.103) chasles_moving_frame_velocityf for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 6e6be7f2f4f9486b0b3934025971cafd38dee9799b1f38a1e26068c30dce66d2
+ *   45 operations; derivation sha256 ba5162a4c227d151481d733bdae324ab6291b1fd0ab7dc70c10c9528eb8fe68a
  */
 void chasles_moving_frame_velocity_batchf(
     size_t count,
@@ -130,8 +131,9 @@ void chasles_moving_frame_velocity_batchf(
  *   returns     p_ddot[3]: second time derivative of: position of any point P
  *   verdict     holds
  *   assumes     nothing
+ *   expects     Q is a rotation
  *   operations  96: 30 add, 12 subtract, 54 multiply
- *   derivation  sha256 c6a64a4bffadd3c29b367c3f55b97d7b2681a5145fdcaad4db2217220fcdf5d7
+ *   derivation  sha256 74c77bd125ea9d0274b42074c1b21085b73b81a7223e34013bdebc723f3f2463
  */
 void chasles_moving_frame_acceleration(
     const double o_ddot[3],
@@ -169,7 +171,7 @@ void chasles_moving_frame_acceleration(
 /*
  * (3.105) chasles_moving_frame_acceleration in single precision.
  *   verdict: holds; assumes nothing
- *   96 operations; derivation sha256 c6a64a4bffadd3c29b367c3f55b97d7b2681a5145fdcaad4db2217220fcdf5d7
+ *   96 operations; derivation sha256 74c77bd125ea9d0274b42074c1b21085b73b81a7223e34013bdebc723f3f2463
  */
 void chasles_moving_frame_accelerationf(
     const float o_ddot[3],
@@ -207,7 +209,7 @@ void chasles_moving_frame_accelerationf(
 /*
  * (3.105) chasles_moving_frame_acceleration for a batch.
  *   verdict: holds; assumes nothing
- *   96 operations; derivation sha256 c6a64a4bffadd3c29b367c3f55b97d7b2681a5145fdcaad4db2217220fcdf5d7
+ *   96 operations; derivation sha256 74c77bd125ea9d0274b42074c1b21085b73b81a7223e34013bdebc723f3f2463
  */
 void chasles_moving_frame_acceleration_batch(
     size_t count,
@@ -236,7 +238,7 @@ void chasles_moving_frame_acceleration_batch(
 /*
  * (3.105) chasles_moving_frame_accelerationf for a batch.
  *   verdict: holds; assumes nothing
- *   96 operations; derivation sha256 c6a64a4bffadd3c29b367c3f55b97d7b2681a5145fdcaad4db2217220fcdf5d7
+ *   96 operations; derivation sha256 74c77bd125ea9d0274b42074c1b21085b73b81a7223e34013bdebc723f3f2463
  */
 void chasles_moving_frame_acceleration_batchf(
     size_t count,

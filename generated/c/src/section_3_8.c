@@ -14,8 +14,9 @@
  *   returns     I_A[9]: moment of inertia with respect to A
  *   verdict     holds under
  *   assumes     m > 0
+ *   expects     I_C is symmetric
  *   operations  30: 5 add, 12 subtract, 13 multiply
- *   derivation  sha256 a5fa9c9f317c8c327a3a877870bb21ecfb296530ddbdb33ca9de1fbe84969f2e
+ *   derivation  sha256 a4bcf979f78da4a884e3373c8facc5d578200165bff4389fa5501d7b3122d970
  */
 void chasles_inertia_about_point(
     const double I_C[9],
@@ -56,7 +57,7 @@ void chasles_inertia_about_point(
 /*
  * (3.133a) chasles_inertia_about_point in single precision.
  *   verdict: holds under; assumes m > 0
- *   30 operations; derivation sha256 a5fa9c9f317c8c327a3a877870bb21ecfb296530ddbdb33ca9de1fbe84969f2e
+ *   30 operations; derivation sha256 a4bcf979f78da4a884e3373c8facc5d578200165bff4389fa5501d7b3122d970
  */
 void chasles_inertia_about_pointf(
     const float I_C[9],
@@ -97,7 +98,7 @@ void chasles_inertia_about_pointf(
 /*
  * (3.133a) chasles_inertia_about_point for a batch.
  *   verdict: holds under; assumes m > 0
- *   30 operations; derivation sha256 a5fa9c9f317c8c327a3a877870bb21ecfb296530ddbdb33ca9de1fbe84969f2e
+ *   30 operations; derivation sha256 a4bcf979f78da4a884e3373c8facc5d578200165bff4389fa5501d7b3122d970
  */
 void chasles_inertia_about_point_batch(
     size_t count,
@@ -120,7 +121,7 @@ void chasles_inertia_about_point_batch(
 /*
  * (3.133a) chasles_inertia_about_pointf for a batch.
  *   verdict: holds under; assumes m > 0
- *   30 operations; derivation sha256 a5fa9c9f317c8c327a3a877870bb21ecfb296530ddbdb33ca9de1fbe84969f2e
+ *   30 operations; derivation sha256 a4bcf979f78da4a884e3373c8facc5d578200165bff4389fa5501d7b3122d970
  */
 void chasles_inertia_about_point_batchf(
     size_t count,
@@ -150,8 +151,9 @@ void chasles_inertia_about_point_batchf(
  *   returns     I_A[6]: moment of inertia with respect to A, symmetric, as (xx, xy, xz, yy, yz, zz)
  *   verdict     holds under
  *   assumes     m > 0
+ *   expects     I_C is symmetric
  *   operations  27: 5 add, 9 subtract, 13 multiply
- *   derivation  sha256 a5fa9c9f317c8c327a3a877870bb21ecfb296530ddbdb33ca9de1fbe84969f2e
+ *   derivation  sha256 a4bcf979f78da4a884e3373c8facc5d578200165bff4389fa5501d7b3122d970
  */
 void chasles_inertia_about_point_sym6(
     const double I_C[6],
@@ -183,7 +185,7 @@ void chasles_inertia_about_point_sym6(
 /*
  * (3.133a) chasles_inertia_about_point_sym6 in single precision.
  *   verdict: holds under; assumes m > 0
- *   27 operations; derivation sha256 a5fa9c9f317c8c327a3a877870bb21ecfb296530ddbdb33ca9de1fbe84969f2e
+ *   27 operations; derivation sha256 a4bcf979f78da4a884e3373c8facc5d578200165bff4389fa5501d7b3122d970
  */
 void chasles_inertia_about_point_sym6f(
     const float I_C[6],
@@ -215,7 +217,7 @@ void chasles_inertia_about_point_sym6f(
 /*
  * (3.133a) chasles_inertia_about_point_sym6 for a batch.
  *   verdict: holds under; assumes m > 0
- *   27 operations; derivation sha256 a5fa9c9f317c8c327a3a877870bb21ecfb296530ddbdb33ca9de1fbe84969f2e
+ *   27 operations; derivation sha256 a4bcf979f78da4a884e3373c8facc5d578200165bff4389fa5501d7b3122d970
  */
 void chasles_inertia_about_point_sym6_batch(
     size_t count,
@@ -238,7 +240,7 @@ void chasles_inertia_about_point_sym6_batch(
 /*
  * (3.133a) chasles_inertia_about_point_sym6f for a batch.
  *   verdict: holds under; assumes m > 0
- *   27 operations; derivation sha256 a5fa9c9f317c8c327a3a877870bb21ecfb296530ddbdb33ca9de1fbe84969f2e
+ *   27 operations; derivation sha256 a4bcf979f78da4a884e3373c8facc5d578200165bff4389fa5501d7b3122d970
  */
 void chasles_inertia_about_point_sym6_batchf(
     size_t count,
@@ -266,8 +268,10 @@ void chasles_inertia_about_point_sym6_batchf(
  *   returns     mu[6]: [I_C omega; m c_dot]
  *   verdict     holds
  *   assumes     nothing
+ *   expects     I_C is symmetric
+ *               m > 0
  *   operations  18: 6 add, 12 multiply
- *   derivation  sha256 80c7c45197881a39651064604e97f25d45942c522abe6695f2bfe2266f1c516e
+ *   derivation  sha256 cddae1b98dff52f00d26c14d98c872c387bd5cede0f73b8f98489dc5f9efeecd
  */
 void chasles_momentum_screw(const double I_C[9], double m, const double t[6], double mu[6])
 {
@@ -288,7 +292,7 @@ void chasles_momentum_screw(const double I_C[9], double m, const double t[6], do
 /*
  * (3.142) chasles_momentum_screw in single precision.
  *   verdict: holds; assumes nothing
- *   18 operations; derivation sha256 80c7c45197881a39651064604e97f25d45942c522abe6695f2bfe2266f1c516e
+ *   18 operations; derivation sha256 cddae1b98dff52f00d26c14d98c872c387bd5cede0f73b8f98489dc5f9efeecd
  */
 void chasles_momentum_screwf(const float I_C[9], float m, const float t[6], float mu[6])
 {
@@ -309,7 +313,7 @@ void chasles_momentum_screwf(const float I_C[9], float m, const float t[6], floa
 /*
  * (3.142) chasles_momentum_screw for a batch.
  *   verdict: holds; assumes nothing
- *   18 operations; derivation sha256 80c7c45197881a39651064604e97f25d45942c522abe6695f2bfe2266f1c516e
+ *   18 operations; derivation sha256 cddae1b98dff52f00d26c14d98c872c387bd5cede0f73b8f98489dc5f9efeecd
  */
 void chasles_momentum_screw_batch(
     size_t count,
@@ -326,7 +330,7 @@ void chasles_momentum_screw_batch(
 /*
  * (3.142) chasles_momentum_screwf for a batch.
  *   verdict: holds; assumes nothing
- *   18 operations; derivation sha256 80c7c45197881a39651064604e97f25d45942c522abe6695f2bfe2266f1c516e
+ *   18 operations; derivation sha256 cddae1b98dff52f00d26c14d98c872c387bd5cede0f73b8f98489dc5f9efeecd
  */
 void chasles_momentum_screw_batchf(
     size_t count,
@@ -349,8 +353,10 @@ void chasles_momentum_screw_batchf(
  *   returns     mu[6]: [I_C omega; m c_dot]
  *   verdict     holds
  *   assumes     nothing
+ *   expects     I_C is symmetric
+ *               m > 0
  *   operations  18: 6 add, 12 multiply
- *   derivation  sha256 80c7c45197881a39651064604e97f25d45942c522abe6695f2bfe2266f1c516e
+ *   derivation  sha256 cddae1b98dff52f00d26c14d98c872c387bd5cede0f73b8f98489dc5f9efeecd
  */
 void chasles_momentum_screw_sym6(const double I_C[6], double m, const double t[6], double mu[6])
 {
@@ -371,7 +377,7 @@ void chasles_momentum_screw_sym6(const double I_C[6], double m, const double t[6
 /*
  * (3.142) chasles_momentum_screw_sym6 in single precision.
  *   verdict: holds; assumes nothing
- *   18 operations; derivation sha256 80c7c45197881a39651064604e97f25d45942c522abe6695f2bfe2266f1c516e
+ *   18 operations; derivation sha256 cddae1b98dff52f00d26c14d98c872c387bd5cede0f73b8f98489dc5f9efeecd
  */
 void chasles_momentum_screw_sym6f(const float I_C[6], float m, const float t[6], float mu[6])
 {
@@ -392,7 +398,7 @@ void chasles_momentum_screw_sym6f(const float I_C[6], float m, const float t[6],
 /*
  * (3.142) chasles_momentum_screw_sym6 for a batch.
  *   verdict: holds; assumes nothing
- *   18 operations; derivation sha256 80c7c45197881a39651064604e97f25d45942c522abe6695f2bfe2266f1c516e
+ *   18 operations; derivation sha256 cddae1b98dff52f00d26c14d98c872c387bd5cede0f73b8f98489dc5f9efeecd
  */
 void chasles_momentum_screw_sym6_batch(
     size_t count,
@@ -409,7 +415,7 @@ void chasles_momentum_screw_sym6_batch(
 /*
  * (3.142) chasles_momentum_screw_sym6f for a batch.
  *   verdict: holds; assumes nothing
- *   18 operations; derivation sha256 80c7c45197881a39651064604e97f25d45942c522abe6695f2bfe2266f1c516e
+ *   18 operations; derivation sha256 cddae1b98dff52f00d26c14d98c872c387bd5cede0f73b8f98489dc5f9efeecd
  */
 void chasles_momentum_screw_sym6_batchf(
     size_t count,
@@ -431,8 +437,10 @@ void chasles_momentum_screw_sym6_batchf(
  *   returns     T: kinetic energy
  *   verdict     holds
  *   assumes     nothing
+ *   expects     I_C is symmetric
+ *               m > 0
  *   operations  35: 11 add, 24 multiply
- *   derivation  sha256 3882c568cd5f4ba28dfc86901f1dd5c428812173920d2aa179d05751da2a7975
+ *   derivation  sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
  */
 void chasles_kinetic_energy(const double I_C[9], double m, const double t[6], double *T)
 {
@@ -447,7 +455,7 @@ void chasles_kinetic_energy(const double I_C[9], double m, const double t[6], do
 /*
  * (3.145) chasles_kinetic_energy in single precision.
  *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 3882c568cd5f4ba28dfc86901f1dd5c428812173920d2aa179d05751da2a7975
+ *   35 operations; derivation sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
  */
 void chasles_kinetic_energyf(const float I_C[9], float m, const float t[6], float *T)
 {
@@ -462,7 +470,7 @@ void chasles_kinetic_energyf(const float I_C[9], float m, const float t[6], floa
 /*
  * (3.145) chasles_kinetic_energy for a batch.
  *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 3882c568cd5f4ba28dfc86901f1dd5c428812173920d2aa179d05751da2a7975
+ *   35 operations; derivation sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
  */
 void chasles_kinetic_energy_batch(
     size_t count,
@@ -479,7 +487,7 @@ void chasles_kinetic_energy_batch(
 /*
  * (3.145) chasles_kinetic_energyf for a batch.
  *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 3882c568cd5f4ba28dfc86901f1dd5c428812173920d2aa179d05751da2a7975
+ *   35 operations; derivation sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
  */
 void chasles_kinetic_energy_batchf(
     size_t count,
@@ -502,8 +510,10 @@ void chasles_kinetic_energy_batchf(
  *   returns     T: kinetic energy
  *   verdict     holds
  *   assumes     nothing
+ *   expects     I_C is symmetric
+ *               m > 0
  *   operations  35: 11 add, 24 multiply
- *   derivation  sha256 3882c568cd5f4ba28dfc86901f1dd5c428812173920d2aa179d05751da2a7975
+ *   derivation  sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
  */
 void chasles_kinetic_energy_sym6(const double I_C[6], double m, const double t[6], double *T)
 {
@@ -518,7 +528,7 @@ void chasles_kinetic_energy_sym6(const double I_C[6], double m, const double t[6
 /*
  * (3.145) chasles_kinetic_energy_sym6 in single precision.
  *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 3882c568cd5f4ba28dfc86901f1dd5c428812173920d2aa179d05751da2a7975
+ *   35 operations; derivation sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
  */
 void chasles_kinetic_energy_sym6f(const float I_C[6], float m, const float t[6], float *T)
 {
@@ -533,7 +543,7 @@ void chasles_kinetic_energy_sym6f(const float I_C[6], float m, const float t[6],
 /*
  * (3.145) chasles_kinetic_energy_sym6 for a batch.
  *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 3882c568cd5f4ba28dfc86901f1dd5c428812173920d2aa179d05751da2a7975
+ *   35 operations; derivation sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
  */
 void chasles_kinetic_energy_sym6_batch(
     size_t count,
@@ -550,7 +560,7 @@ void chasles_kinetic_energy_sym6_batch(
 /*
  * (3.145) chasles_kinetic_energy_sym6f for a batch.
  *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 3882c568cd5f4ba28dfc86901f1dd5c428812173920d2aa179d05751da2a7975
+ *   35 operations; derivation sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
  */
 void chasles_kinetic_energy_sym6_batchf(
     size_t count,
@@ -573,8 +583,10 @@ void chasles_kinetic_energy_sym6_batchf(
  *   returns     w[6]: wrench: moment, force
  *   verdict     holds
  *   assumes     nothing
+ *   expects     I_C is symmetric
+ *               m > 0
  *   operations  45: 15 add, 3 subtract, 27 multiply
- *   derivation  sha256 6437e8b747bc7e3f01a61bf3dbb6a0ad1b59f43d0644e10b0e540fd5649789ee
+ *   derivation  sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
  */
 void chasles_newton_euler_wrench(
     const double I_C[9],
@@ -606,7 +618,7 @@ void chasles_newton_euler_wrench(
 /*
  * text 3.8 v chasles_newton_euler_wrench in single precision.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 6437e8b747bc7e3f01a61bf3dbb6a0ad1b59f43d0644e10b0e540fd5649789ee
+ *   45 operations; derivation sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
  */
 void chasles_newton_euler_wrenchf(
     const float I_C[9],
@@ -638,7 +650,7 @@ void chasles_newton_euler_wrenchf(
 /*
  * text 3.8 v chasles_newton_euler_wrench for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 6437e8b747bc7e3f01a61bf3dbb6a0ad1b59f43d0644e10b0e540fd5649789ee
+ *   45 operations; derivation sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
  */
 void chasles_newton_euler_wrench_batch(
     size_t count,
@@ -661,7 +673,7 @@ void chasles_newton_euler_wrench_batch(
 /*
  * text 3.8 v chasles_newton_euler_wrenchf for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 6437e8b747bc7e3f01a61bf3dbb6a0ad1b59f43d0644e10b0e540fd5649789ee
+ *   45 operations; derivation sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
  */
 void chasles_newton_euler_wrench_batchf(
     size_t count,
@@ -691,8 +703,10 @@ void chasles_newton_euler_wrench_batchf(
  *   returns     w[6]: wrench: moment, force
  *   verdict     holds
  *   assumes     nothing
+ *   expects     I_C is symmetric
+ *               m > 0
  *   operations  45: 15 add, 3 subtract, 27 multiply
- *   derivation  sha256 6437e8b747bc7e3f01a61bf3dbb6a0ad1b59f43d0644e10b0e540fd5649789ee
+ *   derivation  sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
  */
 void chasles_newton_euler_wrench_sym6(
     const double I_C[6],
@@ -724,7 +738,7 @@ void chasles_newton_euler_wrench_sym6(
 /*
  * text 3.8 v chasles_newton_euler_wrench_sym6 in single precision.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 6437e8b747bc7e3f01a61bf3dbb6a0ad1b59f43d0644e10b0e540fd5649789ee
+ *   45 operations; derivation sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
  */
 void chasles_newton_euler_wrench_sym6f(
     const float I_C[6],
@@ -756,7 +770,7 @@ void chasles_newton_euler_wrench_sym6f(
 /*
  * text 3.8 v chasles_newton_euler_wrench_sym6 for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 6437e8b747bc7e3f01a61bf3dbb6a0ad1b59f43d0644e10b0e540fd5649789ee
+ *   45 operations; derivation sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
  */
 void chasles_newton_euler_wrench_sym6_batch(
     size_t count,
@@ -779,7 +793,7 @@ void chasles_newton_euler_wrench_sym6_batch(
 /*
  * text 3.8 v chasles_newton_euler_wrench_sym6f for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 6437e8b747bc7e3f01a61bf3dbb6a0ad1b59f43d0644e10b0e540fd5649789ee
+ *   45 operations; derivation sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
  */
 void chasles_newton_euler_wrench_sym6_batchf(
     size_t count,
@@ -810,8 +824,9 @@ void chasles_newton_euler_wrench_sym6_batchf(
  *   verdict     holds under
  *   assumes     det(I_C) != 0
  *               m > 0
+ *   expects     I_C is positive-definite
  *   operations  82: 14 add, 15 subtract, 51 multiply, 2 divide
- *   derivation  sha256 e06660d08fead23cab933be2dd9375e8b58d94e7a9bd309a40ba06215be583fc
+ *   derivation  sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
  */
 void chasles_newton_euler_twist_rate(
     const double I_C[9],
@@ -852,7 +867,7 @@ void chasles_newton_euler_twist_rate(
 /*
  * text 3.8 v chasles_newton_euler_twist_rate in single precision.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   82 operations; derivation sha256 e06660d08fead23cab933be2dd9375e8b58d94e7a9bd309a40ba06215be583fc
+ *   82 operations; derivation sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
  */
 void chasles_newton_euler_twist_ratef(
     const float I_C[9],
@@ -893,7 +908,7 @@ void chasles_newton_euler_twist_ratef(
 /*
  * text 3.8 v chasles_newton_euler_twist_rate for a batch.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   82 operations; derivation sha256 e06660d08fead23cab933be2dd9375e8b58d94e7a9bd309a40ba06215be583fc
+ *   82 operations; derivation sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
  */
 void chasles_newton_euler_twist_rate_batch(
     size_t count,
@@ -916,7 +931,7 @@ void chasles_newton_euler_twist_rate_batch(
 /*
  * text 3.8 v chasles_newton_euler_twist_ratef for a batch.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   82 operations; derivation sha256 e06660d08fead23cab933be2dd9375e8b58d94e7a9bd309a40ba06215be583fc
+ *   82 operations; derivation sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
  */
 void chasles_newton_euler_twist_rate_batchf(
     size_t count,
@@ -948,8 +963,9 @@ void chasles_newton_euler_twist_rate_batchf(
  *   verdict     holds under
  *   assumes     det(I_C) != 0
  *               m > 0
+ *   expects     I_C is positive-definite
  *   operations  73: 14 add, 12 subtract, 45 multiply, 2 divide
- *   derivation  sha256 e06660d08fead23cab933be2dd9375e8b58d94e7a9bd309a40ba06215be583fc
+ *   derivation  sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
  */
 void chasles_newton_euler_twist_rate_sym6(
     const double I_C[6],
@@ -988,7 +1004,7 @@ void chasles_newton_euler_twist_rate_sym6(
 /*
  * text 3.8 v chasles_newton_euler_twist_rate_sym6 in single precision.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   73 operations; derivation sha256 e06660d08fead23cab933be2dd9375e8b58d94e7a9bd309a40ba06215be583fc
+ *   73 operations; derivation sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
  */
 void chasles_newton_euler_twist_rate_sym6f(
     const float I_C[6],
@@ -1027,7 +1043,7 @@ void chasles_newton_euler_twist_rate_sym6f(
 /*
  * text 3.8 v chasles_newton_euler_twist_rate_sym6 for a batch.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   73 operations; derivation sha256 e06660d08fead23cab933be2dd9375e8b58d94e7a9bd309a40ba06215be583fc
+ *   73 operations; derivation sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
  */
 void chasles_newton_euler_twist_rate_sym6_batch(
     size_t count,
@@ -1050,7 +1066,7 @@ void chasles_newton_euler_twist_rate_sym6_batch(
 /*
  * text 3.8 v chasles_newton_euler_twist_rate_sym6f for a batch.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   73 operations; derivation sha256 e06660d08fead23cab933be2dd9375e8b58d94e7a9bd309a40ba06215be583fc
+ *   73 operations; derivation sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
  */
 void chasles_newton_euler_twist_rate_sym6_batchf(
     size_t count,
@@ -1079,8 +1095,10 @@ void chasles_newton_euler_twist_rate_sym6_batchf(
  *   returns     M_A[36]: inertia dyad at A
  *   verdict     holds
  *   assumes     nothing
+ *   expects     I_C is symmetric
+ *               m > 0
  *   operations  30: 6 add, 9 subtract, 15 multiply
- *   derivation  sha256 88494f41ab06f7d91528b20a3a9cde4825fee1dc0889e9e6058401c7a3b56450
+ *   derivation  sha256 a5bd251535f48b198cf4a48c134786e54eacca65f02a00b3451cfcb8e99e18ac
  */
 void chasles_inertia_dyad(
     const double I_C[9],
@@ -1155,7 +1173,7 @@ void chasles_inertia_dyad(
 /*
  * (3.147) chasles_inertia_dyad in single precision.
  *   verdict: holds; assumes nothing
- *   30 operations; derivation sha256 88494f41ab06f7d91528b20a3a9cde4825fee1dc0889e9e6058401c7a3b56450
+ *   30 operations; derivation sha256 a5bd251535f48b198cf4a48c134786e54eacca65f02a00b3451cfcb8e99e18ac
  */
 void chasles_inertia_dyadf(
     const float I_C[9],
@@ -1230,7 +1248,7 @@ void chasles_inertia_dyadf(
 /*
  * (3.147) chasles_inertia_dyad for a batch.
  *   verdict: holds; assumes nothing
- *   30 operations; derivation sha256 88494f41ab06f7d91528b20a3a9cde4825fee1dc0889e9e6058401c7a3b56450
+ *   30 operations; derivation sha256 a5bd251535f48b198cf4a48c134786e54eacca65f02a00b3451cfcb8e99e18ac
  */
 void chasles_inertia_dyad_batch(
     size_t count,
@@ -1253,7 +1271,7 @@ void chasles_inertia_dyad_batch(
 /*
  * (3.147) chasles_inertia_dyadf for a batch.
  *   verdict: holds; assumes nothing
- *   30 operations; derivation sha256 88494f41ab06f7d91528b20a3a9cde4825fee1dc0889e9e6058401c7a3b56450
+ *   30 operations; derivation sha256 a5bd251535f48b198cf4a48c134786e54eacca65f02a00b3451cfcb8e99e18ac
  */
 void chasles_inertia_dyad_batchf(
     size_t count,
@@ -1283,8 +1301,10 @@ void chasles_inertia_dyad_batchf(
  *   returns     M_A[36]: inertia dyad at A
  *   verdict     holds
  *   assumes     nothing
+ *   expects     I_C is symmetric
+ *               m > 0
  *   operations  27: 6 add, 6 subtract, 15 multiply
- *   derivation  sha256 88494f41ab06f7d91528b20a3a9cde4825fee1dc0889e9e6058401c7a3b56450
+ *   derivation  sha256 a5bd251535f48b198cf4a48c134786e54eacca65f02a00b3451cfcb8e99e18ac
  */
 void chasles_inertia_dyad_sym6(
     const double I_C[6],
@@ -1353,7 +1373,7 @@ void chasles_inertia_dyad_sym6(
 /*
  * (3.147) chasles_inertia_dyad_sym6 in single precision.
  *   verdict: holds; assumes nothing
- *   27 operations; derivation sha256 88494f41ab06f7d91528b20a3a9cde4825fee1dc0889e9e6058401c7a3b56450
+ *   27 operations; derivation sha256 a5bd251535f48b198cf4a48c134786e54eacca65f02a00b3451cfcb8e99e18ac
  */
 void chasles_inertia_dyad_sym6f(
     const float I_C[6],
@@ -1422,7 +1442,7 @@ void chasles_inertia_dyad_sym6f(
 /*
  * (3.147) chasles_inertia_dyad_sym6 for a batch.
  *   verdict: holds; assumes nothing
- *   27 operations; derivation sha256 88494f41ab06f7d91528b20a3a9cde4825fee1dc0889e9e6058401c7a3b56450
+ *   27 operations; derivation sha256 a5bd251535f48b198cf4a48c134786e54eacca65f02a00b3451cfcb8e99e18ac
  */
 void chasles_inertia_dyad_sym6_batch(
     size_t count,
@@ -1445,7 +1465,7 @@ void chasles_inertia_dyad_sym6_batch(
 /*
  * (3.147) chasles_inertia_dyad_sym6f for a batch.
  *   verdict: holds; assumes nothing
- *   27 operations; derivation sha256 88494f41ab06f7d91528b20a3a9cde4825fee1dc0889e9e6058401c7a3b56450
+ *   27 operations; derivation sha256 a5bd251535f48b198cf4a48c134786e54eacca65f02a00b3451cfcb8e99e18ac
  */
 void chasles_inertia_dyad_sym6_batchf(
     size_t count,

@@ -38,9 +38,7 @@ class Meanings:
         self._choices = {symbol: choice for choice in request.choices for symbol in choice.symbols}
         self._known: dict[Node, Rows] = {}
         for number, argument in enumerate(request.arguments):
-            steps = {
-                place: expander.builder.input(number, entry) for entry, place in enumerate(places_of(argument))
-            }
+            steps = {place: expander.builder.input(number, entry) for entry, place in enumerate(places_of(argument))}
             for node in nodes_of(argument):
                 self._known[node] = _arranged(node, steps, mirrored=isinstance(argument, Packed))
 

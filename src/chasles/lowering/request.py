@@ -87,11 +87,11 @@ def composed(
     that is not used or is no symbol, and names that no language takes.
     """
     arguments = tuple(argument if isinstance(argument, Stack | Packed) else bare(argument) for argument in of)
-    of, angles = tuple(node for argument in arguments for node in nodes_of(argument)), dict(angles or {})
-    for node in of:
+    symbols, angles = tuple(node for argument in arguments for node in nodes_of(argument)), dict(angles or {})
+    for node in symbols:
         _require_argument(name, node)
     hypotheses = (*hypotheses, *(symmetric(argument.matrix) for argument in arguments if isinstance(argument, Packed)))
-    rules = {left: right for left, right in (rules or {}).items() if left not in of}
+    rules = {left: right for left, right in (rules or {}).items() if left not in symbols}
     table = dict(rules)
 
     def opened(node: Node) -> Node:
@@ -101,7 +101,7 @@ def composed(
     choices = [_opened_choice(choice, opened) for choice in choices]
     outputs = tuple(with_fields(output, value=opened(output.value)) for output in outputs)
     hypotheses = tuple(dict.fromkeys(_opened_hypothesis(hypothesis, opened) for hypothesis in hypotheses))
-    reach = Reach(name, of, rules, choices, angles)
+    reach = Reach(name, symbols, rules, choices, angles)
     for output in outputs:
         reach.follow(output.value)
     for argument in arguments:

@@ -13,6 +13,7 @@ from chasles.statements.hypotheses import (
     rotation,
     symmetric,
     unit,
+    unit_column,
 )
 from chasles.statements.inversion import Branch, Cover, Inverse
 from chasles.statements.kernel import Kernel, Packed, Stack
@@ -57,4 +58,5 @@ __all__ = [
     "rotation",
     "symmetric",
     "unit",
+    "unit_column",
 ]
