@@ -3,8 +3,6 @@
 Each turn is about an axis of the body as the turns before have left it; the angles come in the order of the turns.
 """
 
-from itertools import count
-
 from chasles.derivations.notation import Q, omega, one, unit_columns
 
 from chasles.statements import Claim, Condition, Definition, Kernel, Section, Stack, nonzero
@@ -18,7 +16,9 @@ from chasles.vocabulary import (
     cos,
     det,
     dot,
+    inverse,
     matrix,
+    over,
     rate,
     row,
     scalar,
@@ -38,7 +38,8 @@ angles = Stack("angles", (theta_1, theta_2, theta_3), "Euler angles, in the orde
 
 SEQUENCES = tuple(f"{i}{j}{k}" for i in "xyz" for j in "xyz" for k in "xyz" if i != j != k)
 AXES = dict(zip("xyz", unit_columns, strict=True))
-_parts = count(1)
+SAID_OF_EACH = 10
+_parts = iter(range(1, 2 + len(AXES) + SAID_OF_EACH * len(SEQUENCES)))
 
 
 def _turn(axis: str, angle: Node) -> Block:
@@ -173,31 +174,45 @@ def _determinants(sequence: str, fixed: Definition, body: Definition) -> tuple[C
     )
 
 
-def _solved(sequence: str, fixed: Definition) -> tuple[Condition, Claim]:
+def _solved(sequence: str, fixed: Definition) -> tuple[Claim, Condition, Claim]:
     """The rates are components along the first axis and along two more, at right angles, that the first turn moves."""
     i, j, k = tuple(sequence)
-    other, turned = _left_out(i, j), _turn(i, theta_1)
-    second, across = dot(turned @ AXES[j], omega), dot(turned @ AXES[other], omega)
+    turned, other = _turn(i, theta_1), _left_out(i, j)
+    first, second, across = AXES[i], turned @ AXES[j], turned @ AXES[other]
     lever, share = (sin(theta_2), cos(theta_2)) if i == k else (cos(theta_2), _signed(sin(theta_2), i, j, k))
-    third = _signed(-across, i, j, other) / lever if i == k else across / lever
+    third = _signed(-dot(across, omega), i, j, other) / lever if i == k else dot(across, omega) / lever
+    third_row = (_signed(-over(1, lever), i, j, other) if i == k else over(1, lever)) * across.T
+    said = f"Euler angles about {i}, {j}, {k}"
     equations = Condition(
         "Ex 3.10",
         omega,
         W @ rates,
         part=next(_parts),
-        says=f"The rates of Euler angles about {i}, {j}, {k} that go with an angular velocity.",
+        says=f"The rates of {said} that go with an angular velocity.",
         given=(fixed,),
         on=(rates,),
     )
-    return equations, Claim(
-        "Ex 3.10",
-        rates,
-        column(dot(AXES[i], omega) - share * third, second, third),
-        part=next(_parts),
-        says=f"The rates of Euler angles about {i}, {j}, {k} from the angular velocity in the fixed frame.",
-        given=(equations, fixed),
-        assuming=(nonzero(lever),),
-        kernel=Kernel(of=(angles, omega)),
+    return (
+        Claim(
+            "Ex 3.10",
+            inverse(W),
+            column(first.T - share * third_row, second.T, third_row),
+            part=next(_parts),
+            says=f"The inverse of the matrix for {said}.",
+            given=(fixed,),
+            assuming=(nonzero(lever),),
+        ),
+        equations,
+        Claim(
+            "Ex 3.10",
+            rates,
+            column(dot(first, omega) - share * third, dot(second, omega), third),
+            part=next(_parts),
+            says=f"The rates of {said} from the angular velocity in the fixed frame.",
+            given=(equations, fixed),
+            assuming=(nonzero(lever),),
+            kernel=Kernel(of=(angles, omega)),
+        ),
     )
 
 
@@ -206,7 +221,7 @@ def _statements(sequence: str) -> dict[str, Statement]:
     rotation, fixed, body = _rotation(sequence), _rate_matrix(sequence), _rate_matrix_in_body(sequence)
     in_fixed, in_body = _rates_of_rotation(sequence, rotation, fixed, body)
     determinant, determinant_in_body = _determinants(sequence, fixed, body)
-    equations, rates_of_sequence = _solved(sequence, fixed)
+    inverted, equations, rates_of_sequence = _solved(sequence, fixed)
     return {
         f"rotation_from_euler_{sequence}": rotation,
         f"euler_rate_matrix_{sequence}": fixed,
@@ -216,6 +231,7 @@ def _statements(sequence: str) -> dict[str, Statement]:
         f"determinant_of_euler_rate_matrix_{sequence}": determinant,
         f"determinant_of_euler_rate_matrix_body_{sequence}": determinant_in_body,
         f"angular_velocity_from_euler_rates_{sequence}": equations,
+        f"inverse_of_euler_rate_matrix_{sequence}": inverted,
         f"euler_rates_{sequence}": rates_of_sequence,
     }
 

@@ -601,9 +601,56 @@ static const char rotation_from_triads_types[] = {
 };
 
 /*
+ * (3.45) The loops of axial_vector.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 d765a199b942ea590d183fd31195f0769f5bc7877fca8cb48e9315ab75efe03a
+ */
+static void axial_vector_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[9];
+        float x1[3];
+        gather_f(x0, at[0], 3, 3, steps[2], steps[3]);
+        chasles_axial_vectorf(x0, x1);
+        scatter_f(x1, at[1], 1, 3, 0, steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void axial_vector_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[9];
+        double x1[3];
+        gather_d(x0, at[0], 3, 3, steps[2], steps[3]);
+        chasles_axial_vector(x0, x1);
+        scatter_d(x1, at[1], 1, 3, 0, steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction axial_vector_loops[] = {
+    axial_vector_f,
+    axial_vector_d,
+};
+static const char axial_vector_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
  * (3.50) The loops of velocity_of_point.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 b4276b762213a5d1c4dee152c38b976d1ea52c68f1108b25b57c59de96112578
+ *   15 operations; derivation sha256 cf40ff55774289ffed0ea82bbef45f19d34034b7096ffa7bea3f6664852180bb
  */
 static void velocity_of_point_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -663,7 +710,7 @@ static const char velocity_of_point_types[] = {
 /*
  * (3.70) The loops of instant_screw_point.
  *   verdict: holds under; assumes omega != 0
- *   29 operations; derivation sha256 cfac045d8748d1612bf67e7a0d0b36c3d82db3bcfd56eb443e7d1428114e7101
+ *   29 operations; derivation sha256 4f369fc6b5b07e9f94adfd732820a7de33f7054f23aece128a3349badcc576c3
  */
 static void instant_screw_point_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1190,7 +1237,7 @@ static const char screw_of_motion_types[] = {
 /*
  * text 3.4.1 c The loops of instant_screw.
  *   verdict: holds under; assumes omega != 0
- *   48 operations; derivation sha256 4b277ff5c0cbaa806e6d4015ddd9655e971afe904b281a1305d42348d080ad0a
+ *   48 operations; derivation sha256 4fe4990c20975f24a3853d958dd8358f87b465f41f874d5033241d675c5c169b
  */
 static void instant_screw_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1403,7 +1450,7 @@ static const char euler_rodrigues_velocity_matrix_types[] = {
 /*
  * (3.78) The loops of pose_rate_natural.
  *   verdict: holds under; assumes |e| = 1, phi != 0
- *   35 operations; derivation sha256 e0fe2be4e1944552a8aae53cb2c6a50c8014716c08d0ff9ae5c638b1e525a98a
+ *   35 operations; derivation sha256 dcbbb2b61efdaf721dfc7a104de1bd3d217748ef1f564a60f95b5b59803febc8
  */
 static void pose_rate_natural_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1458,7 +1505,7 @@ static const char pose_rate_natural_types[] = {
 /*
  * (3.78) The loops of pose_rate_linear.
  *   verdict: holds under; assumes |e| = 1
- *   53 operations; derivation sha256 189ef6e9f765d525a72b57ca9af776b0182a9ee410509efb645451bc6726d1fc
+ *   53 operations; derivation sha256 6f8f544dfe25801a8cb5315ee1d4690f7aef531c2cec0f67579cd6dbf46babbc
  */
 static void pose_rate_linear_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1513,7 +1560,7 @@ static const char pose_rate_linear_types[] = {
 /*
  * (3.78) The loops of pose_rate_euler_rodrigues.
  *   verdict: holds under; assumes |e| = 1
- *   28 operations; derivation sha256 f3d6e1cd4da56d7bd2e7d19355819bb0ee5c55f0499e4140cf6289caedee70b5
+ *   28 operations; derivation sha256 dcad7fffd71f9da8ea8e7d2f88d0a989c7470248b615cbe54fe551d5c478f61e
  */
 static void pose_rate_euler_rodrigues_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1568,7 +1615,7 @@ static const char pose_rate_euler_rodrigues_types[] = {
 /*
  * (3.80a) The loops of twist_from_pose_rate_natural.
  *   verdict: holds under; assumes |e| = 1
- *   27 operations; derivation sha256 c547c350f36f76493c5a80e27f6e6ff0a7bbcb5e42f17854dc37df488fa2d1d3
+ *   27 operations; derivation sha256 d581dc5bc798824b683b05121d6dd260d18c19f6b7353538315f5b6c6bf92579
  */
 static void twist_from_pose_rate_natural_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1623,7 +1670,7 @@ static const char twist_from_pose_rate_natural_types[] = {
 /*
  * (3.80a) The loops of twist_from_pose_rate_linear.
  *   verdict: holds under; assumes |e| = 1, phi != pi
- *   25 operations; derivation sha256 4ecd692ea6a746b01d998342c37406b925a7404e435cd53bd23ae593fd1bc105
+ *   25 operations; derivation sha256 e9c4a95fb7b14ae8202171f87e6361bf659e70f2db17e9b36cb22ab1acd1ed10
  */
 static void twist_from_pose_rate_linear_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1678,7 +1725,7 @@ static const char twist_from_pose_rate_linear_types[] = {
 /*
  * (3.80a) The loops of twist_from_pose_rate_euler_rodrigues.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 b999fb50f6b8266afa4af08030b5b82d1ebea06845e8af11dd17b512fc685539
+ *   29 operations; derivation sha256 90de85bcba11eac11b4ed809bfaf0d169cebcae8ca5cd1e30ed22eb15c13fba9
  */
 static void twist_from_pose_rate_euler_rodrigues_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1733,7 +1780,7 @@ static const char twist_from_pose_rate_euler_rodrigues_types[] = {
 /*
  * (3.83a) The loops of twist_transfer.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 87fe5cb944dd44a9cd372da4669b8884852f9c624fe6396c2609cc622574a33c
+ *   15 operations; derivation sha256 5c4f6e062e6b8c38ce36f63f5fb668f9229e0c96f46adff13f6f7b13049adab3
  */
 static void twist_transfer_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1788,7 +1835,7 @@ static const char twist_transfer_types[] = {
 /*
  * (3.86) The loops of angular_acceleration_matrix.
  *   verdict: defined; assumes Q is a rotation
- *   15 operations; derivation sha256 3673c9e5772f66657c3c4c7e52b8d1d02cb8e3ff0362603e6e2c2ced9eec2be9
+ *   15 operations; derivation sha256 0e6556537babaf679455ecf0a190fc9de1d90f4bc255ca668323680aba303433
  */
 static void angular_acceleration_matrix_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1839,7 +1886,7 @@ static const char angular_acceleration_matrix_types[] = {
 /*
  * (3.89) The loops of acceleration_of_point.
  *   verdict: holds; assumes nothing
- *   36 operations; derivation sha256 ad4b1ded89b128a2825ce9b201373d59a10b719839dd6046e7cd5cd6a7683d73
+ *   36 operations; derivation sha256 d9ddd8533127be1cfc0b4bc8bbcabfd00ecb0946f736b10b2dd00249bd4711c3
  */
 static void acceleration_of_point_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1903,7 +1950,7 @@ static const char acceleration_of_point_types[] = {
 /*
  * (3.103) The loops of moving_frame_velocity.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 ba5162a4c227d151481d733bdae324ab6291b1fd0ab7dc70c10c9528eb8fe68a
+ *   45 operations; derivation sha256 e4658ce140cc5589b5edbce8d06cca3658bb144cdbd17bfb7de1c86c04599d69
  */
 static void moving_frame_velocity_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1967,7 +2014,7 @@ static const char moving_frame_velocity_types[] = {
 /*
  * (3.105) The loops of moving_frame_acceleration.
  *   verdict: holds; assumes nothing
- *   96 operations; derivation sha256 74c77bd125ea9d0274b42074c1b21085b73b81a7223e34013bdebc723f3f2463
+ *   96 operations; derivation sha256 4c87c44acdc20c6c06b25bfd500c83d4ac2025ff7689f669b54c4f0e048d98a2
  */
 static void moving_frame_acceleration_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2486,7 +2533,7 @@ static const char momentum_screw_sym6_types[] = {
 /*
  * (3.145) The loops of kinetic_energy.
  *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
+ *   35 operations; derivation sha256 f49e224f601b161052d8996395e4fdf354c8312c20c463face54e8559308b723
  */
 static void kinetic_energy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2541,7 +2588,7 @@ static const char kinetic_energy_types[] = {
 /*
  * (3.145) The loops of kinetic_energy_sym6.
  *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
+ *   35 operations; derivation sha256 f49e224f601b161052d8996395e4fdf354c8312c20c463face54e8559308b723
  */
 static void kinetic_energy_sym6_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2596,7 +2643,7 @@ static const char kinetic_energy_sym6_types[] = {
 /*
  * text 3.8 v The loops of newton_euler_wrench.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
+ *   45 operations; derivation sha256 d30122d4b44da4f27cb2cb2c143b22ab476174f2b785f6c60ce809f87eee2a40
  */
 static void newton_euler_wrench_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2656,7 +2703,7 @@ static const char newton_euler_wrench_types[] = {
 /*
  * text 3.8 v The loops of newton_euler_wrench_sym6.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
+ *   45 operations; derivation sha256 d30122d4b44da4f27cb2cb2c143b22ab476174f2b785f6c60ce809f87eee2a40
  */
 static void newton_euler_wrench_sym6_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2716,7 +2763,7 @@ static const char newton_euler_wrench_sym6_types[] = {
 /*
  * text 3.8 v The loops of newton_euler_twist_rate.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   82 operations; derivation sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
+ *   82 operations; derivation sha256 2cb7962adfae416ea5704e645be5e45af62a45195755dcdb0db8240bfbd95e34
  */
 static void newton_euler_twist_rate_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2776,7 +2823,7 @@ static const char newton_euler_twist_rate_types[] = {
 /*
  * text 3.8 v The loops of newton_euler_twist_rate_sym6.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   73 operations; derivation sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
+ *   73 operations; derivation sha256 2cb7962adfae416ea5704e645be5e45af62a45195755dcdb0db8240bfbd95e34
  */
 static void newton_euler_twist_rate_sym6_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3097,7 +3144,7 @@ static const char euler_rate_matrix_body_xyx_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_xyx.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 dc25d3c29d228eb0e4db2e7284ae285688a98dad73a9ce5754ebbde12caab3d1
+ *   13 operations; derivation sha256 6680ed5e0065e86be5ede1392988b273d66d7294e9f98bd21f5995b64f04020b
  */
 static void euler_rates_xyx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3148,7 +3195,7 @@ static const char euler_rates_xyx_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_xyz.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 ef78e8d8a2f64f490cf253a137d167a50f5c2baac61b871bbb0421b691514a33
+ *   24 operations; derivation sha256 0cea117706a64d97d8bdbd2e4fd380fc62206ab55d7d2a91540f368cc27f9870
  */
 static void rotation_from_euler_xyz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3195,7 +3242,7 @@ static const char rotation_from_euler_xyz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_xyz.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 0bbaee6346a1733edd0665efc3803dd79b070ecde8be0f041579ee6f7f25437e
+ *   6 operations; derivation sha256 727b20e1b0b73863606b227bcb1ee8f63318534fcd2691b488dd6bb3e008f7a5
  */
 static void euler_rate_matrix_xyz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3242,7 +3289,7 @@ static const char euler_rate_matrix_xyz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_xyz.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 1bf5c28d32a8398be51df3a9faea455bcb2b84dd8e4adb28b9ab9ce5a849afeb
+ *   6 operations; derivation sha256 2be843b1c8bcf554409134741a98ded93388365670f614f6cb1fc893a0e8a883
  */
 static void euler_rate_matrix_body_xyz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3289,7 +3336,7 @@ static const char euler_rate_matrix_body_xyz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_xyz.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 92ffca814bf55194dbaab2789d526410119beac1331e329cc2a7d3a8d86f3e7e
+ *   13 operations; derivation sha256 bd0c6f4b6dded2540673b31111efab98cd56656a47a7d1c15a58ec3feec76bb1
  */
 static void euler_rates_xyz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3340,7 +3387,7 @@ static const char euler_rates_xyz_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_xzx.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 d87af31d8064f0432f6584f5f3b779ac157cd7cb2fd428e403c2606c591e6ab0
+ *   24 operations; derivation sha256 fa5672d572ba62d9e45fffa4848cc24a0c47c7067a8a59b865433226cb492f17
  */
 static void rotation_from_euler_xzx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3387,7 +3434,7 @@ static const char rotation_from_euler_xzx_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_xzx.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 3b9b8235e4c8fcf384c7c55c8d008191b5ba7256d0172eff576a02612b7b5275
+ *   6 operations; derivation sha256 dc3972bfdbefe855a135e5d6dfe1379102462102153180de7ed283e96eeb6111
  */
 static void euler_rate_matrix_xzx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3434,7 +3481,7 @@ static const char euler_rate_matrix_xzx_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_xzx.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 3ae39b45394bce41b7344b42020cefcaf35408de091e740348ab7e92581fd171
+ *   6 operations; derivation sha256 d9e0e82546acba106ac4c57420a2eab05b641c00df85ff7be216b8a0fc9d8665
  */
 static void euler_rate_matrix_body_xzx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3481,7 +3528,7 @@ static const char euler_rate_matrix_body_xzx_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_xzx.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 f0c9c8006ed755a58d3a5e3453882b764155b478f3ccc81aff9263fcd693130b
+ *   13 operations; derivation sha256 408e95f0d48f8fcc6450ff354821b3bcc7b8afe170311512bf6808fc6ebf035d
  */
 static void euler_rates_xzx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3532,7 +3579,7 @@ static const char euler_rates_xzx_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_xzy.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 8ed8b54e3664bc9230db9b3c2c73b559c4c5aa0d545a0bbcd5503654d557cc47
+ *   24 operations; derivation sha256 ec01d03ae5956d3c060281719ab7e0fe33cdb6c1a61009f0ecedd6b28c16d955
  */
 static void rotation_from_euler_xzy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3579,7 +3626,7 @@ static const char rotation_from_euler_xzy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_xzy.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 9c5ab65be41d67243beebe951c10a97ef87d6eb5d3f193d63cf6658e7f44b6f8
+ *   6 operations; derivation sha256 eff8b044920f2622991ff4992754af00b4bb6db0588c9c38024defb9d92b31a8
  */
 static void euler_rate_matrix_xzy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3626,7 +3673,7 @@ static const char euler_rate_matrix_xzy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_xzy.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 b8846cc63b152cacd903a643382cc65754655411c92c92439b52cc10b4faf8b3
+ *   6 operations; derivation sha256 82d38f5fbd88f30e0766279355f8c1075afa7f058dd52a2ba49700c1103941b2
  */
 static void euler_rate_matrix_body_xzy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3673,7 +3720,7 @@ static const char euler_rate_matrix_body_xzy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_xzy.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 101ac690a535ae5a51bb85759b6df9380aae98fdec6ae12fee9aac2f6153c920
+ *   13 operations; derivation sha256 c13c9cc6d29ab7900f6ed7fef43449399dc7948756dc5e0c1278fad40f8eaf5f
  */
 static void euler_rates_xzy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3724,7 +3771,7 @@ static const char euler_rates_xzy_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_yxy.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 b01ea8a55ea91c3c712ca018c1a183476a14931beaf248d2a0e6ffa906a6bea9
+ *   24 operations; derivation sha256 39c327f2b06e2eb28d5297a5219cdf25d8c6fa35f3e8c4abd686a96f628448b9
  */
 static void rotation_from_euler_yxy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3771,7 +3818,7 @@ static const char rotation_from_euler_yxy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_yxy.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 99d8fde272ba013e3978bdb107acde19a3dca7d3d410d6219f7c418f309602be
+ *   6 operations; derivation sha256 a636f1aef1e498fc12bb18c833be214ecab09d723d189feb6293198c1da27769
  */
 static void euler_rate_matrix_yxy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3818,7 +3865,7 @@ static const char euler_rate_matrix_yxy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_yxy.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 6dd807336c1a4e1572a5a6a3db8169f73d1b51c3092752ae6002dcd6da833ccb
+ *   6 operations; derivation sha256 542fac587b2f6c693e2f358949f10e38342e83da48b28f0bfefa2518c3dbbf7d
  */
 static void euler_rate_matrix_body_yxy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3865,7 +3912,7 @@ static const char euler_rate_matrix_body_yxy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_yxy.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 94fb1bb483db078ce2c2c21e24b9585dd03786b54f33df6db1bf0225793fbd66
+ *   13 operations; derivation sha256 cd5dec36e2ffbb4d79f5e51715750a932a8dcd10315484afd24a2b8c5417093d
  */
 static void euler_rates_yxy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3916,7 +3963,7 @@ static const char euler_rates_yxy_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_yxz.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 17190d54bfd0a86d9502cb09537bd8e6286d32172d51eaff6b4d85fe515e6386
+ *   24 operations; derivation sha256 9a10b4aca9084db3dbe838592a18dd16991e4e9266812ea40c364e475765c2da
  */
 static void rotation_from_euler_yxz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3963,7 +4010,7 @@ static const char rotation_from_euler_yxz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_yxz.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 bbf73fa477d98d3c94b5e432f4be63588fcc3cc8e76193c0919e06f2fb7c2f6b
+ *   6 operations; derivation sha256 e4b0c1a359b6a0462bcaf854f5621ef6f306aaed262ef9eedca1b9dfd21141db
  */
 static void euler_rate_matrix_yxz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4010,7 +4057,7 @@ static const char euler_rate_matrix_yxz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_yxz.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 26a8efdcbc2560faa634d8a1459ad6fa123eac21993214a47c8eeb509e4e2ba0
+ *   6 operations; derivation sha256 bbaf7b40aee302ecf502aebad748a90068ef997f7ef78c435934daec4e186893
  */
 static void euler_rate_matrix_body_yxz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4057,7 +4104,7 @@ static const char euler_rate_matrix_body_yxz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_yxz.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 c8a8c2fcdd4e811d34d4792ac2e6cbf91bd601af111a0fe88e7ba06331d57eb4
+ *   13 operations; derivation sha256 edb81e753178c5fce1e78e2d84d24357ec01af9efb3639d407093ca1170b8f22
  */
 static void euler_rates_yxz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4108,7 +4155,7 @@ static const char euler_rates_yxz_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_yzx.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 f5f8c01f2091a8649522d5f542bef4da4d9d1b0480afffc3bf175b82c186c1a2
+ *   24 operations; derivation sha256 8067174eae8e12da17f50ae58f90ed494f2ed48db1f70a248864566fd994638c
  */
 static void rotation_from_euler_yzx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4155,7 +4202,7 @@ static const char rotation_from_euler_yzx_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_yzx.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 979ee93a192c498dbd2cea6d4a0649d886572dcb11db1a223e095e68bbed983c
+ *   6 operations; derivation sha256 48b2bdb7a1b3028c165cf254cc61d428a4e18bdcc2621e21de7940aac283a8f6
  */
 static void euler_rate_matrix_yzx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4202,7 +4249,7 @@ static const char euler_rate_matrix_yzx_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_yzx.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 1c65e98508f0ef49ac9374e13b4dbdfbfe2366ef59511c9d7fbfdf9247490c66
+ *   6 operations; derivation sha256 f7ecbe499957a1df734cc614102e267117566d3f6d80b71ca89a19ff14ae73d4
  */
 static void euler_rate_matrix_body_yzx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4249,7 +4296,7 @@ static const char euler_rate_matrix_body_yzx_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_yzx.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 2a3e407528723168ae6ccf7d2bb337f22a2589efe02700bea8cb8a61c85d4dd6
+ *   13 operations; derivation sha256 33b2d9256eb74313ba05c6fc7b3e91f7765487fe3f26de05f701ff4288cedb31
  */
 static void euler_rates_yzx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4300,7 +4347,7 @@ static const char euler_rates_yzx_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_yzy.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 7b686944ad47c5cd9b3784929c2d0070f98b0ffabb883c4f47ecf3cb702f4abd
+ *   24 operations; derivation sha256 5b5ba0ef7860418b292b8302888ff85bd1afbe1f26dcb574f075aeaf9ff38357
  */
 static void rotation_from_euler_yzy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4347,7 +4394,7 @@ static const char rotation_from_euler_yzy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_yzy.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 ba6684559cbfa5211efd1920d50f40cb70bc54cc92f6f5e00dc8c9c9306ccb9b
+ *   6 operations; derivation sha256 173a43a221173a0bd6addd4a110cef604ab7fcd2cf82d4df270377e26c071e83
  */
 static void euler_rate_matrix_yzy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4394,7 +4441,7 @@ static const char euler_rate_matrix_yzy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_yzy.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 a35dfd48aac93458874306893e6f44c24955bbacc04abd7298941ffe4ad38df7
+ *   6 operations; derivation sha256 78afe33bfd90a71cf84d41ec65d49601b950b21dcafbd952225f877c9885d2a2
  */
 static void euler_rate_matrix_body_yzy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4441,7 +4488,7 @@ static const char euler_rate_matrix_body_yzy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_yzy.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 e6787b1ffc3ac3257b5fb969bb06df8128f53d9dc82afd679e4bc41ba6ee3198
+ *   13 operations; derivation sha256 c2679441a74674f45a4fb62481b4da309797cb451375f5e7c969afa25969398f
  */
 static void euler_rates_yzy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4492,7 +4539,7 @@ static const char euler_rates_yzy_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_zxy.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 ca7633bf41e92038cc6b88046e6340d4c576629d0f18bc3aecb737f26530ca17
+ *   24 operations; derivation sha256 8ae99d46108398deee39b74f0f0d6af4c2ca2209815ada56c3702867ca814530
  */
 static void rotation_from_euler_zxy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4539,7 +4586,7 @@ static const char rotation_from_euler_zxy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_zxy.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 c9bbde2ea0fb35785f195db8cf9c22b079939ad6bc1baf139d90c4c613f8de4e
+ *   6 operations; derivation sha256 5be122f500ea442153ec10921e5fb13dd3487b8181aba875421abbcde2b0f441
  */
 static void euler_rate_matrix_zxy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4586,7 +4633,7 @@ static const char euler_rate_matrix_zxy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_zxy.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 a611a63b6938b2b997498f97e27cd039fceb6b271b6c278f8fb653f9efd6344a
+ *   6 operations; derivation sha256 4b435c59444750de449c28f85ae7ad26df977cf6fbda22643e49734a03373fe2
  */
 static void euler_rate_matrix_body_zxy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4633,7 +4680,7 @@ static const char euler_rate_matrix_body_zxy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_zxy.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 ee67b04e12e2ce2ff7badd33424db51608115b788ef62f3b47fcf14fdb928c97
+ *   13 operations; derivation sha256 36071585fc3f03318fec1095f6fce622812bcb4c86edba593061dbcba7c5833c
  */
 static void euler_rates_zxy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4684,7 +4731,7 @@ static const char euler_rates_zxy_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_zxz.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 756e561b63ad1d97719fdce482ca42e3886b6d3b2c0b57cbd62497adc959bff9
+ *   24 operations; derivation sha256 04f70e9463c92048149fe7c49d75cab4b8a6178633341287094620e7f32079a5
  */
 static void rotation_from_euler_zxz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4731,7 +4778,7 @@ static const char rotation_from_euler_zxz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_zxz.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 512360b2471fc102ac0fa8c9ac661115c57b4554ccbb378ff4a41d591c93840f
+ *   6 operations; derivation sha256 39bc0189602fb535367e07a92b8264011a74e4da0fe3ae728712ee149805d981
  */
 static void euler_rate_matrix_zxz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4778,7 +4825,7 @@ static const char euler_rate_matrix_zxz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_zxz.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 adfc2a1f56123a02796689fcd31259419dc567c1cea84e1b93815971924418ae
+ *   6 operations; derivation sha256 74da24a97e78f4dbac40e98935303cf217bc7f042bf9159e791dad68a3e3f65f
  */
 static void euler_rate_matrix_body_zxz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4825,7 +4872,7 @@ static const char euler_rate_matrix_body_zxz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_zxz.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 09b879f243dc95114aab98bf81ea6eae784a54b0990675a477f7ce0c32d031d1
+ *   13 operations; derivation sha256 c4be8033440e1d79b2e56990aa59b3c7ca0a87f9dd9af836af659978d8c1ec64
  */
 static void euler_rates_zxz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4876,7 +4923,7 @@ static const char euler_rates_zxz_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_zyx.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 b086cf1947f6376651c2d19f6e9839e418d89561cf84963157d2affe0010df0c
+ *   24 operations; derivation sha256 581896c72ed36cfaa5f1c03cf7263fbf0550f59682687769a152434e626ec5fd
  */
 static void rotation_from_euler_zyx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4923,7 +4970,7 @@ static const char rotation_from_euler_zyx_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_zyx.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 c78d897ee452651cdb8b9bfc04d057d2602075b3c060b52e9abbb487376671ce
+ *   6 operations; derivation sha256 66c872236d303d61f6b01e55f2a04707326e08e9a8def9fd2d0718455165a53c
  */
 static void euler_rate_matrix_zyx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4970,7 +5017,7 @@ static const char euler_rate_matrix_zyx_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_zyx.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 8abeae5db88e4e8b1f980002de3225324bc9a6183b8092de5393f5b48777d47e
+ *   6 operations; derivation sha256 20343db592ec9160010881086692dd2ae5a3a0bdb2ea91849acb9df55eb2f72a
  */
 static void euler_rate_matrix_body_zyx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -5017,7 +5064,7 @@ static const char euler_rate_matrix_body_zyx_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_zyx.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 44ffc8749b3737689be53a3802e4e63272cccafc953c814cecb9e96ac9a325df
+ *   13 operations; derivation sha256 c12c1c96a5832b81a39cc1699d8110c43abf5ac969574ba9645e1e2ca3e5a587
  */
 static void euler_rates_zyx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -5068,7 +5115,7 @@ static const char euler_rates_zyx_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_zyz.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 43811e29291aaf24b8d2ac3cc8abeea6bd935d6d676c55cfca93e360e0f55e27
+ *   24 operations; derivation sha256 4025aa2b857829dd40030f976438d7ef055e83c86995d4d37382381b152c2f5a
  */
 static void rotation_from_euler_zyz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -5115,7 +5162,7 @@ static const char rotation_from_euler_zyz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_zyz.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 6c84c4efffd55db4ea8213dc9b11cecc8349dad17b36135cc160d50d6109cb3f
+ *   6 operations; derivation sha256 b218cf9859c431d040eb202055f9cd230dc8e311ad82193e0c9a3f33d5febbe0
  */
 static void euler_rate_matrix_zyz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -5162,7 +5209,7 @@ static const char euler_rate_matrix_zyz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_zyz.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 36a3c2c542a8d3639c876836964fedd9c9060e40dbe251339937870900c56103
+ *   6 operations; derivation sha256 338c4bd63de50eb34cdf85a54bb6ae6f4979fcbfa6b866131be19ad92fe74878
  */
 static void euler_rate_matrix_body_zyz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -5209,7 +5256,7 @@ static const char euler_rate_matrix_body_zyz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_zyz.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 76b36cf9c5a1b834fc7624c1332aeaf5949ec6ce50867f34ab37b197a766426f
+ *   13 operations; derivation sha256 a96c14a018c279b26006e373745953f8ade90795be64fb33b11d0b9c13278361
  */
 static void euler_rates_zyz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -5474,6 +5521,24 @@ static const Kernel kernels[] = {
         .outputs = 1,
     },
     {
+        .name = "axial_vector",
+        .signature = "(3,3)->(3)",
+        .doc =
+            "(3.45) The angular velocity: the axial vector of that matrix.\n"
+            "  given       Omega (3, 3): angular-velocity matrix\n"
+            "  returns     omega (3): angular velocity\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 3 subtract, 3 multiply\n"
+            "  derivation  sha256 d765a199b942ea590d183fd31195f0769f5bc7877fca8cb48e9315ab75efe03a\n"
+            "  signature   (3,3)->(3)\n"
+            "",
+        .loops = axial_vector_loops,
+        .types = axial_vector_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
         .name = "velocity_of_point",
         .signature = "(3),(3),(3),(3)->(3)",
         .doc =
@@ -5486,7 +5551,7 @@ static const Kernel kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  15: 3 add, 6 subtract, 6 multiply\n"
-            "  derivation  sha256 b4276b762213a5d1c4dee152c38b976d1ea52c68f1108b25b57c59de96112578\n"
+            "  derivation  sha256 cf40ff55774289ffed0ea82bbef45f19d34034b7096ffa7bea3f6664852180bb\n"
             "  signature   (3),(3),(3),(3)->(3)\n"
             "",
         .loops = velocity_of_point_loops,
@@ -5506,7 +5571,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     omega != 0\n"
             "  operations  29: 2 add, 9 subtract, 15 multiply, 3 divide\n"
-            "  derivation  sha256 cfac045d8748d1612bf67e7a0d0b36c3d82db3bcfd56eb443e7d1428114e7101\n"
+            "  derivation  sha256 4f369fc6b5b07e9f94adfd732820a7de33f7054f23aece128a3349badcc576c3\n"
             "  signature   (3),(3),(3)->(3)\n"
             "",
         .loops = instant_screw_point_loops,
@@ -5706,7 +5771,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     omega != 0\n"
             "  operations  48: 4 add, 12 subtract, 24 multiply, 7 divide, 1 square root\n"
-            "  derivation  sha256 4b277ff5c0cbaa806e6d4015ddd9655e971afe904b281a1305d42348d080ad0a\n"
+            "  derivation  sha256 4fe4990c20975f24a3853d958dd8358f87b465f41f874d5033241d675c5c169b\n"
             "  signature   (3),(3),(3)->(6),()\n"
             "",
         .loops = instant_screw_loops,
@@ -5785,7 +5850,7 @@ static const Kernel kernels[] = {
             "  assumes     |e| = 1\n"
             "              phi != 0\n"
             "  operations  35: 2 add, 10 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine\n"
-            "  derivation  sha256 e0fe2be4e1944552a8aae53cb2c6a50c8014716c08d0ff9ae5c638b1e525a98a\n"
+            "  derivation  sha256 dcbbb2b61efdaf721dfc7a104de1bd3d217748ef1f564a60f95b5b59803febc8\n"
             "  signature   (3),(),(6)->(7)\n"
             "",
         .loops = pose_rate_natural_loops,
@@ -5805,7 +5870,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
             "  operations  53: 7 add, 11 subtract, 33 multiply, 1 sine, 1 cosine\n"
-            "  derivation  sha256 189ef6e9f765d525a72b57ca9af776b0182a9ee410509efb645451bc6726d1fc\n"
+            "  derivation  sha256 6f8f544dfe25801a8cb5315ee1d4690f7aef531c2cec0f67579cd6dbf46babbc\n"
             "  signature   (3),(),(6)->(7)\n"
             "",
         .loops = pose_rate_linear_loops,
@@ -5825,7 +5890,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
             "  operations  28: 5 add, 3 subtract, 18 multiply, 1 sine, 1 cosine\n"
-            "  derivation  sha256 f3d6e1cd4da56d7bd2e7d19355819bb0ee5c55f0499e4140cf6289caedee70b5\n"
+            "  derivation  sha256 dcad7fffd71f9da8ea8e7d2f88d0a989c7470248b615cbe54fe551d5c478f61e\n"
             "  signature   (3),(),(6)->(7)\n"
             "",
         .loops = pose_rate_euler_rodrigues_loops,
@@ -5845,7 +5910,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
             "  operations  27: 6 add, 4 subtract, 15 multiply, 1 sine, 1 cosine\n"
-            "  derivation  sha256 c547c350f36f76493c5a80e27f6e6ff0a7bbcb5e42f17854dc37df488fa2d1d3\n"
+            "  derivation  sha256 d581dc5bc798824b683b05121d6dd260d18c19f6b7353538315f5b6c6bf92579\n"
             "  signature   (3),(),(7)->(6)\n"
             "",
         .loops = twist_from_pose_rate_natural_loops,
@@ -5866,7 +5931,7 @@ static const Kernel kernels[] = {
             "  assumes     |e| = 1\n"
             "              phi != pi\n"
             "  operations  25: 4 add, 6 subtract, 12 multiply, 1 divide, 1 sine, 1 cosine\n"
-            "  derivation  sha256 4ecd692ea6a746b01d998342c37406b925a7404e435cd53bd23ae593fd1bc105\n"
+            "  derivation  sha256 e9c4a95fb7b14ae8202171f87e6361bf659e70f2db17e9b36cb22ab1acd1ed10\n"
             "  signature   (3),(),(7)->(6)\n"
             "",
         .loops = twist_from_pose_rate_linear_loops,
@@ -5886,7 +5951,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
             "  operations  29: 3 add, 6 subtract, 18 multiply, 1 sine, 1 cosine\n"
-            "  derivation  sha256 b999fb50f6b8266afa4af08030b5b82d1ebea06845e8af11dd17b512fc685539\n"
+            "  derivation  sha256 90de85bcba11eac11b4ed809bfaf0d169cebcae8ca5cd1e30ed22eb15c13fba9\n"
             "  signature   (3),(),(7)->(6)\n"
             "",
         .loops = twist_from_pose_rate_euler_rodrigues_loops,
@@ -5906,7 +5971,7 @@ static const Kernel kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  15: 3 add, 6 subtract, 6 multiply\n"
-            "  derivation  sha256 87fe5cb944dd44a9cd372da4669b8884852f9c624fe6396c2609cc622574a33c\n"
+            "  derivation  sha256 5c4f6e062e6b8c38ce36f63f5fb668f9229e0c96f46adff13f6f7b13049adab3\n"
             "  signature   (6),(3),(3)->(6)\n"
             "",
         .loops = twist_transfer_loops,
@@ -5925,7 +5990,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     Q is a rotation\n"
             "  operations  15: 6 add, 3 subtract, 6 multiply\n"
-            "  derivation  sha256 3673c9e5772f66657c3c4c7e52b8d1d02cb8e3ff0362603e6e2c2ced9eec2be9\n"
+            "  derivation  sha256 0e6556537babaf679455ecf0a190fc9de1d90f4bc255ca668323680aba303433\n"
             "  signature   (3),(3)->(3,3)\n"
             "",
         .loops = angular_acceleration_matrix_loops,
@@ -5947,7 +6012,7 @@ static const Kernel kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  36: 6 add, 12 subtract, 18 multiply\n"
-            "  derivation  sha256 ad4b1ded89b128a2825ce9b201373d59a10b719839dd6046e7cd5cd6a7683d73\n"
+            "  derivation  sha256 d9ddd8533127be1cfc0b4bc8bbcabfd00ecb0946f736b10b2dd00249bd4711c3\n"
             "  signature   (3),(3),(3),(3),(3)->(3)\n"
             "",
         .loops = acceleration_of_point_loops,
@@ -5970,7 +6035,7 @@ static const Kernel kernels[] = {
             "  assumes     nothing\n"
             "  expects     Q is a rotation\n"
             "  operations  45: 18 add, 3 subtract, 24 multiply\n"
-            "  derivation  sha256 ba5162a4c227d151481d733bdae324ab6291b1fd0ab7dc70c10c9528eb8fe68a\n"
+            "  derivation  sha256 e4658ce140cc5589b5edbce8d06cca3658bb144cdbd17bfb7de1c86c04599d69\n"
             "  signature   (3),(3,3),(3),(3),(3)->(3)\n"
             "",
         .loops = moving_frame_velocity_loops,
@@ -5996,7 +6061,7 @@ static const Kernel kernels[] = {
             "  assumes     nothing\n"
             "  expects     Q is a rotation\n"
             "  operations  96: 30 add, 12 subtract, 54 multiply\n"
-            "  derivation  sha256 74c77bd125ea9d0274b42074c1b21085b73b81a7223e34013bdebc723f3f2463\n"
+            "  derivation  sha256 4c87c44acdc20c6c06b25bfd500c83d4ac2025ff7689f669b54c4f0e048d98a2\n"
             "  signature   (3),(3,3),(3),(3),(3),(3),(3)->(3)\n"
             "",
         .loops = moving_frame_acceleration_loops,
@@ -6187,7 +6252,7 @@ static const Kernel kernels[] = {
             "  expects     I_C is symmetric\n"
             "              m > 0\n"
             "  operations  35: 11 add, 24 multiply\n"
-            "  derivation  sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3\n"
+            "  derivation  sha256 f49e224f601b161052d8996395e4fdf354c8312c20c463face54e8559308b723\n"
             "  signature   (3,3),(),(6)->()\n"
             "",
         .loops = kinetic_energy_loops,
@@ -6210,7 +6275,7 @@ static const Kernel kernels[] = {
             "  expects     I_C is symmetric\n"
             "              m > 0\n"
             "  operations  35: 11 add, 24 multiply\n"
-            "  derivation  sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3\n"
+            "  derivation  sha256 f49e224f601b161052d8996395e4fdf354c8312c20c463face54e8559308b723\n"
             "  signature   (6),(),(6)->()\n"
             "",
         .loops = kinetic_energy_sym6_loops,
@@ -6233,7 +6298,7 @@ static const Kernel kernels[] = {
             "  expects     I_C is symmetric\n"
             "              m > 0\n"
             "  operations  45: 15 add, 3 subtract, 27 multiply\n"
-            "  derivation  sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47\n"
+            "  derivation  sha256 d30122d4b44da4f27cb2cb2c143b22ab476174f2b785f6c60ce809f87eee2a40\n"
             "  signature   (3,3),(),(6),(6)->(6)\n"
             "",
         .loops = newton_euler_wrench_loops,
@@ -6257,7 +6322,7 @@ static const Kernel kernels[] = {
             "  expects     I_C is symmetric\n"
             "              m > 0\n"
             "  operations  45: 15 add, 3 subtract, 27 multiply\n"
-            "  derivation  sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47\n"
+            "  derivation  sha256 d30122d4b44da4f27cb2cb2c143b22ab476174f2b785f6c60ce809f87eee2a40\n"
             "  signature   (6),(),(6),(6)->(6)\n"
             "",
         .loops = newton_euler_wrench_sym6_loops,
@@ -6281,7 +6346,7 @@ static const Kernel kernels[] = {
             "              m > 0\n"
             "  expects     I_C is positive-definite\n"
             "  operations  82: 14 add, 15 subtract, 51 multiply, 2 divide\n"
-            "  derivation  sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd\n"
+            "  derivation  sha256 2cb7962adfae416ea5704e645be5e45af62a45195755dcdb0db8240bfbd95e34\n"
             "  signature   (3,3),(),(6),(6)->(6)\n"
             "",
         .loops = newton_euler_twist_rate_loops,
@@ -6306,7 +6371,7 @@ static const Kernel kernels[] = {
             "              m > 0\n"
             "  expects     I_C is positive-definite\n"
             "  operations  73: 14 add, 12 subtract, 45 multiply, 2 divide\n"
-            "  derivation  sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd\n"
+            "  derivation  sha256 2cb7962adfae416ea5704e645be5e45af62a45195755dcdb0db8240bfbd95e34\n"
             "  signature   (6),(),(6),(6)->(6)\n"
             "",
         .loops = newton_euler_twist_rate_sym6_loops,
@@ -6426,7 +6491,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     sin(theta_2) != 0\n"
             "  operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 dc25d3c29d228eb0e4db2e7284ae285688a98dad73a9ce5754ebbde12caab3d1\n"
+            "  derivation  sha256 6680ed5e0065e86be5ede1392988b273d66d7294e9f98bd21f5995b64f04020b\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_xyx_loops,
@@ -6444,7 +6509,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 ef78e8d8a2f64f490cf253a137d167a50f5c2baac61b871bbb0421b691514a33\n"
+            "  derivation  sha256 0cea117706a64d97d8bdbd2e4fd380fc62206ab55d7d2a91540f368cc27f9870\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_xyz_loops,
@@ -6462,7 +6527,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 0bbaee6346a1733edd0665efc3803dd79b070ecde8be0f041579ee6f7f25437e\n"
+            "  derivation  sha256 727b20e1b0b73863606b227bcb1ee8f63318534fcd2691b488dd6bb3e008f7a5\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_xyz_loops,
@@ -6480,7 +6545,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 1bf5c28d32a8398be51df3a9faea455bcb2b84dd8e4adb28b9ab9ce5a849afeb\n"
+            "  derivation  sha256 2be843b1c8bcf554409134741a98ded93388365670f614f6cb1fc893a0e8a883\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_xyz_loops,
@@ -6499,7 +6564,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     cos(theta_2) != 0\n"
             "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 92ffca814bf55194dbaab2789d526410119beac1331e329cc2a7d3a8d86f3e7e\n"
+            "  derivation  sha256 bd0c6f4b6dded2540673b31111efab98cd56656a47a7d1c15a58ec3feec76bb1\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_xyz_loops,
@@ -6517,7 +6582,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 d87af31d8064f0432f6584f5f3b779ac157cd7cb2fd428e403c2606c591e6ab0\n"
+            "  derivation  sha256 fa5672d572ba62d9e45fffa4848cc24a0c47c7067a8a59b865433226cb492f17\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_xzx_loops,
@@ -6535,7 +6600,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 3b9b8235e4c8fcf384c7c55c8d008191b5ba7256d0172eff576a02612b7b5275\n"
+            "  derivation  sha256 dc3972bfdbefe855a135e5d6dfe1379102462102153180de7ed283e96eeb6111\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_xzx_loops,
@@ -6553,7 +6618,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 3ae39b45394bce41b7344b42020cefcaf35408de091e740348ab7e92581fd171\n"
+            "  derivation  sha256 d9e0e82546acba106ac4c57420a2eab05b641c00df85ff7be216b8a0fc9d8665\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_xzx_loops,
@@ -6572,7 +6637,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     sin(theta_2) != 0\n"
             "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 f0c9c8006ed755a58d3a5e3453882b764155b478f3ccc81aff9263fcd693130b\n"
+            "  derivation  sha256 408e95f0d48f8fcc6450ff354821b3bcc7b8afe170311512bf6808fc6ebf035d\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_xzx_loops,
@@ -6590,7 +6655,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 8ed8b54e3664bc9230db9b3c2c73b559c4c5aa0d545a0bbcd5503654d557cc47\n"
+            "  derivation  sha256 ec01d03ae5956d3c060281719ab7e0fe33cdb6c1a61009f0ecedd6b28c16d955\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_xzy_loops,
@@ -6608,7 +6673,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 9c5ab65be41d67243beebe951c10a97ef87d6eb5d3f193d63cf6658e7f44b6f8\n"
+            "  derivation  sha256 eff8b044920f2622991ff4992754af00b4bb6db0588c9c38024defb9d92b31a8\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_xzy_loops,
@@ -6626,7 +6691,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 b8846cc63b152cacd903a643382cc65754655411c92c92439b52cc10b4faf8b3\n"
+            "  derivation  sha256 82d38f5fbd88f30e0766279355f8c1075afa7f058dd52a2ba49700c1103941b2\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_xzy_loops,
@@ -6645,7 +6710,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     cos(theta_2) != 0\n"
             "  operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 101ac690a535ae5a51bb85759b6df9380aae98fdec6ae12fee9aac2f6153c920\n"
+            "  derivation  sha256 c13c9cc6d29ab7900f6ed7fef43449399dc7948756dc5e0c1278fad40f8eaf5f\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_xzy_loops,
@@ -6663,7 +6728,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 b01ea8a55ea91c3c712ca018c1a183476a14931beaf248d2a0e6ffa906a6bea9\n"
+            "  derivation  sha256 39c327f2b06e2eb28d5297a5219cdf25d8c6fa35f3e8c4abd686a96f628448b9\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_yxy_loops,
@@ -6681,7 +6746,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 99d8fde272ba013e3978bdb107acde19a3dca7d3d410d6219f7c418f309602be\n"
+            "  derivation  sha256 a636f1aef1e498fc12bb18c833be214ecab09d723d189feb6293198c1da27769\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_yxy_loops,
@@ -6699,7 +6764,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 6dd807336c1a4e1572a5a6a3db8169f73d1b51c3092752ae6002dcd6da833ccb\n"
+            "  derivation  sha256 542fac587b2f6c693e2f358949f10e38342e83da48b28f0bfefa2518c3dbbf7d\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_yxy_loops,
@@ -6718,7 +6783,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     sin(theta_2) != 0\n"
             "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 94fb1bb483db078ce2c2c21e24b9585dd03786b54f33df6db1bf0225793fbd66\n"
+            "  derivation  sha256 cd5dec36e2ffbb4d79f5e51715750a932a8dcd10315484afd24a2b8c5417093d\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_yxy_loops,
@@ -6736,7 +6801,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 17190d54bfd0a86d9502cb09537bd8e6286d32172d51eaff6b4d85fe515e6386\n"
+            "  derivation  sha256 9a10b4aca9084db3dbe838592a18dd16991e4e9266812ea40c364e475765c2da\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_yxz_loops,
@@ -6754,7 +6819,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 bbf73fa477d98d3c94b5e432f4be63588fcc3cc8e76193c0919e06f2fb7c2f6b\n"
+            "  derivation  sha256 e4b0c1a359b6a0462bcaf854f5621ef6f306aaed262ef9eedca1b9dfd21141db\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_yxz_loops,
@@ -6772,7 +6837,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 26a8efdcbc2560faa634d8a1459ad6fa123eac21993214a47c8eeb509e4e2ba0\n"
+            "  derivation  sha256 bbaf7b40aee302ecf502aebad748a90068ef997f7ef78c435934daec4e186893\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_yxz_loops,
@@ -6791,7 +6856,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     cos(theta_2) != 0\n"
             "  operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 c8a8c2fcdd4e811d34d4792ac2e6cbf91bd601af111a0fe88e7ba06331d57eb4\n"
+            "  derivation  sha256 edb81e753178c5fce1e78e2d84d24357ec01af9efb3639d407093ca1170b8f22\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_yxz_loops,
@@ -6809,7 +6874,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 f5f8c01f2091a8649522d5f542bef4da4d9d1b0480afffc3bf175b82c186c1a2\n"
+            "  derivation  sha256 8067174eae8e12da17f50ae58f90ed494f2ed48db1f70a248864566fd994638c\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_yzx_loops,
@@ -6827,7 +6892,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 979ee93a192c498dbd2cea6d4a0649d886572dcb11db1a223e095e68bbed983c\n"
+            "  derivation  sha256 48b2bdb7a1b3028c165cf254cc61d428a4e18bdcc2621e21de7940aac283a8f6\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_yzx_loops,
@@ -6845,7 +6910,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 1c65e98508f0ef49ac9374e13b4dbdfbfe2366ef59511c9d7fbfdf9247490c66\n"
+            "  derivation  sha256 f7ecbe499957a1df734cc614102e267117566d3f6d80b71ca89a19ff14ae73d4\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_yzx_loops,
@@ -6864,7 +6929,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     cos(theta_2) != 0\n"
             "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 2a3e407528723168ae6ccf7d2bb337f22a2589efe02700bea8cb8a61c85d4dd6\n"
+            "  derivation  sha256 33b2d9256eb74313ba05c6fc7b3e91f7765487fe3f26de05f701ff4288cedb31\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_yzx_loops,
@@ -6882,7 +6947,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 7b686944ad47c5cd9b3784929c2d0070f98b0ffabb883c4f47ecf3cb702f4abd\n"
+            "  derivation  sha256 5b5ba0ef7860418b292b8302888ff85bd1afbe1f26dcb574f075aeaf9ff38357\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_yzy_loops,
@@ -6900,7 +6965,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 ba6684559cbfa5211efd1920d50f40cb70bc54cc92f6f5e00dc8c9c9306ccb9b\n"
+            "  derivation  sha256 173a43a221173a0bd6addd4a110cef604ab7fcd2cf82d4df270377e26c071e83\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_yzy_loops,
@@ -6918,7 +6983,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 a35dfd48aac93458874306893e6f44c24955bbacc04abd7298941ffe4ad38df7\n"
+            "  derivation  sha256 78afe33bfd90a71cf84d41ec65d49601b950b21dcafbd952225f877c9885d2a2\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_yzy_loops,
@@ -6937,7 +7002,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     sin(theta_2) != 0\n"
             "  operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 e6787b1ffc3ac3257b5fb969bb06df8128f53d9dc82afd679e4bc41ba6ee3198\n"
+            "  derivation  sha256 c2679441a74674f45a4fb62481b4da309797cb451375f5e7c969afa25969398f\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_yzy_loops,
@@ -6955,7 +7020,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 ca7633bf41e92038cc6b88046e6340d4c576629d0f18bc3aecb737f26530ca17\n"
+            "  derivation  sha256 8ae99d46108398deee39b74f0f0d6af4c2ca2209815ada56c3702867ca814530\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_zxy_loops,
@@ -6973,7 +7038,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 c9bbde2ea0fb35785f195db8cf9c22b079939ad6bc1baf139d90c4c613f8de4e\n"
+            "  derivation  sha256 5be122f500ea442153ec10921e5fb13dd3487b8181aba875421abbcde2b0f441\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_zxy_loops,
@@ -6991,7 +7056,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 a611a63b6938b2b997498f97e27cd039fceb6b271b6c278f8fb653f9efd6344a\n"
+            "  derivation  sha256 4b435c59444750de449c28f85ae7ad26df977cf6fbda22643e49734a03373fe2\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_zxy_loops,
@@ -7010,7 +7075,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     cos(theta_2) != 0\n"
             "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 ee67b04e12e2ce2ff7badd33424db51608115b788ef62f3b47fcf14fdb928c97\n"
+            "  derivation  sha256 36071585fc3f03318fec1095f6fce622812bcb4c86edba593061dbcba7c5833c\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_zxy_loops,
@@ -7028,7 +7093,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 756e561b63ad1d97719fdce482ca42e3886b6d3b2c0b57cbd62497adc959bff9\n"
+            "  derivation  sha256 04f70e9463c92048149fe7c49d75cab4b8a6178633341287094620e7f32079a5\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_zxz_loops,
@@ -7046,7 +7111,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 512360b2471fc102ac0fa8c9ac661115c57b4554ccbb378ff4a41d591c93840f\n"
+            "  derivation  sha256 39bc0189602fb535367e07a92b8264011a74e4da0fe3ae728712ee149805d981\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_zxz_loops,
@@ -7064,7 +7129,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 adfc2a1f56123a02796689fcd31259419dc567c1cea84e1b93815971924418ae\n"
+            "  derivation  sha256 74da24a97e78f4dbac40e98935303cf217bc7f042bf9159e791dad68a3e3f65f\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_zxz_loops,
@@ -7083,7 +7148,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     sin(theta_2) != 0\n"
             "  operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 09b879f243dc95114aab98bf81ea6eae784a54b0990675a477f7ce0c32d031d1\n"
+            "  derivation  sha256 c4be8033440e1d79b2e56990aa59b3c7ca0a87f9dd9af836af659978d8c1ec64\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_zxz_loops,
@@ -7101,7 +7166,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 b086cf1947f6376651c2d19f6e9839e418d89561cf84963157d2affe0010df0c\n"
+            "  derivation  sha256 581896c72ed36cfaa5f1c03cf7263fbf0550f59682687769a152434e626ec5fd\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_zyx_loops,
@@ -7119,7 +7184,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 c78d897ee452651cdb8b9bfc04d057d2602075b3c060b52e9abbb487376671ce\n"
+            "  derivation  sha256 66c872236d303d61f6b01e55f2a04707326e08e9a8def9fd2d0718455165a53c\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_zyx_loops,
@@ -7137,7 +7202,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 8abeae5db88e4e8b1f980002de3225324bc9a6183b8092de5393f5b48777d47e\n"
+            "  derivation  sha256 20343db592ec9160010881086692dd2ae5a3a0bdb2ea91849acb9df55eb2f72a\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_zyx_loops,
@@ -7156,7 +7221,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     cos(theta_2) != 0\n"
             "  operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 44ffc8749b3737689be53a3802e4e63272cccafc953c814cecb9e96ac9a325df\n"
+            "  derivation  sha256 c12c1c96a5832b81a39cc1699d8110c43abf5ac969574ba9645e1e2ca3e5a587\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_zyx_loops,
@@ -7174,7 +7239,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 43811e29291aaf24b8d2ac3cc8abeea6bd935d6d676c55cfca93e360e0f55e27\n"
+            "  derivation  sha256 4025aa2b857829dd40030f976438d7ef055e83c86995d4d37382381b152c2f5a\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_zyz_loops,
@@ -7192,7 +7257,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 6c84c4efffd55db4ea8213dc9b11cecc8349dad17b36135cc160d50d6109cb3f\n"
+            "  derivation  sha256 b218cf9859c431d040eb202055f9cd230dc8e311ad82193e0c9a3f33d5febbe0\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_zyz_loops,
@@ -7210,7 +7275,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 36a3c2c542a8d3639c876836964fedd9c9060e40dbe251339937870900c56103\n"
+            "  derivation  sha256 338c4bd63de50eb34cdf85a54bb6ae6f4979fcbfa6b866131be19ad92fe74878\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_zyz_loops,
@@ -7229,7 +7294,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     sin(theta_2) != 0\n"
             "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 76b36cf9c5a1b834fc7624c1332aeaf5949ec6ce50867f34ab37b197a766426f\n"
+            "  derivation  sha256 a96c14a018c279b26006e373745953f8ade90795be64fb33b11d0b9c13278361\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_zyz_loops,

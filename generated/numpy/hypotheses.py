@@ -139,6 +139,10 @@ KERNELS: dict[str, tuple[Any, Any]] = {
             ("rotation", "triad' is a rotation", ("triad_prime",), None),
         ),
     ),
+    "axial_vector": (
+        (("Omega", (3, 3)),),
+        (),
+    ),
     "velocity_of_point": (
         (("omega", (3,)), ("a_dot", (3,)), ("a", (3,)), ("p", (3,))),
         (),

@@ -23,6 +23,7 @@ __all__ = (
     "plucker_transfer",
     "rotation_in_triad_axes",
     "rotation_from_triads",
+    "axial_vector",
     "velocity_of_point",
     "instant_screw_point",
     "natural_rate_matrix",
@@ -474,6 +475,26 @@ def rotation_from_triads(triad: Any, triad_prime: Any, /, *, out: Any = None) ->
     return delivered(out, Q)
 
 
+def axial_vector(Omega: Any, /, *, out: Any = None) -> Any:
+    """(3.45) The angular velocity: the axial vector of that matrix.
+    given       Omega (3, 3): angular-velocity matrix
+    returns     omega (3): angular velocity
+    verdict     defined
+    assumes     nothing
+    operations  6: 3 subtract, 3 multiply
+    derivation  sha256 d765a199b942ea590d183fd31195f0769f5bc7877fca8cb48e9315ab75efe03a
+    signature   (3,3)->(3)
+    """
+    batch, Omega = prepared("axial_vector", ("Omega", Omega, (3, 3)))
+    omega = batch.array(
+        (3,),
+        0.5 * (Omega[2][1] - Omega[1][2]),
+        0.5 * (Omega[0][2] - Omega[2][0]),
+        0.5 * (Omega[1][0] - Omega[0][1]),
+    )
+    return delivered(out, omega)
+
+
 def velocity_of_point(omega: Any, a_dot: Any, a: Any, p: Any, /, *, out: Any = None) -> Any:
     """(3.50) The velocity of a point from that of the landmark.
     given       omega (3): angular velocity
@@ -484,7 +505,7 @@ def velocity_of_point(omega: Any, a_dot: Any, a: Any, p: Any, /, *, out: Any = N
     verdict     holds
     assumes     nothing
     operations  15: 3 add, 6 subtract, 6 multiply
-    derivation  sha256 b4276b762213a5d1c4dee152c38b976d1ea52c68f1108b25b57c59de96112578
+    derivation  sha256 cf40ff55774289ffed0ea82bbef45f19d34034b7096ffa7bea3f6664852180bb
     signature   (3),(3),(3),(3)->(3)
     """
     batch, omega, a_dot, a, p = prepared(
@@ -515,7 +536,7 @@ def instant_screw_point(omega: Any, a_dot: Any, a: Any, /, *, out: Any = None) -
     verdict     holds under
     assumes     omega != 0
     operations  29: 2 add, 9 subtract, 15 multiply, 3 divide
-    derivation  sha256 cfac045d8748d1612bf67e7a0d0b36c3d82db3bcfd56eb443e7d1428114e7101
+    derivation  sha256 4f369fc6b5b07e9f94adfd732820a7de33f7054f23aece128a3349badcc576c3
     signature   (3),(3),(3)->(3)
     """
     batch, omega, a_dot, a = prepared(
@@ -1033,7 +1054,7 @@ def instant_screw(omega: Any, a_dot: Any, a: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     omega != 0
     operations  48: 4 add, 12 subtract, 24 multiply, 7 divide, 1 square root
-    derivation  sha256 4b277ff5c0cbaa806e6d4015ddd9655e971afe904b281a1305d42348d080ad0a
+    derivation  sha256 4fe4990c20975f24a3853d958dd8358f87b465f41f874d5033241d675c5c169b
     signature   (3),(3),(3)->(6),()
     """
     batch, omega, a_dot, a = prepared(
@@ -1153,7 +1174,7 @@ def pose_rate_natural(e: Any, phi: Any, t: Any, /, *, out: Any = None) -> Any:
     assumes     |e| = 1
                 phi != 0
     operations  35: 2 add, 10 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine
-    derivation  sha256 e0fe2be4e1944552a8aae53cb2c6a50c8014716c08d0ff9ae5c638b1e525a98a
+    derivation  sha256 dcbbb2b61efdaf721dfc7a104de1bd3d217748ef1f564a60f95b5b59803febc8
     signature   (3),(),(6)->(7)
     """
     batch, e, phi, t = prepared("pose_rate_natural", ("e", e, (3,)), ("phi", phi, ()), ("t", t, (6,)))
@@ -1184,7 +1205,7 @@ def pose_rate_linear(e: Any, phi: Any, t: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     |e| = 1
     operations  53: 7 add, 11 subtract, 33 multiply, 1 sine, 1 cosine
-    derivation  sha256 189ef6e9f765d525a72b57ca9af776b0182a9ee410509efb645451bc6726d1fc
+    derivation  sha256 6f8f544dfe25801a8cb5315ee1d4690f7aef531c2cec0f67579cd6dbf46babbc
     signature   (3),(),(6)->(7)
     """
     batch, e, phi, t = prepared("pose_rate_linear", ("e", e, (3,)), ("phi", phi, ()), ("t", t, (6,)))
@@ -1217,7 +1238,7 @@ def pose_rate_euler_rodrigues(e: Any, phi: Any, t: Any, /, *, out: Any = None) -
     verdict     holds under
     assumes     |e| = 1
     operations  28: 5 add, 3 subtract, 18 multiply, 1 sine, 1 cosine
-    derivation  sha256 f3d6e1cd4da56d7bd2e7d19355819bb0ee5c55f0499e4140cf6289caedee70b5
+    derivation  sha256 dcad7fffd71f9da8ea8e7d2f88d0a989c7470248b615cbe54fe551d5c478f61e
     signature   (3),(),(6)->(7)
     """
     batch, e, phi, t = prepared(
@@ -1255,7 +1276,7 @@ def twist_from_pose_rate_natural(e: Any, phi: Any, s_dot: Any, /, *, out: Any = 
     verdict     holds under
     assumes     |e| = 1
     operations  27: 6 add, 4 subtract, 15 multiply, 1 sine, 1 cosine
-    derivation  sha256 c547c350f36f76493c5a80e27f6e6ff0a7bbcb5e42f17854dc37df488fa2d1d3
+    derivation  sha256 d581dc5bc798824b683b05121d6dd260d18c19f6b7353538315f5b6c6bf92579
     signature   (3),(),(7)->(6)
     """
     batch, e, phi, s_dot = prepared(
@@ -1289,7 +1310,7 @@ def twist_from_pose_rate_linear(e: Any, phi: Any, s_dot: Any, /, *, out: Any = N
     assumes     |e| = 1
                 phi != pi
     operations  25: 4 add, 6 subtract, 12 multiply, 1 divide, 1 sine, 1 cosine
-    derivation  sha256 4ecd692ea6a746b01d998342c37406b925a7404e435cd53bd23ae593fd1bc105
+    derivation  sha256 e9c4a95fb7b14ae8202171f87e6361bf659e70f2db17e9b36cb22ab1acd1ed10
     signature   (3),(),(7)->(6)
     """
     batch, e, phi, s_dot = prepared(
@@ -1325,7 +1346,7 @@ def twist_from_pose_rate_euler_rodrigues(e: Any, phi: Any, s_dot: Any, /, *, out
     verdict     holds under
     assumes     |e| = 1
     operations  29: 3 add, 6 subtract, 18 multiply, 1 sine, 1 cosine
-    derivation  sha256 b999fb50f6b8266afa4af08030b5b82d1ebea06845e8af11dd17b512fc685539
+    derivation  sha256 90de85bcba11eac11b4ed809bfaf0d169cebcae8ca5cd1e30ed22eb15c13fba9
     signature   (3),(),(7)->(6)
     """
     batch, e, phi, s_dot = prepared(
@@ -1362,7 +1383,7 @@ def twist_transfer(t_A: Any, a: Any, p: Any, /, *, out: Any = None) -> Any:
     verdict     holds
     assumes     nothing
     operations  15: 3 add, 6 subtract, 6 multiply
-    derivation  sha256 87fe5cb944dd44a9cd372da4669b8884852f9c624fe6396c2609cc622574a33c
+    derivation  sha256 5c4f6e062e6b8c38ce36f63f5fb668f9229e0c96f46adff13f6f7b13049adab3
     signature   (6),(3),(3)->(6)
     """
     batch, t_A, a, p = prepared("twist_transfer", ("t_A", t_A, (6,)), ("a", a, (3,)), ("p", p, (3,)))
@@ -1389,7 +1410,7 @@ def angular_acceleration_matrix(omega: Any, omega_dot: Any, /, *, out: Any = Non
     verdict     defined
     assumes     Q is a rotation
     operations  15: 6 add, 3 subtract, 6 multiply
-    derivation  sha256 3673c9e5772f66657c3c4c7e52b8d1d02cb8e3ff0362603e6e2c2ced9eec2be9
+    derivation  sha256 0e6556537babaf679455ecf0a190fc9de1d90f4bc255ca668323680aba303433
     signature   (3),(3)->(3,3)
     """
     batch, omega, omega_dot = prepared(
@@ -1429,7 +1450,7 @@ def acceleration_of_point(omega: Any, omega_dot: Any, a_ddot: Any, a: Any, p: An
     verdict     holds
     assumes     nothing
     operations  36: 6 add, 12 subtract, 18 multiply
-    derivation  sha256 ad4b1ded89b128a2825ce9b201373d59a10b719839dd6046e7cd5cd6a7683d73
+    derivation  sha256 d9ddd8533127be1cfc0b4bc8bbcabfd00ecb0946f736b10b2dd00249bd4711c3
     signature   (3),(3),(3),(3),(3)->(3)
     """
     batch, omega, omega_dot, a_ddot, a, p = prepared(
@@ -1470,7 +1491,7 @@ def moving_frame_velocity(o_dot: Any, Q: Any, omega: Any, rho: Any, rho_dot: Any
     assumes     nothing
     expects     Q is a rotation
     operations  45: 18 add, 3 subtract, 24 multiply
-    derivation  sha256 ba5162a4c227d151481d733bdae324ab6291b1fd0ab7dc70c10c9528eb8fe68a
+    derivation  sha256 e4658ce140cc5589b5edbce8d06cca3658bb144cdbd17bfb7de1c86c04599d69
     signature   (3),(3,3),(3),(3),(3)->(3)
     """
     batch, o_dot, Q, omega, rho, rho_dot = prepared(
@@ -1511,7 +1532,7 @@ def moving_frame_acceleration(o_ddot: Any, Q: Any, omega: Any, omega_dot: Any, r
     assumes     nothing
     expects     Q is a rotation
     operations  96: 30 add, 12 subtract, 54 multiply
-    derivation  sha256 74c77bd125ea9d0274b42074c1b21085b73b81a7223e34013bdebc723f3f2463
+    derivation  sha256 4c87c44acdc20c6c06b25bfd500c83d4ac2025ff7689f669b54c4f0e048d98a2
     signature   (3),(3,3),(3),(3),(3),(3),(3)->(3)
     """
     batch, o_ddot, Q, omega, omega_dot, rho, rho_dot, rho_ddot = prepared(
@@ -1798,7 +1819,7 @@ def kinetic_energy(I_C: Any, m: Any, t: Any, /, *, out: Any = None) -> Any:
     expects     I_C is symmetric
                 m > 0
     operations  35: 11 add, 24 multiply
-    derivation  sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
+    derivation  sha256 f49e224f601b161052d8996395e4fdf354c8312c20c463face54e8559308b723
     signature   (3,3),(),(6)->()
     """
     batch, I_C, m, t = prepared("kinetic_energy", ("I_C", I_C, (3, 3)), ("m", m, ()), ("t", t, (6,)))
@@ -1824,7 +1845,7 @@ def kinetic_energy_sym6(I_C: Any, m: Any, t: Any, /, *, out: Any = None) -> Any:
     expects     I_C is symmetric
                 m > 0
     operations  35: 11 add, 24 multiply
-    derivation  sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
+    derivation  sha256 f49e224f601b161052d8996395e4fdf354c8312c20c463face54e8559308b723
     signature   (6),(),(6)->()
     """
     batch, I_C, m, t = prepared("kinetic_energy_sym6", ("I_C", I_C, (6,)), ("m", m, ()), ("t", t, (6,)))
@@ -1850,7 +1871,7 @@ def newton_euler_wrench(I_C: Any, m: Any, t: Any, t_dot: Any, /, *, out: Any = N
     expects     I_C is symmetric
                 m > 0
     operations  45: 15 add, 3 subtract, 27 multiply
-    derivation  sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
+    derivation  sha256 d30122d4b44da4f27cb2cb2c143b22ab476174f2b785f6c60ce809f87eee2a40
     signature   (3,3),(),(6),(6)->(6)
     """
     batch, I_C, m, t, t_dot = prepared(
@@ -1891,7 +1912,7 @@ def newton_euler_wrench_sym6(I_C: Any, m: Any, t: Any, t_dot: Any, /, *, out: An
     expects     I_C is symmetric
                 m > 0
     operations  45: 15 add, 3 subtract, 27 multiply
-    derivation  sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
+    derivation  sha256 d30122d4b44da4f27cb2cb2c143b22ab476174f2b785f6c60ce809f87eee2a40
     signature   (6),(),(6),(6)->(6)
     """
     batch, I_C, m, t, t_dot = prepared(
@@ -1932,7 +1953,7 @@ def newton_euler_twist_rate(I_C: Any, m: Any, t: Any, w: Any, /, *, out: Any = N
                 m > 0
     expects     I_C is positive-definite
     operations  82: 14 add, 15 subtract, 51 multiply, 2 divide
-    derivation  sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
+    derivation  sha256 2cb7962adfae416ea5704e645be5e45af62a45195755dcdb0db8240bfbd95e34
     signature   (3,3),(),(6),(6)->(6)
     """
     batch, I_C, m, t, w = prepared(
@@ -1984,7 +2005,7 @@ def newton_euler_twist_rate_sym6(I_C: Any, m: Any, t: Any, w: Any, /, *, out: An
                 m > 0
     expects     I_C is positive-definite
     operations  73: 14 add, 12 subtract, 45 multiply, 2 divide
-    derivation  sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
+    derivation  sha256 2cb7962adfae416ea5704e645be5e45af62a45195755dcdb0db8240bfbd95e34
     signature   (6),(),(6),(6)->(6)
     """
     batch, I_C, m, t, w = prepared(
@@ -2254,7 +2275,7 @@ def euler_rates_xyx(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     sin(theta_2) != 0
     operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-    derivation  sha256 dc25d3c29d228eb0e4db2e7284ae285688a98dad73a9ce5754ebbde12caab3d1
+    derivation  sha256 6680ed5e0065e86be5ede1392988b273d66d7294e9f98bd21f5995b64f04020b
     signature   (3),(3)->(3)
     """
     batch, angles, omega = prepared("euler_rates_xyx", ("angles", angles, (3,)), ("omega", omega, (3,)))
@@ -2274,7 +2295,7 @@ def rotation_from_euler_xyz(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    derivation  sha256 ef78e8d8a2f64f490cf253a137d167a50f5c2baac61b871bbb0421b691514a33
+    derivation  sha256 0cea117706a64d97d8bdbd2e4fd380fc62206ab55d7d2a91540f368cc27f9870
     signature   (3)->(3,3)
     """
     batch, angles = prepared("rotation_from_euler_xyz", ("angles", angles, (3,)))
@@ -2309,7 +2330,7 @@ def euler_rate_matrix_xyz(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 0bbaee6346a1733edd0665efc3803dd79b070ecde8be0f041579ee6f7f25437e
+    derivation  sha256 727b20e1b0b73863606b227bcb1ee8f63318534fcd2691b488dd6bb3e008f7a5
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_xyz", ("angles", angles, (3,)))
@@ -2328,7 +2349,7 @@ def euler_rate_matrix_body_xyz(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 1bf5c28d32a8398be51df3a9faea455bcb2b84dd8e4adb28b9ab9ce5a849afeb
+    derivation  sha256 2be843b1c8bcf554409134741a98ded93388365670f614f6cb1fc893a0e8a883
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_body_xyz", ("angles", angles, (3,)))
@@ -2348,7 +2369,7 @@ def euler_rates_xyz(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     cos(theta_2) != 0
     operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-    derivation  sha256 92ffca814bf55194dbaab2789d526410119beac1331e329cc2a7d3a8d86f3e7e
+    derivation  sha256 bd0c6f4b6dded2540673b31111efab98cd56656a47a7d1c15a58ec3feec76bb1
     signature   (3),(3)->(3)
     """
     batch, angles, omega = prepared("euler_rates_xyz", ("angles", angles, (3,)), ("omega", omega, (3,)))
@@ -2368,7 +2389,7 @@ def rotation_from_euler_xzx(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    derivation  sha256 d87af31d8064f0432f6584f5f3b779ac157cd7cb2fd428e403c2606c591e6ab0
+    derivation  sha256 fa5672d572ba62d9e45fffa4848cc24a0c47c7067a8a59b865433226cb492f17
     signature   (3)->(3,3)
     """
     batch, angles = prepared("rotation_from_euler_xzx", ("angles", angles, (3,)))
@@ -2403,7 +2424,7 @@ def euler_rate_matrix_xzx(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 3b9b8235e4c8fcf384c7c55c8d008191b5ba7256d0172eff576a02612b7b5275
+    derivation  sha256 dc3972bfdbefe855a135e5d6dfe1379102462102153180de7ed283e96eeb6111
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_xzx", ("angles", angles, (3,)))
@@ -2422,7 +2443,7 @@ def euler_rate_matrix_body_xzx(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 3ae39b45394bce41b7344b42020cefcaf35408de091e740348ab7e92581fd171
+    derivation  sha256 d9e0e82546acba106ac4c57420a2eab05b641c00df85ff7be216b8a0fc9d8665
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_body_xzx", ("angles", angles, (3,)))
@@ -2442,7 +2463,7 @@ def euler_rates_xzx(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     sin(theta_2) != 0
     operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-    derivation  sha256 f0c9c8006ed755a58d3a5e3453882b764155b478f3ccc81aff9263fcd693130b
+    derivation  sha256 408e95f0d48f8fcc6450ff354821b3bcc7b8afe170311512bf6808fc6ebf035d
     signature   (3),(3)->(3)
     """
     batch, angles, omega = prepared("euler_rates_xzx", ("angles", angles, (3,)), ("omega", omega, (3,)))
@@ -2462,7 +2483,7 @@ def rotation_from_euler_xzy(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    derivation  sha256 8ed8b54e3664bc9230db9b3c2c73b559c4c5aa0d545a0bbcd5503654d557cc47
+    derivation  sha256 ec01d03ae5956d3c060281719ab7e0fe33cdb6c1a61009f0ecedd6b28c16d955
     signature   (3)->(3,3)
     """
     batch, angles = prepared("rotation_from_euler_xzy", ("angles", angles, (3,)))
@@ -2497,7 +2518,7 @@ def euler_rate_matrix_xzy(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 9c5ab65be41d67243beebe951c10a97ef87d6eb5d3f193d63cf6658e7f44b6f8
+    derivation  sha256 eff8b044920f2622991ff4992754af00b4bb6db0588c9c38024defb9d92b31a8
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_xzy", ("angles", angles, (3,)))
@@ -2516,7 +2537,7 @@ def euler_rate_matrix_body_xzy(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 b8846cc63b152cacd903a643382cc65754655411c92c92439b52cc10b4faf8b3
+    derivation  sha256 82d38f5fbd88f30e0766279355f8c1075afa7f058dd52a2ba49700c1103941b2
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_body_xzy", ("angles", angles, (3,)))
@@ -2536,7 +2557,7 @@ def euler_rates_xzy(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     cos(theta_2) != 0
     operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-    derivation  sha256 101ac690a535ae5a51bb85759b6df9380aae98fdec6ae12fee9aac2f6153c920
+    derivation  sha256 c13c9cc6d29ab7900f6ed7fef43449399dc7948756dc5e0c1278fad40f8eaf5f
     signature   (3),(3)->(3)
     """
     batch, angles, omega = prepared("euler_rates_xzy", ("angles", angles, (3,)), ("omega", omega, (3,)))
@@ -2556,7 +2577,7 @@ def rotation_from_euler_yxy(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    derivation  sha256 b01ea8a55ea91c3c712ca018c1a183476a14931beaf248d2a0e6ffa906a6bea9
+    derivation  sha256 39c327f2b06e2eb28d5297a5219cdf25d8c6fa35f3e8c4abd686a96f628448b9
     signature   (3)->(3,3)
     """
     batch, angles = prepared("rotation_from_euler_yxy", ("angles", angles, (3,)))
@@ -2591,7 +2612,7 @@ def euler_rate_matrix_yxy(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 99d8fde272ba013e3978bdb107acde19a3dca7d3d410d6219f7c418f309602be
+    derivation  sha256 a636f1aef1e498fc12bb18c833be214ecab09d723d189feb6293198c1da27769
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_yxy", ("angles", angles, (3,)))
@@ -2610,7 +2631,7 @@ def euler_rate_matrix_body_yxy(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 6dd807336c1a4e1572a5a6a3db8169f73d1b51c3092752ae6002dcd6da833ccb
+    derivation  sha256 542fac587b2f6c693e2f358949f10e38342e83da48b28f0bfefa2518c3dbbf7d
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_body_yxy", ("angles", angles, (3,)))
@@ -2630,7 +2651,7 @@ def euler_rates_yxy(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     sin(theta_2) != 0
     operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-    derivation  sha256 94fb1bb483db078ce2c2c21e24b9585dd03786b54f33df6db1bf0225793fbd66
+    derivation  sha256 cd5dec36e2ffbb4d79f5e51715750a932a8dcd10315484afd24a2b8c5417093d
     signature   (3),(3)->(3)
     """
     batch, angles, omega = prepared("euler_rates_yxy", ("angles", angles, (3,)), ("omega", omega, (3,)))
@@ -2650,7 +2671,7 @@ def rotation_from_euler_yxz(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    derivation  sha256 17190d54bfd0a86d9502cb09537bd8e6286d32172d51eaff6b4d85fe515e6386
+    derivation  sha256 9a10b4aca9084db3dbe838592a18dd16991e4e9266812ea40c364e475765c2da
     signature   (3)->(3,3)
     """
     batch, angles = prepared("rotation_from_euler_yxz", ("angles", angles, (3,)))
@@ -2685,7 +2706,7 @@ def euler_rate_matrix_yxz(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 bbf73fa477d98d3c94b5e432f4be63588fcc3cc8e76193c0919e06f2fb7c2f6b
+    derivation  sha256 e4b0c1a359b6a0462bcaf854f5621ef6f306aaed262ef9eedca1b9dfd21141db
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_yxz", ("angles", angles, (3,)))
@@ -2704,7 +2725,7 @@ def euler_rate_matrix_body_yxz(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 26a8efdcbc2560faa634d8a1459ad6fa123eac21993214a47c8eeb509e4e2ba0
+    derivation  sha256 bbaf7b40aee302ecf502aebad748a90068ef997f7ef78c435934daec4e186893
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_body_yxz", ("angles", angles, (3,)))
@@ -2724,7 +2745,7 @@ def euler_rates_yxz(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     cos(theta_2) != 0
     operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-    derivation  sha256 c8a8c2fcdd4e811d34d4792ac2e6cbf91bd601af111a0fe88e7ba06331d57eb4
+    derivation  sha256 edb81e753178c5fce1e78e2d84d24357ec01af9efb3639d407093ca1170b8f22
     signature   (3),(3)->(3)
     """
     batch, angles, omega = prepared("euler_rates_yxz", ("angles", angles, (3,)), ("omega", omega, (3,)))
@@ -2744,7 +2765,7 @@ def rotation_from_euler_yzx(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    derivation  sha256 f5f8c01f2091a8649522d5f542bef4da4d9d1b0480afffc3bf175b82c186c1a2
+    derivation  sha256 8067174eae8e12da17f50ae58f90ed494f2ed48db1f70a248864566fd994638c
     signature   (3)->(3,3)
     """
     batch, angles = prepared("rotation_from_euler_yzx", ("angles", angles, (3,)))
@@ -2779,7 +2800,7 @@ def euler_rate_matrix_yzx(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 979ee93a192c498dbd2cea6d4a0649d886572dcb11db1a223e095e68bbed983c
+    derivation  sha256 48b2bdb7a1b3028c165cf254cc61d428a4e18bdcc2621e21de7940aac283a8f6
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_yzx", ("angles", angles, (3,)))
@@ -2798,7 +2819,7 @@ def euler_rate_matrix_body_yzx(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 1c65e98508f0ef49ac9374e13b4dbdfbfe2366ef59511c9d7fbfdf9247490c66
+    derivation  sha256 f7ecbe499957a1df734cc614102e267117566d3f6d80b71ca89a19ff14ae73d4
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_body_yzx", ("angles", angles, (3,)))
@@ -2818,7 +2839,7 @@ def euler_rates_yzx(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     cos(theta_2) != 0
     operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-    derivation  sha256 2a3e407528723168ae6ccf7d2bb337f22a2589efe02700bea8cb8a61c85d4dd6
+    derivation  sha256 33b2d9256eb74313ba05c6fc7b3e91f7765487fe3f26de05f701ff4288cedb31
     signature   (3),(3)->(3)
     """
     batch, angles, omega = prepared("euler_rates_yzx", ("angles", angles, (3,)), ("omega", omega, (3,)))
@@ -2838,7 +2859,7 @@ def rotation_from_euler_yzy(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    derivation  sha256 7b686944ad47c5cd9b3784929c2d0070f98b0ffabb883c4f47ecf3cb702f4abd
+    derivation  sha256 5b5ba0ef7860418b292b8302888ff85bd1afbe1f26dcb574f075aeaf9ff38357
     signature   (3)->(3,3)
     """
     batch, angles = prepared("rotation_from_euler_yzy", ("angles", angles, (3,)))
@@ -2873,7 +2894,7 @@ def euler_rate_matrix_yzy(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 ba6684559cbfa5211efd1920d50f40cb70bc54cc92f6f5e00dc8c9c9306ccb9b
+    derivation  sha256 173a43a221173a0bd6addd4a110cef604ab7fcd2cf82d4df270377e26c071e83
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_yzy", ("angles", angles, (3,)))
@@ -2892,7 +2913,7 @@ def euler_rate_matrix_body_yzy(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 a35dfd48aac93458874306893e6f44c24955bbacc04abd7298941ffe4ad38df7
+    derivation  sha256 78afe33bfd90a71cf84d41ec65d49601b950b21dcafbd952225f877c9885d2a2
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_body_yzy", ("angles", angles, (3,)))
@@ -2912,7 +2933,7 @@ def euler_rates_yzy(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     sin(theta_2) != 0
     operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-    derivation  sha256 e6787b1ffc3ac3257b5fb969bb06df8128f53d9dc82afd679e4bc41ba6ee3198
+    derivation  sha256 c2679441a74674f45a4fb62481b4da309797cb451375f5e7c969afa25969398f
     signature   (3),(3)->(3)
     """
     batch, angles, omega = prepared("euler_rates_yzy", ("angles", angles, (3,)), ("omega", omega, (3,)))
@@ -2932,7 +2953,7 @@ def rotation_from_euler_zxy(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    derivation  sha256 ca7633bf41e92038cc6b88046e6340d4c576629d0f18bc3aecb737f26530ca17
+    derivation  sha256 8ae99d46108398deee39b74f0f0d6af4c2ca2209815ada56c3702867ca814530
     signature   (3)->(3,3)
     """
     batch, angles = prepared("rotation_from_euler_zxy", ("angles", angles, (3,)))
@@ -2967,7 +2988,7 @@ def euler_rate_matrix_zxy(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 c9bbde2ea0fb35785f195db8cf9c22b079939ad6bc1baf139d90c4c613f8de4e
+    derivation  sha256 5be122f500ea442153ec10921e5fb13dd3487b8181aba875421abbcde2b0f441
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_zxy", ("angles", angles, (3,)))
@@ -2986,7 +3007,7 @@ def euler_rate_matrix_body_zxy(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 a611a63b6938b2b997498f97e27cd039fceb6b271b6c278f8fb653f9efd6344a
+    derivation  sha256 4b435c59444750de449c28f85ae7ad26df977cf6fbda22643e49734a03373fe2
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_body_zxy", ("angles", angles, (3,)))
@@ -3006,7 +3027,7 @@ def euler_rates_zxy(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     cos(theta_2) != 0
     operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-    derivation  sha256 ee67b04e12e2ce2ff7badd33424db51608115b788ef62f3b47fcf14fdb928c97
+    derivation  sha256 36071585fc3f03318fec1095f6fce622812bcb4c86edba593061dbcba7c5833c
     signature   (3),(3)->(3)
     """
     batch, angles, omega = prepared("euler_rates_zxy", ("angles", angles, (3,)), ("omega", omega, (3,)))
@@ -3026,7 +3047,7 @@ def rotation_from_euler_zxz(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    derivation  sha256 756e561b63ad1d97719fdce482ca42e3886b6d3b2c0b57cbd62497adc959bff9
+    derivation  sha256 04f70e9463c92048149fe7c49d75cab4b8a6178633341287094620e7f32079a5
     signature   (3)->(3,3)
     """
     batch, angles = prepared("rotation_from_euler_zxz", ("angles", angles, (3,)))
@@ -3061,7 +3082,7 @@ def euler_rate_matrix_zxz(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 512360b2471fc102ac0fa8c9ac661115c57b4554ccbb378ff4a41d591c93840f
+    derivation  sha256 39bc0189602fb535367e07a92b8264011a74e4da0fe3ae728712ee149805d981
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_zxz", ("angles", angles, (3,)))
@@ -3080,7 +3101,7 @@ def euler_rate_matrix_body_zxz(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 adfc2a1f56123a02796689fcd31259419dc567c1cea84e1b93815971924418ae
+    derivation  sha256 74da24a97e78f4dbac40e98935303cf217bc7f042bf9159e791dad68a3e3f65f
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_body_zxz", ("angles", angles, (3,)))
@@ -3100,7 +3121,7 @@ def euler_rates_zxz(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     sin(theta_2) != 0
     operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-    derivation  sha256 09b879f243dc95114aab98bf81ea6eae784a54b0990675a477f7ce0c32d031d1
+    derivation  sha256 c4be8033440e1d79b2e56990aa59b3c7ca0a87f9dd9af836af659978d8c1ec64
     signature   (3),(3)->(3)
     """
     batch, angles, omega = prepared("euler_rates_zxz", ("angles", angles, (3,)), ("omega", omega, (3,)))
@@ -3120,7 +3141,7 @@ def rotation_from_euler_zyx(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    derivation  sha256 b086cf1947f6376651c2d19f6e9839e418d89561cf84963157d2affe0010df0c
+    derivation  sha256 581896c72ed36cfaa5f1c03cf7263fbf0550f59682687769a152434e626ec5fd
     signature   (3)->(3,3)
     """
     batch, angles = prepared("rotation_from_euler_zyx", ("angles", angles, (3,)))
@@ -3155,7 +3176,7 @@ def euler_rate_matrix_zyx(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 c78d897ee452651cdb8b9bfc04d057d2602075b3c060b52e9abbb487376671ce
+    derivation  sha256 66c872236d303d61f6b01e55f2a04707326e08e9a8def9fd2d0718455165a53c
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_zyx", ("angles", angles, (3,)))
@@ -3174,7 +3195,7 @@ def euler_rate_matrix_body_zyx(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 8abeae5db88e4e8b1f980002de3225324bc9a6183b8092de5393f5b48777d47e
+    derivation  sha256 20343db592ec9160010881086692dd2ae5a3a0bdb2ea91849acb9df55eb2f72a
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_body_zyx", ("angles", angles, (3,)))
@@ -3194,7 +3215,7 @@ def euler_rates_zyx(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     cos(theta_2) != 0
     operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-    derivation  sha256 44ffc8749b3737689be53a3802e4e63272cccafc953c814cecb9e96ac9a325df
+    derivation  sha256 c12c1c96a5832b81a39cc1699d8110c43abf5ac969574ba9645e1e2ca3e5a587
     signature   (3),(3)->(3)
     """
     batch, angles, omega = prepared("euler_rates_zyx", ("angles", angles, (3,)), ("omega", omega, (3,)))
@@ -3214,7 +3235,7 @@ def rotation_from_euler_zyz(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    derivation  sha256 43811e29291aaf24b8d2ac3cc8abeea6bd935d6d676c55cfca93e360e0f55e27
+    derivation  sha256 4025aa2b857829dd40030f976438d7ef055e83c86995d4d37382381b152c2f5a
     signature   (3)->(3,3)
     """
     batch, angles = prepared("rotation_from_euler_zyz", ("angles", angles, (3,)))
@@ -3249,7 +3270,7 @@ def euler_rate_matrix_zyz(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 6c84c4efffd55db4ea8213dc9b11cecc8349dad17b36135cc160d50d6109cb3f
+    derivation  sha256 b218cf9859c431d040eb202055f9cd230dc8e311ad82193e0c9a3f33d5febbe0
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_zyz", ("angles", angles, (3,)))
@@ -3268,7 +3289,7 @@ def euler_rate_matrix_body_zyz(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  6: 2 multiply, 2 sine, 2 cosine
-    derivation  sha256 36a3c2c542a8d3639c876836964fedd9c9060e40dbe251339937870900c56103
+    derivation  sha256 338c4bd63de50eb34cdf85a54bb6ae6f4979fcbfa6b866131be19ad92fe74878
     signature   (3)->(3,3)
     """
     batch, angles = prepared("euler_rate_matrix_body_zyz", ("angles", angles, (3,)))
@@ -3288,7 +3309,7 @@ def euler_rates_zyz(angles: Any, omega: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     sin(theta_2) != 0
     operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-    derivation  sha256 76b36cf9c5a1b834fc7624c1332aeaf5949ec6ce50867f34ab37b197a766426f
+    derivation  sha256 a96c14a018c279b26006e373745953f8ade90795be64fb33b11d0b9c13278361
     signature   (3),(3)->(3)
     """
     batch, angles, omega = prepared("euler_rates_zyz", ("angles", angles, (3,)), ("omega", omega, (3,)))

@@ -15,7 +15,7 @@
  *   verdict     holds
  *   assumes     nothing
  *   operations  15: 3 add, 6 subtract, 6 multiply
- *   derivation  sha256 b4276b762213a5d1c4dee152c38b976d1ea52c68f1108b25b57c59de96112578
+ *   derivation  sha256 cf40ff55774289ffed0ea82bbef45f19d34034b7096ffa7bea3f6664852180bb
  */
 void chasles_velocity_of_point(
     const double omega[3],
@@ -38,7 +38,7 @@ void chasles_velocity_of_point(
 /*
  * (3.50) chasles_velocity_of_point in single precision.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 b4276b762213a5d1c4dee152c38b976d1ea52c68f1108b25b57c59de96112578
+ *   15 operations; derivation sha256 cf40ff55774289ffed0ea82bbef45f19d34034b7096ffa7bea3f6664852180bb
  */
 void chasles_velocity_of_pointf(
     const float omega[3],
@@ -61,7 +61,7 @@ void chasles_velocity_of_pointf(
 /*
  * (3.50) chasles_velocity_of_point for a batch.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 b4276b762213a5d1c4dee152c38b976d1ea52c68f1108b25b57c59de96112578
+ *   15 operations; derivation sha256 cf40ff55774289ffed0ea82bbef45f19d34034b7096ffa7bea3f6664852180bb
  */
 void chasles_velocity_of_point_batch(
     size_t count,
@@ -84,7 +84,7 @@ void chasles_velocity_of_point_batch(
 /*
  * (3.50) chasles_velocity_of_pointf for a batch.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 b4276b762213a5d1c4dee152c38b976d1ea52c68f1108b25b57c59de96112578
+ *   15 operations; derivation sha256 cf40ff55774289ffed0ea82bbef45f19d34034b7096ffa7bea3f6664852180bb
  */
 void chasles_velocity_of_point_batchf(
     size_t count,

@@ -14,7 +14,7 @@
  *   verdict     holds under
  *   assumes     omega != 0
  *   operations  29: 2 add, 9 subtract, 15 multiply, 3 divide
- *   derivation  sha256 cfac045d8748d1612bf67e7a0d0b36c3d82db3bcfd56eb443e7d1428114e7101
+ *   derivation  sha256 4f369fc6b5b07e9f94adfd732820a7de33f7054f23aece128a3349badcc576c3
  */
 void chasles_instant_screw_point(
     const double omega[3],
@@ -38,7 +38,7 @@ void chasles_instant_screw_point(
 /*
  * (3.70) chasles_instant_screw_point in single precision.
  *   verdict: holds under; assumes omega != 0
- *   29 operations; derivation sha256 cfac045d8748d1612bf67e7a0d0b36c3d82db3bcfd56eb443e7d1428114e7101
+ *   29 operations; derivation sha256 4f369fc6b5b07e9f94adfd732820a7de33f7054f23aece128a3349badcc576c3
  */
 void chasles_instant_screw_pointf(
     const float omega[3],
@@ -62,7 +62,7 @@ void chasles_instant_screw_pointf(
 /*
  * (3.70) chasles_instant_screw_point for a batch.
  *   verdict: holds under; assumes omega != 0
- *   29 operations; derivation sha256 cfac045d8748d1612bf67e7a0d0b36c3d82db3bcfd56eb443e7d1428114e7101
+ *   29 operations; derivation sha256 4f369fc6b5b07e9f94adfd732820a7de33f7054f23aece128a3349badcc576c3
  */
 void chasles_instant_screw_point_batch(
     size_t count,
@@ -83,7 +83,7 @@ void chasles_instant_screw_point_batch(
 /*
  * (3.70) chasles_instant_screw_pointf for a batch.
  *   verdict: holds under; assumes omega != 0
- *   29 operations; derivation sha256 cfac045d8748d1612bf67e7a0d0b36c3d82db3bcfd56eb443e7d1428114e7101
+ *   29 operations; derivation sha256 4f369fc6b5b07e9f94adfd732820a7de33f7054f23aece128a3349badcc576c3
  */
 void chasles_instant_screw_point_batchf(
     size_t count,

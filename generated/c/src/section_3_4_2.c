@@ -1274,7 +1274,7 @@ void chasles_screw_of_motion_batchf(
  *   verdict     holds under
  *   assumes     omega != 0
  *   operations  48: 4 add, 12 subtract, 24 multiply, 7 divide, 1 square root
- *   derivation  sha256 4b277ff5c0cbaa806e6d4015ddd9655e971afe904b281a1305d42348d080ad0a
+ *   derivation  sha256 4fe4990c20975f24a3853d958dd8358f87b465f41f874d5033241d675c5c169b
  */
 void chasles_instant_screw(
     const double omega[3],
@@ -1312,7 +1312,7 @@ void chasles_instant_screw(
 /*
  * text 3.4.1 c chasles_instant_screw in single precision.
  *   verdict: holds under; assumes omega != 0
- *   48 operations; derivation sha256 4b277ff5c0cbaa806e6d4015ddd9655e971afe904b281a1305d42348d080ad0a
+ *   48 operations; derivation sha256 4fe4990c20975f24a3853d958dd8358f87b465f41f874d5033241d675c5c169b
  */
 void chasles_instant_screwf(
     const float omega[3],
@@ -1350,7 +1350,7 @@ void chasles_instant_screwf(
 /*
  * text 3.4.1 c chasles_instant_screw for a batch.
  *   verdict: holds under; assumes omega != 0
- *   48 operations; derivation sha256 4b277ff5c0cbaa806e6d4015ddd9655e971afe904b281a1305d42348d080ad0a
+ *   48 operations; derivation sha256 4fe4990c20975f24a3853d958dd8358f87b465f41f874d5033241d675c5c169b
  */
 void chasles_instant_screw_batch(
     size_t count,
@@ -1373,7 +1373,7 @@ void chasles_instant_screw_batch(
 /*
  * text 3.4.1 c chasles_instant_screwf for a batch.
  *   verdict: holds under; assumes omega != 0
- *   48 operations; derivation sha256 4b277ff5c0cbaa806e6d4015ddd9655e971afe904b281a1305d42348d080ad0a
+ *   48 operations; derivation sha256 4fe4990c20975f24a3853d958dd8358f87b465f41f874d5033241d675c5c169b
  */
 void chasles_instant_screw_batchf(
     size_t count,
@@ -1703,7 +1703,7 @@ void chasles_euler_rodrigues_velocity_matrix_batchf(
  *   assumes     |e| = 1
  *               phi != 0
  *   operations  35: 2 add, 10 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine
- *   derivation  sha256 e0fe2be4e1944552a8aae53cb2c6a50c8014716c08d0ff9ae5c638b1e525a98a
+ *   derivation  sha256 dcbbb2b61efdaf721dfc7a104de1bd3d217748ef1f564a60f95b5b59803febc8
  */
 void chasles_pose_rate_natural(const double e[3], double phi, const double t[6], double s_dot[7])
 {
@@ -1729,7 +1729,7 @@ void chasles_pose_rate_natural(const double e[3], double phi, const double t[6],
 /*
  * (3.78) chasles_pose_rate_natural in single precision.
  *   verdict: holds under; assumes |e| = 1, phi != 0
- *   35 operations; derivation sha256 e0fe2be4e1944552a8aae53cb2c6a50c8014716c08d0ff9ae5c638b1e525a98a
+ *   35 operations; derivation sha256 dcbbb2b61efdaf721dfc7a104de1bd3d217748ef1f564a60f95b5b59803febc8
  */
 void chasles_pose_rate_naturalf(const float e[3], float phi, const float t[6], float s_dot[7])
 {
@@ -1755,7 +1755,7 @@ void chasles_pose_rate_naturalf(const float e[3], float phi, const float t[6], f
 /*
  * (3.78) chasles_pose_rate_natural for a batch.
  *   verdict: holds under; assumes |e| = 1, phi != 0
- *   35 operations; derivation sha256 e0fe2be4e1944552a8aae53cb2c6a50c8014716c08d0ff9ae5c638b1e525a98a
+ *   35 operations; derivation sha256 dcbbb2b61efdaf721dfc7a104de1bd3d217748ef1f564a60f95b5b59803febc8
  */
 void chasles_pose_rate_natural_batch(
     size_t count,
@@ -1776,7 +1776,7 @@ void chasles_pose_rate_natural_batch(
 /*
  * (3.78) chasles_pose_rate_naturalf for a batch.
  *   verdict: holds under; assumes |e| = 1, phi != 0
- *   35 operations; derivation sha256 e0fe2be4e1944552a8aae53cb2c6a50c8014716c08d0ff9ae5c638b1e525a98a
+ *   35 operations; derivation sha256 dcbbb2b61efdaf721dfc7a104de1bd3d217748ef1f564a60f95b5b59803febc8
  */
 void chasles_pose_rate_natural_batchf(
     size_t count,
@@ -1803,7 +1803,7 @@ void chasles_pose_rate_natural_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  53: 7 add, 11 subtract, 33 multiply, 1 sine, 1 cosine
- *   derivation  sha256 189ef6e9f765d525a72b57ca9af776b0182a9ee410509efb645451bc6726d1fc
+ *   derivation  sha256 6f8f544dfe25801a8cb5315ee1d4690f7aef531c2cec0f67579cd6dbf46babbc
  */
 void chasles_pose_rate_linear(const double e[3], double phi, const double t[6], double s_dot[7])
 {
@@ -1834,7 +1834,7 @@ void chasles_pose_rate_linear(const double e[3], double phi, const double t[6], 
 /*
  * (3.78) chasles_pose_rate_linear in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   53 operations; derivation sha256 189ef6e9f765d525a72b57ca9af776b0182a9ee410509efb645451bc6726d1fc
+ *   53 operations; derivation sha256 6f8f544dfe25801a8cb5315ee1d4690f7aef531c2cec0f67579cd6dbf46babbc
  */
 void chasles_pose_rate_linearf(const float e[3], float phi, const float t[6], float s_dot[7])
 {
@@ -1865,7 +1865,7 @@ void chasles_pose_rate_linearf(const float e[3], float phi, const float t[6], fl
 /*
  * (3.78) chasles_pose_rate_linear for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   53 operations; derivation sha256 189ef6e9f765d525a72b57ca9af776b0182a9ee410509efb645451bc6726d1fc
+ *   53 operations; derivation sha256 6f8f544dfe25801a8cb5315ee1d4690f7aef531c2cec0f67579cd6dbf46babbc
  */
 void chasles_pose_rate_linear_batch(
     size_t count,
@@ -1882,7 +1882,7 @@ void chasles_pose_rate_linear_batch(
 /*
  * (3.78) chasles_pose_rate_linearf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   53 operations; derivation sha256 189ef6e9f765d525a72b57ca9af776b0182a9ee410509efb645451bc6726d1fc
+ *   53 operations; derivation sha256 6f8f544dfe25801a8cb5315ee1d4690f7aef531c2cec0f67579cd6dbf46babbc
  */
 void chasles_pose_rate_linear_batchf(
     size_t count,
@@ -1909,7 +1909,7 @@ void chasles_pose_rate_linear_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  28: 5 add, 3 subtract, 18 multiply, 1 sine, 1 cosine
- *   derivation  sha256 f3d6e1cd4da56d7bd2e7d19355819bb0ee5c55f0499e4140cf6289caedee70b5
+ *   derivation  sha256 dcad7fffd71f9da8ea8e7d2f88d0a989c7470248b615cbe54fe551d5c478f61e
  */
 void chasles_pose_rate_euler_rodrigues(
     const double e[3],
@@ -1942,7 +1942,7 @@ void chasles_pose_rate_euler_rodrigues(
 /*
  * (3.78) chasles_pose_rate_euler_rodrigues in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   28 operations; derivation sha256 f3d6e1cd4da56d7bd2e7d19355819bb0ee5c55f0499e4140cf6289caedee70b5
+ *   28 operations; derivation sha256 dcad7fffd71f9da8ea8e7d2f88d0a989c7470248b615cbe54fe551d5c478f61e
  */
 void chasles_pose_rate_euler_rodriguesf(
     const float e[3],
@@ -1975,7 +1975,7 @@ void chasles_pose_rate_euler_rodriguesf(
 /*
  * (3.78) chasles_pose_rate_euler_rodrigues for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   28 operations; derivation sha256 f3d6e1cd4da56d7bd2e7d19355819bb0ee5c55f0499e4140cf6289caedee70b5
+ *   28 operations; derivation sha256 dcad7fffd71f9da8ea8e7d2f88d0a989c7470248b615cbe54fe551d5c478f61e
  */
 void chasles_pose_rate_euler_rodrigues_batch(
     size_t count,
@@ -1996,7 +1996,7 @@ void chasles_pose_rate_euler_rodrigues_batch(
 /*
  * (3.78) chasles_pose_rate_euler_rodriguesf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   28 operations; derivation sha256 f3d6e1cd4da56d7bd2e7d19355819bb0ee5c55f0499e4140cf6289caedee70b5
+ *   28 operations; derivation sha256 dcad7fffd71f9da8ea8e7d2f88d0a989c7470248b615cbe54fe551d5c478f61e
  */
 void chasles_pose_rate_euler_rodrigues_batchf(
     size_t count,
@@ -2023,7 +2023,7 @@ void chasles_pose_rate_euler_rodrigues_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  27: 6 add, 4 subtract, 15 multiply, 1 sine, 1 cosine
- *   derivation  sha256 c547c350f36f76493c5a80e27f6e6ff0a7bbcb5e42f17854dc37df488fa2d1d3
+ *   derivation  sha256 d581dc5bc798824b683b05121d6dd260d18c19f6b7353538315f5b6c6bf92579
  */
 void chasles_twist_from_pose_rate_natural(
     const double e[3],
@@ -2053,7 +2053,7 @@ void chasles_twist_from_pose_rate_natural(
 /*
  * (3.80a) chasles_twist_from_pose_rate_natural in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   27 operations; derivation sha256 c547c350f36f76493c5a80e27f6e6ff0a7bbcb5e42f17854dc37df488fa2d1d3
+ *   27 operations; derivation sha256 d581dc5bc798824b683b05121d6dd260d18c19f6b7353538315f5b6c6bf92579
  */
 void chasles_twist_from_pose_rate_naturalf(
     const float e[3],
@@ -2083,7 +2083,7 @@ void chasles_twist_from_pose_rate_naturalf(
 /*
  * (3.80a) chasles_twist_from_pose_rate_natural for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   27 operations; derivation sha256 c547c350f36f76493c5a80e27f6e6ff0a7bbcb5e42f17854dc37df488fa2d1d3
+ *   27 operations; derivation sha256 d581dc5bc798824b683b05121d6dd260d18c19f6b7353538315f5b6c6bf92579
  */
 void chasles_twist_from_pose_rate_natural_batch(
     size_t count,
@@ -2104,7 +2104,7 @@ void chasles_twist_from_pose_rate_natural_batch(
 /*
  * (3.80a) chasles_twist_from_pose_rate_naturalf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   27 operations; derivation sha256 c547c350f36f76493c5a80e27f6e6ff0a7bbcb5e42f17854dc37df488fa2d1d3
+ *   27 operations; derivation sha256 d581dc5bc798824b683b05121d6dd260d18c19f6b7353538315f5b6c6bf92579
  */
 void chasles_twist_from_pose_rate_natural_batchf(
     size_t count,
@@ -2132,7 +2132,7 @@ void chasles_twist_from_pose_rate_natural_batchf(
  *   assumes     |e| = 1
  *               phi != pi
  *   operations  25: 4 add, 6 subtract, 12 multiply, 1 divide, 1 sine, 1 cosine
- *   derivation  sha256 4ecd692ea6a746b01d998342c37406b925a7404e435cd53bd23ae593fd1bc105
+ *   derivation  sha256 e9c4a95fb7b14ae8202171f87e6361bf659e70f2db17e9b36cb22ab1acd1ed10
  */
 void chasles_twist_from_pose_rate_linear(
     const double e[3],
@@ -2162,7 +2162,7 @@ void chasles_twist_from_pose_rate_linear(
 /*
  * (3.80a) chasles_twist_from_pose_rate_linear in single precision.
  *   verdict: holds under; assumes |e| = 1, phi != pi
- *   25 operations; derivation sha256 4ecd692ea6a746b01d998342c37406b925a7404e435cd53bd23ae593fd1bc105
+ *   25 operations; derivation sha256 e9c4a95fb7b14ae8202171f87e6361bf659e70f2db17e9b36cb22ab1acd1ed10
  */
 void chasles_twist_from_pose_rate_linearf(
     const float e[3],
@@ -2192,7 +2192,7 @@ void chasles_twist_from_pose_rate_linearf(
 /*
  * (3.80a) chasles_twist_from_pose_rate_linear for a batch.
  *   verdict: holds under; assumes |e| = 1, phi != pi
- *   25 operations; derivation sha256 4ecd692ea6a746b01d998342c37406b925a7404e435cd53bd23ae593fd1bc105
+ *   25 operations; derivation sha256 e9c4a95fb7b14ae8202171f87e6361bf659e70f2db17e9b36cb22ab1acd1ed10
  */
 void chasles_twist_from_pose_rate_linear_batch(
     size_t count,
@@ -2213,7 +2213,7 @@ void chasles_twist_from_pose_rate_linear_batch(
 /*
  * (3.80a) chasles_twist_from_pose_rate_linearf for a batch.
  *   verdict: holds under; assumes |e| = 1, phi != pi
- *   25 operations; derivation sha256 4ecd692ea6a746b01d998342c37406b925a7404e435cd53bd23ae593fd1bc105
+ *   25 operations; derivation sha256 e9c4a95fb7b14ae8202171f87e6361bf659e70f2db17e9b36cb22ab1acd1ed10
  */
 void chasles_twist_from_pose_rate_linear_batchf(
     size_t count,
@@ -2240,7 +2240,7 @@ void chasles_twist_from_pose_rate_linear_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  29: 3 add, 6 subtract, 18 multiply, 1 sine, 1 cosine
- *   derivation  sha256 b999fb50f6b8266afa4af08030b5b82d1ebea06845e8af11dd17b512fc685539
+ *   derivation  sha256 90de85bcba11eac11b4ed809bfaf0d169cebcae8ca5cd1e30ed22eb15c13fba9
  */
 void chasles_twist_from_pose_rate_euler_rodrigues(
     const double e[3],
@@ -2271,7 +2271,7 @@ void chasles_twist_from_pose_rate_euler_rodrigues(
 /*
  * (3.80a) chasles_twist_from_pose_rate_euler_rodrigues in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 b999fb50f6b8266afa4af08030b5b82d1ebea06845e8af11dd17b512fc685539
+ *   29 operations; derivation sha256 90de85bcba11eac11b4ed809bfaf0d169cebcae8ca5cd1e30ed22eb15c13fba9
  */
 void chasles_twist_from_pose_rate_euler_rodriguesf(
     const float e[3],
@@ -2302,7 +2302,7 @@ void chasles_twist_from_pose_rate_euler_rodriguesf(
 /*
  * (3.80a) chasles_twist_from_pose_rate_euler_rodrigues for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 b999fb50f6b8266afa4af08030b5b82d1ebea06845e8af11dd17b512fc685539
+ *   29 operations; derivation sha256 90de85bcba11eac11b4ed809bfaf0d169cebcae8ca5cd1e30ed22eb15c13fba9
  */
 void chasles_twist_from_pose_rate_euler_rodrigues_batch(
     size_t count,
@@ -2323,7 +2323,7 @@ void chasles_twist_from_pose_rate_euler_rodrigues_batch(
 /*
  * (3.80a) chasles_twist_from_pose_rate_euler_rodriguesf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 b999fb50f6b8266afa4af08030b5b82d1ebea06845e8af11dd17b512fc685539
+ *   29 operations; derivation sha256 90de85bcba11eac11b4ed809bfaf0d169cebcae8ca5cd1e30ed22eb15c13fba9
  */
 void chasles_twist_from_pose_rate_euler_rodrigues_batchf(
     size_t count,
@@ -2350,7 +2350,7 @@ void chasles_twist_from_pose_rate_euler_rodrigues_batchf(
  *   verdict     holds
  *   assumes     nothing
  *   operations  15: 3 add, 6 subtract, 6 multiply
- *   derivation  sha256 87fe5cb944dd44a9cd372da4669b8884852f9c624fe6396c2609cc622574a33c
+ *   derivation  sha256 5c4f6e062e6b8c38ce36f63f5fb668f9229e0c96f46adff13f6f7b13049adab3
  */
 void chasles_twist_transfer(
     const double t_A[6],
@@ -2378,7 +2378,7 @@ void chasles_twist_transfer(
 /*
  * (3.83a) chasles_twist_transfer in single precision.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 87fe5cb944dd44a9cd372da4669b8884852f9c624fe6396c2609cc622574a33c
+ *   15 operations; derivation sha256 5c4f6e062e6b8c38ce36f63f5fb668f9229e0c96f46adff13f6f7b13049adab3
  */
 void chasles_twist_transferf(const float t_A[6], const float a[3], const float p[3], float t_P[6])
 {
@@ -2402,7 +2402,7 @@ void chasles_twist_transferf(const float t_A[6], const float a[3], const float p
 /*
  * (3.83a) chasles_twist_transfer for a batch.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 87fe5cb944dd44a9cd372da4669b8884852f9c624fe6396c2609cc622574a33c
+ *   15 operations; derivation sha256 5c4f6e062e6b8c38ce36f63f5fb668f9229e0c96f46adff13f6f7b13049adab3
  */
 void chasles_twist_transfer_batch(
     size_t count,
@@ -2419,7 +2419,7 @@ void chasles_twist_transfer_batch(
 /*
  * (3.83a) chasles_twist_transferf for a batch.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 87fe5cb944dd44a9cd372da4669b8884852f9c624fe6396c2609cc622574a33c
+ *   15 operations; derivation sha256 5c4f6e062e6b8c38ce36f63f5fb668f9229e0c96f46adff13f6f7b13049adab3
  */
 void chasles_twist_transfer_batchf(
     size_t count,

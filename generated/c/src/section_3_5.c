@@ -13,7 +13,7 @@
  *   verdict     defined
  *   assumes     Q is a rotation
  *   operations  15: 6 add, 3 subtract, 6 multiply
- *   derivation  sha256 3673c9e5772f66657c3c4c7e52b8d1d02cb8e3ff0362603e6e2c2ced9eec2be9
+ *   derivation  sha256 0e6556537babaf679455ecf0a190fc9de1d90f4bc255ca668323680aba303433
  */
 void chasles_angular_acceleration_matrix(
     const double omega[3],
@@ -49,7 +49,7 @@ void chasles_angular_acceleration_matrix(
 /*
  * (3.86) chasles_angular_acceleration_matrix in single precision.
  *   verdict: defined; assumes Q is a rotation
- *   15 operations; derivation sha256 3673c9e5772f66657c3c4c7e52b8d1d02cb8e3ff0362603e6e2c2ced9eec2be9
+ *   15 operations; derivation sha256 0e6556537babaf679455ecf0a190fc9de1d90f4bc255ca668323680aba303433
  */
 void chasles_angular_acceleration_matrixf(
     const float omega[3],
@@ -85,7 +85,7 @@ void chasles_angular_acceleration_matrixf(
 /*
  * (3.86) chasles_angular_acceleration_matrix for a batch.
  *   verdict: defined; assumes Q is a rotation
- *   15 operations; derivation sha256 3673c9e5772f66657c3c4c7e52b8d1d02cb8e3ff0362603e6e2c2ced9eec2be9
+ *   15 operations; derivation sha256 0e6556537babaf679455ecf0a190fc9de1d90f4bc255ca668323680aba303433
  */
 void chasles_angular_acceleration_matrix_batch(
     size_t count,
@@ -104,7 +104,7 @@ void chasles_angular_acceleration_matrix_batch(
 /*
  * (3.86) chasles_angular_acceleration_matrixf for a batch.
  *   verdict: defined; assumes Q is a rotation
- *   15 operations; derivation sha256 3673c9e5772f66657c3c4c7e52b8d1d02cb8e3ff0362603e6e2c2ced9eec2be9
+ *   15 operations; derivation sha256 0e6556537babaf679455ecf0a190fc9de1d90f4bc255ca668323680aba303433
  */
 void chasles_angular_acceleration_matrix_batchf(
     size_t count,
@@ -131,7 +131,7 @@ void chasles_angular_acceleration_matrix_batchf(
  *   verdict     holds
  *   assumes     nothing
  *   operations  36: 6 add, 12 subtract, 18 multiply
- *   derivation  sha256 ad4b1ded89b128a2825ce9b201373d59a10b719839dd6046e7cd5cd6a7683d73
+ *   derivation  sha256 d9ddd8533127be1cfc0b4bc8bbcabfd00ecb0946f736b10b2dd00249bd4711c3
  */
 void chasles_acceleration_of_point(
     const double omega[3],
@@ -161,7 +161,7 @@ void chasles_acceleration_of_point(
 /*
  * (3.89) chasles_acceleration_of_point in single precision.
  *   verdict: holds; assumes nothing
- *   36 operations; derivation sha256 ad4b1ded89b128a2825ce9b201373d59a10b719839dd6046e7cd5cd6a7683d73
+ *   36 operations; derivation sha256 d9ddd8533127be1cfc0b4bc8bbcabfd00ecb0946f736b10b2dd00249bd4711c3
  */
 void chasles_acceleration_of_pointf(
     const float omega[3],
@@ -191,7 +191,7 @@ void chasles_acceleration_of_pointf(
 /*
  * (3.89) chasles_acceleration_of_point for a batch.
  *   verdict: holds; assumes nothing
- *   36 operations; derivation sha256 ad4b1ded89b128a2825ce9b201373d59a10b719839dd6046e7cd5cd6a7683d73
+ *   36 operations; derivation sha256 d9ddd8533127be1cfc0b4bc8bbcabfd00ecb0946f736b10b2dd00249bd4711c3
  */
 void chasles_acceleration_of_point_batch(
     size_t count,
@@ -216,7 +216,7 @@ void chasles_acceleration_of_point_batch(
 /*
  * (3.89) chasles_acceleration_of_pointf for a batch.
  *   verdict: holds; assumes nothing
- *   36 operations; derivation sha256 ad4b1ded89b128a2825ce9b201373d59a10b719839dd6046e7cd5cd6a7683d73
+ *   36 operations; derivation sha256 d9ddd8533127be1cfc0b4bc8bbcabfd00ecb0946f736b10b2dd00249bd4711c3
  */
 void chasles_acceleration_of_point_batchf(
     size_t count,

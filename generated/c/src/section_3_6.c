@@ -17,7 +17,7 @@
  *   assumes     nothing
  *   expects     Q is a rotation
  *   operations  45: 18 add, 3 subtract, 24 multiply
- *   derivation  sha256 ba5162a4c227d151481d733bdae324ab6291b1fd0ab7dc70c10c9528eb8fe68a
+ *   derivation  sha256 e4658ce140cc5589b5edbce8d06cca3658bb144cdbd17bfb7de1c86c04599d69
  */
 void chasles_moving_frame_velocity(
     const double o_dot[3],
@@ -44,7 +44,7 @@ void chasles_moving_frame_velocity(
 /*
  * (3.103) chasles_moving_frame_velocity in single precision.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 ba5162a4c227d151481d733bdae324ab6291b1fd0ab7dc70c10c9528eb8fe68a
+ *   45 operations; derivation sha256 e4658ce140cc5589b5edbce8d06cca3658bb144cdbd17bfb7de1c86c04599d69
  */
 void chasles_moving_frame_velocityf(
     const float o_dot[3],
@@ -71,7 +71,7 @@ void chasles_moving_frame_velocityf(
 /*
  * (3.103) chasles_moving_frame_velocity for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 ba5162a4c227d151481d733bdae324ab6291b1fd0ab7dc70c10c9528eb8fe68a
+ *   45 operations; derivation sha256 e4658ce140cc5589b5edbce8d06cca3658bb144cdbd17bfb7de1c86c04599d69
  */
 void chasles_moving_frame_velocity_batch(
     size_t count,
@@ -96,7 +96,7 @@ void chasles_moving_frame_velocity_batch(
 /*
  * (3.103) chasles_moving_frame_velocityf for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 ba5162a4c227d151481d733bdae324ab6291b1fd0ab7dc70c10c9528eb8fe68a
+ *   45 operations; derivation sha256 e4658ce140cc5589b5edbce8d06cca3658bb144cdbd17bfb7de1c86c04599d69
  */
 void chasles_moving_frame_velocity_batchf(
     size_t count,
@@ -133,7 +133,7 @@ void chasles_moving_frame_velocity_batchf(
  *   assumes     nothing
  *   expects     Q is a rotation
  *   operations  96: 30 add, 12 subtract, 54 multiply
- *   derivation  sha256 74c77bd125ea9d0274b42074c1b21085b73b81a7223e34013bdebc723f3f2463
+ *   derivation  sha256 4c87c44acdc20c6c06b25bfd500c83d4ac2025ff7689f669b54c4f0e048d98a2
  */
 void chasles_moving_frame_acceleration(
     const double o_ddot[3],
@@ -171,7 +171,7 @@ void chasles_moving_frame_acceleration(
 /*
  * (3.105) chasles_moving_frame_acceleration in single precision.
  *   verdict: holds; assumes nothing
- *   96 operations; derivation sha256 74c77bd125ea9d0274b42074c1b21085b73b81a7223e34013bdebc723f3f2463
+ *   96 operations; derivation sha256 4c87c44acdc20c6c06b25bfd500c83d4ac2025ff7689f669b54c4f0e048d98a2
  */
 void chasles_moving_frame_accelerationf(
     const float o_ddot[3],
@@ -209,7 +209,7 @@ void chasles_moving_frame_accelerationf(
 /*
  * (3.105) chasles_moving_frame_acceleration for a batch.
  *   verdict: holds; assumes nothing
- *   96 operations; derivation sha256 74c77bd125ea9d0274b42074c1b21085b73b81a7223e34013bdebc723f3f2463
+ *   96 operations; derivation sha256 4c87c44acdc20c6c06b25bfd500c83d4ac2025ff7689f669b54c4f0e048d98a2
  */
 void chasles_moving_frame_acceleration_batch(
     size_t count,
@@ -238,7 +238,7 @@ void chasles_moving_frame_acceleration_batch(
 /*
  * (3.105) chasles_moving_frame_accelerationf for a batch.
  *   verdict: holds; assumes nothing
- *   96 operations; derivation sha256 74c77bd125ea9d0274b42074c1b21085b73b81a7223e34013bdebc723f3f2463
+ *   96 operations; derivation sha256 4c87c44acdc20c6c06b25bfd500c83d4ac2025ff7689f669b54c4f0e048d98a2
  */
 void chasles_moving_frame_acceleration_batchf(
     size_t count,

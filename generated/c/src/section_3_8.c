@@ -440,7 +440,7 @@ void chasles_momentum_screw_sym6_batchf(
  *   expects     I_C is symmetric
  *               m > 0
  *   operations  35: 11 add, 24 multiply
- *   derivation  sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
+ *   derivation  sha256 f49e224f601b161052d8996395e4fdf354c8312c20c463face54e8559308b723
  */
 void chasles_kinetic_energy(const double I_C[9], double m, const double t[6], double *T)
 {
@@ -455,7 +455,7 @@ void chasles_kinetic_energy(const double I_C[9], double m, const double t[6], do
 /*
  * (3.145) chasles_kinetic_energy in single precision.
  *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
+ *   35 operations; derivation sha256 f49e224f601b161052d8996395e4fdf354c8312c20c463face54e8559308b723
  */
 void chasles_kinetic_energyf(const float I_C[9], float m, const float t[6], float *T)
 {
@@ -470,7 +470,7 @@ void chasles_kinetic_energyf(const float I_C[9], float m, const float t[6], floa
 /*
  * (3.145) chasles_kinetic_energy for a batch.
  *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
+ *   35 operations; derivation sha256 f49e224f601b161052d8996395e4fdf354c8312c20c463face54e8559308b723
  */
 void chasles_kinetic_energy_batch(
     size_t count,
@@ -487,7 +487,7 @@ void chasles_kinetic_energy_batch(
 /*
  * (3.145) chasles_kinetic_energyf for a batch.
  *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
+ *   35 operations; derivation sha256 f49e224f601b161052d8996395e4fdf354c8312c20c463face54e8559308b723
  */
 void chasles_kinetic_energy_batchf(
     size_t count,
@@ -513,7 +513,7 @@ void chasles_kinetic_energy_batchf(
  *   expects     I_C is symmetric
  *               m > 0
  *   operations  35: 11 add, 24 multiply
- *   derivation  sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
+ *   derivation  sha256 f49e224f601b161052d8996395e4fdf354c8312c20c463face54e8559308b723
  */
 void chasles_kinetic_energy_sym6(const double I_C[6], double m, const double t[6], double *T)
 {
@@ -528,7 +528,7 @@ void chasles_kinetic_energy_sym6(const double I_C[6], double m, const double t[6
 /*
  * (3.145) chasles_kinetic_energy_sym6 in single precision.
  *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
+ *   35 operations; derivation sha256 f49e224f601b161052d8996395e4fdf354c8312c20c463face54e8559308b723
  */
 void chasles_kinetic_energy_sym6f(const float I_C[6], float m, const float t[6], float *T)
 {
@@ -543,7 +543,7 @@ void chasles_kinetic_energy_sym6f(const float I_C[6], float m, const float t[6],
 /*
  * (3.145) chasles_kinetic_energy_sym6 for a batch.
  *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
+ *   35 operations; derivation sha256 f49e224f601b161052d8996395e4fdf354c8312c20c463face54e8559308b723
  */
 void chasles_kinetic_energy_sym6_batch(
     size_t count,
@@ -560,7 +560,7 @@ void chasles_kinetic_energy_sym6_batch(
 /*
  * (3.145) chasles_kinetic_energy_sym6f for a batch.
  *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 a8dab407687a2a66b99bef16413306943217f1bba369bddcea5d426d3c261be3
+ *   35 operations; derivation sha256 f49e224f601b161052d8996395e4fdf354c8312c20c463face54e8559308b723
  */
 void chasles_kinetic_energy_sym6_batchf(
     size_t count,
@@ -586,7 +586,7 @@ void chasles_kinetic_energy_sym6_batchf(
  *   expects     I_C is symmetric
  *               m > 0
  *   operations  45: 15 add, 3 subtract, 27 multiply
- *   derivation  sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
+ *   derivation  sha256 d30122d4b44da4f27cb2cb2c143b22ab476174f2b785f6c60ce809f87eee2a40
  */
 void chasles_newton_euler_wrench(
     const double I_C[9],
@@ -618,7 +618,7 @@ void chasles_newton_euler_wrench(
 /*
  * text 3.8 v chasles_newton_euler_wrench in single precision.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
+ *   45 operations; derivation sha256 d30122d4b44da4f27cb2cb2c143b22ab476174f2b785f6c60ce809f87eee2a40
  */
 void chasles_newton_euler_wrenchf(
     const float I_C[9],
@@ -650,7 +650,7 @@ void chasles_newton_euler_wrenchf(
 /*
  * text 3.8 v chasles_newton_euler_wrench for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
+ *   45 operations; derivation sha256 d30122d4b44da4f27cb2cb2c143b22ab476174f2b785f6c60ce809f87eee2a40
  */
 void chasles_newton_euler_wrench_batch(
     size_t count,
@@ -673,7 +673,7 @@ void chasles_newton_euler_wrench_batch(
 /*
  * text 3.8 v chasles_newton_euler_wrenchf for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
+ *   45 operations; derivation sha256 d30122d4b44da4f27cb2cb2c143b22ab476174f2b785f6c60ce809f87eee2a40
  */
 void chasles_newton_euler_wrench_batchf(
     size_t count,
@@ -706,7 +706,7 @@ void chasles_newton_euler_wrench_batchf(
  *   expects     I_C is symmetric
  *               m > 0
  *   operations  45: 15 add, 3 subtract, 27 multiply
- *   derivation  sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
+ *   derivation  sha256 d30122d4b44da4f27cb2cb2c143b22ab476174f2b785f6c60ce809f87eee2a40
  */
 void chasles_newton_euler_wrench_sym6(
     const double I_C[6],
@@ -738,7 +738,7 @@ void chasles_newton_euler_wrench_sym6(
 /*
  * text 3.8 v chasles_newton_euler_wrench_sym6 in single precision.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
+ *   45 operations; derivation sha256 d30122d4b44da4f27cb2cb2c143b22ab476174f2b785f6c60ce809f87eee2a40
  */
 void chasles_newton_euler_wrench_sym6f(
     const float I_C[6],
@@ -770,7 +770,7 @@ void chasles_newton_euler_wrench_sym6f(
 /*
  * text 3.8 v chasles_newton_euler_wrench_sym6 for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
+ *   45 operations; derivation sha256 d30122d4b44da4f27cb2cb2c143b22ab476174f2b785f6c60ce809f87eee2a40
  */
 void chasles_newton_euler_wrench_sym6_batch(
     size_t count,
@@ -793,7 +793,7 @@ void chasles_newton_euler_wrench_sym6_batch(
 /*
  * text 3.8 v chasles_newton_euler_wrench_sym6f for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 1e9f3beba7eb73707b34bae97eaa2d2c9d19918ffb95056ed3feadb49fd2ab47
+ *   45 operations; derivation sha256 d30122d4b44da4f27cb2cb2c143b22ab476174f2b785f6c60ce809f87eee2a40
  */
 void chasles_newton_euler_wrench_sym6_batchf(
     size_t count,
@@ -826,7 +826,7 @@ void chasles_newton_euler_wrench_sym6_batchf(
  *               m > 0
  *   expects     I_C is positive-definite
  *   operations  82: 14 add, 15 subtract, 51 multiply, 2 divide
- *   derivation  sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
+ *   derivation  sha256 2cb7962adfae416ea5704e645be5e45af62a45195755dcdb0db8240bfbd95e34
  */
 void chasles_newton_euler_twist_rate(
     const double I_C[9],
@@ -867,7 +867,7 @@ void chasles_newton_euler_twist_rate(
 /*
  * text 3.8 v chasles_newton_euler_twist_rate in single precision.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   82 operations; derivation sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
+ *   82 operations; derivation sha256 2cb7962adfae416ea5704e645be5e45af62a45195755dcdb0db8240bfbd95e34
  */
 void chasles_newton_euler_twist_ratef(
     const float I_C[9],
@@ -908,7 +908,7 @@ void chasles_newton_euler_twist_ratef(
 /*
  * text 3.8 v chasles_newton_euler_twist_rate for a batch.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   82 operations; derivation sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
+ *   82 operations; derivation sha256 2cb7962adfae416ea5704e645be5e45af62a45195755dcdb0db8240bfbd95e34
  */
 void chasles_newton_euler_twist_rate_batch(
     size_t count,
@@ -931,7 +931,7 @@ void chasles_newton_euler_twist_rate_batch(
 /*
  * text 3.8 v chasles_newton_euler_twist_ratef for a batch.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   82 operations; derivation sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
+ *   82 operations; derivation sha256 2cb7962adfae416ea5704e645be5e45af62a45195755dcdb0db8240bfbd95e34
  */
 void chasles_newton_euler_twist_rate_batchf(
     size_t count,
@@ -965,7 +965,7 @@ void chasles_newton_euler_twist_rate_batchf(
  *               m > 0
  *   expects     I_C is positive-definite
  *   operations  73: 14 add, 12 subtract, 45 multiply, 2 divide
- *   derivation  sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
+ *   derivation  sha256 2cb7962adfae416ea5704e645be5e45af62a45195755dcdb0db8240bfbd95e34
  */
 void chasles_newton_euler_twist_rate_sym6(
     const double I_C[6],
@@ -1004,7 +1004,7 @@ void chasles_newton_euler_twist_rate_sym6(
 /*
  * text 3.8 v chasles_newton_euler_twist_rate_sym6 in single precision.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   73 operations; derivation sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
+ *   73 operations; derivation sha256 2cb7962adfae416ea5704e645be5e45af62a45195755dcdb0db8240bfbd95e34
  */
 void chasles_newton_euler_twist_rate_sym6f(
     const float I_C[6],
@@ -1043,7 +1043,7 @@ void chasles_newton_euler_twist_rate_sym6f(
 /*
  * text 3.8 v chasles_newton_euler_twist_rate_sym6 for a batch.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   73 operations; derivation sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
+ *   73 operations; derivation sha256 2cb7962adfae416ea5704e645be5e45af62a45195755dcdb0db8240bfbd95e34
  */
 void chasles_newton_euler_twist_rate_sym6_batch(
     size_t count,
@@ -1066,7 +1066,7 @@ void chasles_newton_euler_twist_rate_sym6_batch(
 /*
  * text 3.8 v chasles_newton_euler_twist_rate_sym6f for a batch.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   73 operations; derivation sha256 8733e79919178f90c04d80f2f82e81c2e73fc819345f7f3d97f61f32266882cd
+ *   73 operations; derivation sha256 2cb7962adfae416ea5704e645be5e45af62a45195755dcdb0db8240bfbd95e34
  */
 void chasles_newton_euler_twist_rate_sym6_batchf(
     size_t count,

@@ -281,7 +281,7 @@ void chasles_euler_rate_matrix_body_xyx_batchf(
  *   verdict     holds under
  *   assumes     sin(theta_2) != 0
  *   operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   derivation  sha256 dc25d3c29d228eb0e4db2e7284ae285688a98dad73a9ce5754ebbde12caab3d1
+ *   derivation  sha256 6680ed5e0065e86be5ede1392988b273d66d7294e9f98bd21f5995b64f04020b
  */
 void chasles_euler_rates_xyx(const double angles[3], const double omega[3], double theta_dot[3])
 {
@@ -300,7 +300,7 @@ void chasles_euler_rates_xyx(const double angles[3], const double omega[3], doub
 /*
  * Ex 3.10 chasles_euler_rates_xyx in single precision.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 dc25d3c29d228eb0e4db2e7284ae285688a98dad73a9ce5754ebbde12caab3d1
+ *   13 operations; derivation sha256 6680ed5e0065e86be5ede1392988b273d66d7294e9f98bd21f5995b64f04020b
  */
 void chasles_euler_rates_xyxf(const float angles[3], const float omega[3], float theta_dot[3])
 {
@@ -319,7 +319,7 @@ void chasles_euler_rates_xyxf(const float angles[3], const float omega[3], float
 /*
  * Ex 3.10 chasles_euler_rates_xyx for a batch.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 dc25d3c29d228eb0e4db2e7284ae285688a98dad73a9ce5754ebbde12caab3d1
+ *   13 operations; derivation sha256 6680ed5e0065e86be5ede1392988b273d66d7294e9f98bd21f5995b64f04020b
  */
 void chasles_euler_rates_xyx_batch(
     size_t count,
@@ -338,7 +338,7 @@ void chasles_euler_rates_xyx_batch(
 /*
  * Ex 3.10 chasles_euler_rates_xyxf for a batch.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 dc25d3c29d228eb0e4db2e7284ae285688a98dad73a9ce5754ebbde12caab3d1
+ *   13 operations; derivation sha256 6680ed5e0065e86be5ede1392988b273d66d7294e9f98bd21f5995b64f04020b
  */
 void chasles_euler_rates_xyx_batchf(
     size_t count,
@@ -361,7 +361,7 @@ void chasles_euler_rates_xyx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   derivation  sha256 ef78e8d8a2f64f490cf253a137d167a50f5c2baac61b871bbb0421b691514a33
+ *   derivation  sha256 0cea117706a64d97d8bdbd2e4fd380fc62206ab55d7d2a91540f368cc27f9870
  */
 void chasles_rotation_from_euler_xyz(const double angles[3], double Q[9])
 {
@@ -395,7 +395,7 @@ void chasles_rotation_from_euler_xyz(const double angles[3], double Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_xyz in single precision.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 ef78e8d8a2f64f490cf253a137d167a50f5c2baac61b871bbb0421b691514a33
+ *   24 operations; derivation sha256 0cea117706a64d97d8bdbd2e4fd380fc62206ab55d7d2a91540f368cc27f9870
  */
 void chasles_rotation_from_euler_xyzf(const float angles[3], float Q[9])
 {
@@ -429,7 +429,7 @@ void chasles_rotation_from_euler_xyzf(const float angles[3], float Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_xyz for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 ef78e8d8a2f64f490cf253a137d167a50f5c2baac61b871bbb0421b691514a33
+ *   24 operations; derivation sha256 0cea117706a64d97d8bdbd2e4fd380fc62206ab55d7d2a91540f368cc27f9870
  */
 void chasles_rotation_from_euler_xyz_batch(
     size_t count,
@@ -444,7 +444,7 @@ void chasles_rotation_from_euler_xyz_batch(
 /*
  * Ex 3.10 chasles_rotation_from_euler_xyzf for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 ef78e8d8a2f64f490cf253a137d167a50f5c2baac61b871bbb0421b691514a33
+ *   24 operations; derivation sha256 0cea117706a64d97d8bdbd2e4fd380fc62206ab55d7d2a91540f368cc27f9870
  */
 void chasles_rotation_from_euler_xyz_batchf(
     size_t count,
@@ -463,7 +463,7 @@ void chasles_rotation_from_euler_xyz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 0bbaee6346a1733edd0665efc3803dd79b070ecde8be0f041579ee6f7f25437e
+ *   derivation  sha256 727b20e1b0b73863606b227bcb1ee8f63318534fcd2691b488dd6bb3e008f7a5
  */
 void chasles_euler_rate_matrix_xyz(const double angles[3], double W[9])
 {
@@ -487,7 +487,7 @@ void chasles_euler_rate_matrix_xyz(const double angles[3], double W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_xyz in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 0bbaee6346a1733edd0665efc3803dd79b070ecde8be0f041579ee6f7f25437e
+ *   6 operations; derivation sha256 727b20e1b0b73863606b227bcb1ee8f63318534fcd2691b488dd6bb3e008f7a5
  */
 void chasles_euler_rate_matrix_xyzf(const float angles[3], float W[9])
 {
@@ -511,7 +511,7 @@ void chasles_euler_rate_matrix_xyzf(const float angles[3], float W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_xyz for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 0bbaee6346a1733edd0665efc3803dd79b070ecde8be0f041579ee6f7f25437e
+ *   6 operations; derivation sha256 727b20e1b0b73863606b227bcb1ee8f63318534fcd2691b488dd6bb3e008f7a5
  */
 void chasles_euler_rate_matrix_xyz_batch(
     size_t count,
@@ -526,7 +526,7 @@ void chasles_euler_rate_matrix_xyz_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_xyzf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 0bbaee6346a1733edd0665efc3803dd79b070ecde8be0f041579ee6f7f25437e
+ *   6 operations; derivation sha256 727b20e1b0b73863606b227bcb1ee8f63318534fcd2691b488dd6bb3e008f7a5
  */
 void chasles_euler_rate_matrix_xyz_batchf(
     size_t count,
@@ -545,7 +545,7 @@ void chasles_euler_rate_matrix_xyz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 1bf5c28d32a8398be51df3a9faea455bcb2b84dd8e4adb28b9ab9ce5a849afeb
+ *   derivation  sha256 2be843b1c8bcf554409134741a98ded93388365670f614f6cb1fc893a0e8a883
  */
 void chasles_euler_rate_matrix_body_xyz(const double angles[3], double W_body[9])
 {
@@ -569,7 +569,7 @@ void chasles_euler_rate_matrix_body_xyz(const double angles[3], double W_body[9]
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_xyz in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 1bf5c28d32a8398be51df3a9faea455bcb2b84dd8e4adb28b9ab9ce5a849afeb
+ *   6 operations; derivation sha256 2be843b1c8bcf554409134741a98ded93388365670f614f6cb1fc893a0e8a883
  */
 void chasles_euler_rate_matrix_body_xyzf(const float angles[3], float W_body[9])
 {
@@ -593,7 +593,7 @@ void chasles_euler_rate_matrix_body_xyzf(const float angles[3], float W_body[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_xyz for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 1bf5c28d32a8398be51df3a9faea455bcb2b84dd8e4adb28b9ab9ce5a849afeb
+ *   6 operations; derivation sha256 2be843b1c8bcf554409134741a98ded93388365670f614f6cb1fc893a0e8a883
  */
 void chasles_euler_rate_matrix_body_xyz_batch(
     size_t count,
@@ -608,7 +608,7 @@ void chasles_euler_rate_matrix_body_xyz_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_xyzf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 1bf5c28d32a8398be51df3a9faea455bcb2b84dd8e4adb28b9ab9ce5a849afeb
+ *   6 operations; derivation sha256 2be843b1c8bcf554409134741a98ded93388365670f614f6cb1fc893a0e8a883
  */
 void chasles_euler_rate_matrix_body_xyz_batchf(
     size_t count,
@@ -628,7 +628,7 @@ void chasles_euler_rate_matrix_body_xyz_batchf(
  *   verdict     holds under
  *   assumes     cos(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   derivation  sha256 92ffca814bf55194dbaab2789d526410119beac1331e329cc2a7d3a8d86f3e7e
+ *   derivation  sha256 bd0c6f4b6dded2540673b31111efab98cd56656a47a7d1c15a58ec3feec76bb1
  */
 void chasles_euler_rates_xyz(const double angles[3], const double omega[3], double theta_dot[3])
 {
@@ -646,7 +646,7 @@ void chasles_euler_rates_xyz(const double angles[3], const double omega[3], doub
 /*
  * Ex 3.10 chasles_euler_rates_xyz in single precision.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 92ffca814bf55194dbaab2789d526410119beac1331e329cc2a7d3a8d86f3e7e
+ *   13 operations; derivation sha256 bd0c6f4b6dded2540673b31111efab98cd56656a47a7d1c15a58ec3feec76bb1
  */
 void chasles_euler_rates_xyzf(const float angles[3], const float omega[3], float theta_dot[3])
 {
@@ -664,7 +664,7 @@ void chasles_euler_rates_xyzf(const float angles[3], const float omega[3], float
 /*
  * Ex 3.10 chasles_euler_rates_xyz for a batch.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 92ffca814bf55194dbaab2789d526410119beac1331e329cc2a7d3a8d86f3e7e
+ *   13 operations; derivation sha256 bd0c6f4b6dded2540673b31111efab98cd56656a47a7d1c15a58ec3feec76bb1
  */
 void chasles_euler_rates_xyz_batch(
     size_t count,
@@ -683,7 +683,7 @@ void chasles_euler_rates_xyz_batch(
 /*
  * Ex 3.10 chasles_euler_rates_xyzf for a batch.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 92ffca814bf55194dbaab2789d526410119beac1331e329cc2a7d3a8d86f3e7e
+ *   13 operations; derivation sha256 bd0c6f4b6dded2540673b31111efab98cd56656a47a7d1c15a58ec3feec76bb1
  */
 void chasles_euler_rates_xyz_batchf(
     size_t count,
@@ -706,7 +706,7 @@ void chasles_euler_rates_xyz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   derivation  sha256 d87af31d8064f0432f6584f5f3b779ac157cd7cb2fd428e403c2606c591e6ab0
+ *   derivation  sha256 fa5672d572ba62d9e45fffa4848cc24a0c47c7067a8a59b865433226cb492f17
  */
 void chasles_rotation_from_euler_xzx(const double angles[3], double Q[9])
 {
@@ -740,7 +740,7 @@ void chasles_rotation_from_euler_xzx(const double angles[3], double Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_xzx in single precision.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 d87af31d8064f0432f6584f5f3b779ac157cd7cb2fd428e403c2606c591e6ab0
+ *   24 operations; derivation sha256 fa5672d572ba62d9e45fffa4848cc24a0c47c7067a8a59b865433226cb492f17
  */
 void chasles_rotation_from_euler_xzxf(const float angles[3], float Q[9])
 {
@@ -774,7 +774,7 @@ void chasles_rotation_from_euler_xzxf(const float angles[3], float Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_xzx for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 d87af31d8064f0432f6584f5f3b779ac157cd7cb2fd428e403c2606c591e6ab0
+ *   24 operations; derivation sha256 fa5672d572ba62d9e45fffa4848cc24a0c47c7067a8a59b865433226cb492f17
  */
 void chasles_rotation_from_euler_xzx_batch(
     size_t count,
@@ -789,7 +789,7 @@ void chasles_rotation_from_euler_xzx_batch(
 /*
  * Ex 3.10 chasles_rotation_from_euler_xzxf for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 d87af31d8064f0432f6584f5f3b779ac157cd7cb2fd428e403c2606c591e6ab0
+ *   24 operations; derivation sha256 fa5672d572ba62d9e45fffa4848cc24a0c47c7067a8a59b865433226cb492f17
  */
 void chasles_rotation_from_euler_xzx_batchf(
     size_t count,
@@ -808,7 +808,7 @@ void chasles_rotation_from_euler_xzx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 3b9b8235e4c8fcf384c7c55c8d008191b5ba7256d0172eff576a02612b7b5275
+ *   derivation  sha256 dc3972bfdbefe855a135e5d6dfe1379102462102153180de7ed283e96eeb6111
  */
 void chasles_euler_rate_matrix_xzx(const double angles[3], double W[9])
 {
@@ -833,7 +833,7 @@ void chasles_euler_rate_matrix_xzx(const double angles[3], double W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_xzx in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 3b9b8235e4c8fcf384c7c55c8d008191b5ba7256d0172eff576a02612b7b5275
+ *   6 operations; derivation sha256 dc3972bfdbefe855a135e5d6dfe1379102462102153180de7ed283e96eeb6111
  */
 void chasles_euler_rate_matrix_xzxf(const float angles[3], float W[9])
 {
@@ -858,7 +858,7 @@ void chasles_euler_rate_matrix_xzxf(const float angles[3], float W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_xzx for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 3b9b8235e4c8fcf384c7c55c8d008191b5ba7256d0172eff576a02612b7b5275
+ *   6 operations; derivation sha256 dc3972bfdbefe855a135e5d6dfe1379102462102153180de7ed283e96eeb6111
  */
 void chasles_euler_rate_matrix_xzx_batch(
     size_t count,
@@ -873,7 +873,7 @@ void chasles_euler_rate_matrix_xzx_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_xzxf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 3b9b8235e4c8fcf384c7c55c8d008191b5ba7256d0172eff576a02612b7b5275
+ *   6 operations; derivation sha256 dc3972bfdbefe855a135e5d6dfe1379102462102153180de7ed283e96eeb6111
  */
 void chasles_euler_rate_matrix_xzx_batchf(
     size_t count,
@@ -892,7 +892,7 @@ void chasles_euler_rate_matrix_xzx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 3ae39b45394bce41b7344b42020cefcaf35408de091e740348ab7e92581fd171
+ *   derivation  sha256 d9e0e82546acba106ac4c57420a2eab05b641c00df85ff7be216b8a0fc9d8665
  */
 void chasles_euler_rate_matrix_body_xzx(const double angles[3], double W_body[9])
 {
@@ -916,7 +916,7 @@ void chasles_euler_rate_matrix_body_xzx(const double angles[3], double W_body[9]
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_xzx in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 3ae39b45394bce41b7344b42020cefcaf35408de091e740348ab7e92581fd171
+ *   6 operations; derivation sha256 d9e0e82546acba106ac4c57420a2eab05b641c00df85ff7be216b8a0fc9d8665
  */
 void chasles_euler_rate_matrix_body_xzxf(const float angles[3], float W_body[9])
 {
@@ -940,7 +940,7 @@ void chasles_euler_rate_matrix_body_xzxf(const float angles[3], float W_body[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_xzx for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 3ae39b45394bce41b7344b42020cefcaf35408de091e740348ab7e92581fd171
+ *   6 operations; derivation sha256 d9e0e82546acba106ac4c57420a2eab05b641c00df85ff7be216b8a0fc9d8665
  */
 void chasles_euler_rate_matrix_body_xzx_batch(
     size_t count,
@@ -955,7 +955,7 @@ void chasles_euler_rate_matrix_body_xzx_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_xzxf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 3ae39b45394bce41b7344b42020cefcaf35408de091e740348ab7e92581fd171
+ *   6 operations; derivation sha256 d9e0e82546acba106ac4c57420a2eab05b641c00df85ff7be216b8a0fc9d8665
  */
 void chasles_euler_rate_matrix_body_xzx_batchf(
     size_t count,
@@ -975,7 +975,7 @@ void chasles_euler_rate_matrix_body_xzx_batchf(
  *   verdict     holds under
  *   assumes     sin(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   derivation  sha256 f0c9c8006ed755a58d3a5e3453882b764155b478f3ccc81aff9263fcd693130b
+ *   derivation  sha256 408e95f0d48f8fcc6450ff354821b3bcc7b8afe170311512bf6808fc6ebf035d
  */
 void chasles_euler_rates_xzx(const double angles[3], const double omega[3], double theta_dot[3])
 {
@@ -993,7 +993,7 @@ void chasles_euler_rates_xzx(const double angles[3], const double omega[3], doub
 /*
  * Ex 3.10 chasles_euler_rates_xzx in single precision.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 f0c9c8006ed755a58d3a5e3453882b764155b478f3ccc81aff9263fcd693130b
+ *   13 operations; derivation sha256 408e95f0d48f8fcc6450ff354821b3bcc7b8afe170311512bf6808fc6ebf035d
  */
 void chasles_euler_rates_xzxf(const float angles[3], const float omega[3], float theta_dot[3])
 {
@@ -1011,7 +1011,7 @@ void chasles_euler_rates_xzxf(const float angles[3], const float omega[3], float
 /*
  * Ex 3.10 chasles_euler_rates_xzx for a batch.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 f0c9c8006ed755a58d3a5e3453882b764155b478f3ccc81aff9263fcd693130b
+ *   13 operations; derivation sha256 408e95f0d48f8fcc6450ff354821b3bcc7b8afe170311512bf6808fc6ebf035d
  */
 void chasles_euler_rates_xzx_batch(
     size_t count,
@@ -1030,7 +1030,7 @@ void chasles_euler_rates_xzx_batch(
 /*
  * Ex 3.10 chasles_euler_rates_xzxf for a batch.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 f0c9c8006ed755a58d3a5e3453882b764155b478f3ccc81aff9263fcd693130b
+ *   13 operations; derivation sha256 408e95f0d48f8fcc6450ff354821b3bcc7b8afe170311512bf6808fc6ebf035d
  */
 void chasles_euler_rates_xzx_batchf(
     size_t count,
@@ -1053,7 +1053,7 @@ void chasles_euler_rates_xzx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   derivation  sha256 8ed8b54e3664bc9230db9b3c2c73b559c4c5aa0d545a0bbcd5503654d557cc47
+ *   derivation  sha256 ec01d03ae5956d3c060281719ab7e0fe33cdb6c1a61009f0ecedd6b28c16d955
  */
 void chasles_rotation_from_euler_xzy(const double angles[3], double Q[9])
 {
@@ -1088,7 +1088,7 @@ void chasles_rotation_from_euler_xzy(const double angles[3], double Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_xzy in single precision.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 8ed8b54e3664bc9230db9b3c2c73b559c4c5aa0d545a0bbcd5503654d557cc47
+ *   24 operations; derivation sha256 ec01d03ae5956d3c060281719ab7e0fe33cdb6c1a61009f0ecedd6b28c16d955
  */
 void chasles_rotation_from_euler_xzyf(const float angles[3], float Q[9])
 {
@@ -1123,7 +1123,7 @@ void chasles_rotation_from_euler_xzyf(const float angles[3], float Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_xzy for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 8ed8b54e3664bc9230db9b3c2c73b559c4c5aa0d545a0bbcd5503654d557cc47
+ *   24 operations; derivation sha256 ec01d03ae5956d3c060281719ab7e0fe33cdb6c1a61009f0ecedd6b28c16d955
  */
 void chasles_rotation_from_euler_xzy_batch(
     size_t count,
@@ -1138,7 +1138,7 @@ void chasles_rotation_from_euler_xzy_batch(
 /*
  * Ex 3.10 chasles_rotation_from_euler_xzyf for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 8ed8b54e3664bc9230db9b3c2c73b559c4c5aa0d545a0bbcd5503654d557cc47
+ *   24 operations; derivation sha256 ec01d03ae5956d3c060281719ab7e0fe33cdb6c1a61009f0ecedd6b28c16d955
  */
 void chasles_rotation_from_euler_xzy_batchf(
     size_t count,
@@ -1157,7 +1157,7 @@ void chasles_rotation_from_euler_xzy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 9c5ab65be41d67243beebe951c10a97ef87d6eb5d3f193d63cf6658e7f44b6f8
+ *   derivation  sha256 eff8b044920f2622991ff4992754af00b4bb6db0588c9c38024defb9d92b31a8
  */
 void chasles_euler_rate_matrix_xzy(const double angles[3], double W[9])
 {
@@ -1182,7 +1182,7 @@ void chasles_euler_rate_matrix_xzy(const double angles[3], double W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_xzy in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 9c5ab65be41d67243beebe951c10a97ef87d6eb5d3f193d63cf6658e7f44b6f8
+ *   6 operations; derivation sha256 eff8b044920f2622991ff4992754af00b4bb6db0588c9c38024defb9d92b31a8
  */
 void chasles_euler_rate_matrix_xzyf(const float angles[3], float W[9])
 {
@@ -1207,7 +1207,7 @@ void chasles_euler_rate_matrix_xzyf(const float angles[3], float W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_xzy for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 9c5ab65be41d67243beebe951c10a97ef87d6eb5d3f193d63cf6658e7f44b6f8
+ *   6 operations; derivation sha256 eff8b044920f2622991ff4992754af00b4bb6db0588c9c38024defb9d92b31a8
  */
 void chasles_euler_rate_matrix_xzy_batch(
     size_t count,
@@ -1222,7 +1222,7 @@ void chasles_euler_rate_matrix_xzy_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_xzyf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 9c5ab65be41d67243beebe951c10a97ef87d6eb5d3f193d63cf6658e7f44b6f8
+ *   6 operations; derivation sha256 eff8b044920f2622991ff4992754af00b4bb6db0588c9c38024defb9d92b31a8
  */
 void chasles_euler_rate_matrix_xzy_batchf(
     size_t count,
@@ -1241,7 +1241,7 @@ void chasles_euler_rate_matrix_xzy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 b8846cc63b152cacd903a643382cc65754655411c92c92439b52cc10b4faf8b3
+ *   derivation  sha256 82d38f5fbd88f30e0766279355f8c1075afa7f058dd52a2ba49700c1103941b2
  */
 void chasles_euler_rate_matrix_body_xzy(const double angles[3], double W_body[9])
 {
@@ -1266,7 +1266,7 @@ void chasles_euler_rate_matrix_body_xzy(const double angles[3], double W_body[9]
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_xzy in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 b8846cc63b152cacd903a643382cc65754655411c92c92439b52cc10b4faf8b3
+ *   6 operations; derivation sha256 82d38f5fbd88f30e0766279355f8c1075afa7f058dd52a2ba49700c1103941b2
  */
 void chasles_euler_rate_matrix_body_xzyf(const float angles[3], float W_body[9])
 {
@@ -1291,7 +1291,7 @@ void chasles_euler_rate_matrix_body_xzyf(const float angles[3], float W_body[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_xzy for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 b8846cc63b152cacd903a643382cc65754655411c92c92439b52cc10b4faf8b3
+ *   6 operations; derivation sha256 82d38f5fbd88f30e0766279355f8c1075afa7f058dd52a2ba49700c1103941b2
  */
 void chasles_euler_rate_matrix_body_xzy_batch(
     size_t count,
@@ -1306,7 +1306,7 @@ void chasles_euler_rate_matrix_body_xzy_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_xzyf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 b8846cc63b152cacd903a643382cc65754655411c92c92439b52cc10b4faf8b3
+ *   6 operations; derivation sha256 82d38f5fbd88f30e0766279355f8c1075afa7f058dd52a2ba49700c1103941b2
  */
 void chasles_euler_rate_matrix_body_xzy_batchf(
     size_t count,
@@ -1326,7 +1326,7 @@ void chasles_euler_rate_matrix_body_xzy_batchf(
  *   verdict     holds under
  *   assumes     cos(theta_2) != 0
  *   operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   derivation  sha256 101ac690a535ae5a51bb85759b6df9380aae98fdec6ae12fee9aac2f6153c920
+ *   derivation  sha256 c13c9cc6d29ab7900f6ed7fef43449399dc7948756dc5e0c1278fad40f8eaf5f
  */
 void chasles_euler_rates_xzy(const double angles[3], const double omega[3], double theta_dot[3])
 {
@@ -1344,7 +1344,7 @@ void chasles_euler_rates_xzy(const double angles[3], const double omega[3], doub
 /*
  * Ex 3.10 chasles_euler_rates_xzy in single precision.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 101ac690a535ae5a51bb85759b6df9380aae98fdec6ae12fee9aac2f6153c920
+ *   13 operations; derivation sha256 c13c9cc6d29ab7900f6ed7fef43449399dc7948756dc5e0c1278fad40f8eaf5f
  */
 void chasles_euler_rates_xzyf(const float angles[3], const float omega[3], float theta_dot[3])
 {
@@ -1362,7 +1362,7 @@ void chasles_euler_rates_xzyf(const float angles[3], const float omega[3], float
 /*
  * Ex 3.10 chasles_euler_rates_xzy for a batch.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 101ac690a535ae5a51bb85759b6df9380aae98fdec6ae12fee9aac2f6153c920
+ *   13 operations; derivation sha256 c13c9cc6d29ab7900f6ed7fef43449399dc7948756dc5e0c1278fad40f8eaf5f
  */
 void chasles_euler_rates_xzy_batch(
     size_t count,
@@ -1381,7 +1381,7 @@ void chasles_euler_rates_xzy_batch(
 /*
  * Ex 3.10 chasles_euler_rates_xzyf for a batch.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 101ac690a535ae5a51bb85759b6df9380aae98fdec6ae12fee9aac2f6153c920
+ *   13 operations; derivation sha256 c13c9cc6d29ab7900f6ed7fef43449399dc7948756dc5e0c1278fad40f8eaf5f
  */
 void chasles_euler_rates_xzy_batchf(
     size_t count,
@@ -1404,7 +1404,7 @@ void chasles_euler_rates_xzy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   derivation  sha256 b01ea8a55ea91c3c712ca018c1a183476a14931beaf248d2a0e6ffa906a6bea9
+ *   derivation  sha256 39c327f2b06e2eb28d5297a5219cdf25d8c6fa35f3e8c4abd686a96f628448b9
  */
 void chasles_rotation_from_euler_yxy(const double angles[3], double Q[9])
 {
@@ -1438,7 +1438,7 @@ void chasles_rotation_from_euler_yxy(const double angles[3], double Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_yxy in single precision.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 b01ea8a55ea91c3c712ca018c1a183476a14931beaf248d2a0e6ffa906a6bea9
+ *   24 operations; derivation sha256 39c327f2b06e2eb28d5297a5219cdf25d8c6fa35f3e8c4abd686a96f628448b9
  */
 void chasles_rotation_from_euler_yxyf(const float angles[3], float Q[9])
 {
@@ -1472,7 +1472,7 @@ void chasles_rotation_from_euler_yxyf(const float angles[3], float Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_yxy for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 b01ea8a55ea91c3c712ca018c1a183476a14931beaf248d2a0e6ffa906a6bea9
+ *   24 operations; derivation sha256 39c327f2b06e2eb28d5297a5219cdf25d8c6fa35f3e8c4abd686a96f628448b9
  */
 void chasles_rotation_from_euler_yxy_batch(
     size_t count,
@@ -1487,7 +1487,7 @@ void chasles_rotation_from_euler_yxy_batch(
 /*
  * Ex 3.10 chasles_rotation_from_euler_yxyf for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 b01ea8a55ea91c3c712ca018c1a183476a14931beaf248d2a0e6ffa906a6bea9
+ *   24 operations; derivation sha256 39c327f2b06e2eb28d5297a5219cdf25d8c6fa35f3e8c4abd686a96f628448b9
  */
 void chasles_rotation_from_euler_yxy_batchf(
     size_t count,
@@ -1506,7 +1506,7 @@ void chasles_rotation_from_euler_yxy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 99d8fde272ba013e3978bdb107acde19a3dca7d3d410d6219f7c418f309602be
+ *   derivation  sha256 a636f1aef1e498fc12bb18c833be214ecab09d723d189feb6293198c1da27769
  */
 void chasles_euler_rate_matrix_yxy(const double angles[3], double W[9])
 {
@@ -1531,7 +1531,7 @@ void chasles_euler_rate_matrix_yxy(const double angles[3], double W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_yxy in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 99d8fde272ba013e3978bdb107acde19a3dca7d3d410d6219f7c418f309602be
+ *   6 operations; derivation sha256 a636f1aef1e498fc12bb18c833be214ecab09d723d189feb6293198c1da27769
  */
 void chasles_euler_rate_matrix_yxyf(const float angles[3], float W[9])
 {
@@ -1556,7 +1556,7 @@ void chasles_euler_rate_matrix_yxyf(const float angles[3], float W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_yxy for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 99d8fde272ba013e3978bdb107acde19a3dca7d3d410d6219f7c418f309602be
+ *   6 operations; derivation sha256 a636f1aef1e498fc12bb18c833be214ecab09d723d189feb6293198c1da27769
  */
 void chasles_euler_rate_matrix_yxy_batch(
     size_t count,
@@ -1571,7 +1571,7 @@ void chasles_euler_rate_matrix_yxy_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_yxyf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 99d8fde272ba013e3978bdb107acde19a3dca7d3d410d6219f7c418f309602be
+ *   6 operations; derivation sha256 a636f1aef1e498fc12bb18c833be214ecab09d723d189feb6293198c1da27769
  */
 void chasles_euler_rate_matrix_yxy_batchf(
     size_t count,
@@ -1590,7 +1590,7 @@ void chasles_euler_rate_matrix_yxy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 6dd807336c1a4e1572a5a6a3db8169f73d1b51c3092752ae6002dcd6da833ccb
+ *   derivation  sha256 542fac587b2f6c693e2f358949f10e38342e83da48b28f0bfefa2518c3dbbf7d
  */
 void chasles_euler_rate_matrix_body_yxy(const double angles[3], double W_body[9])
 {
@@ -1614,7 +1614,7 @@ void chasles_euler_rate_matrix_body_yxy(const double angles[3], double W_body[9]
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_yxy in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 6dd807336c1a4e1572a5a6a3db8169f73d1b51c3092752ae6002dcd6da833ccb
+ *   6 operations; derivation sha256 542fac587b2f6c693e2f358949f10e38342e83da48b28f0bfefa2518c3dbbf7d
  */
 void chasles_euler_rate_matrix_body_yxyf(const float angles[3], float W_body[9])
 {
@@ -1638,7 +1638,7 @@ void chasles_euler_rate_matrix_body_yxyf(const float angles[3], float W_body[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_yxy for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 6dd807336c1a4e1572a5a6a3db8169f73d1b51c3092752ae6002dcd6da833ccb
+ *   6 operations; derivation sha256 542fac587b2f6c693e2f358949f10e38342e83da48b28f0bfefa2518c3dbbf7d
  */
 void chasles_euler_rate_matrix_body_yxy_batch(
     size_t count,
@@ -1653,7 +1653,7 @@ void chasles_euler_rate_matrix_body_yxy_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_yxyf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 6dd807336c1a4e1572a5a6a3db8169f73d1b51c3092752ae6002dcd6da833ccb
+ *   6 operations; derivation sha256 542fac587b2f6c693e2f358949f10e38342e83da48b28f0bfefa2518c3dbbf7d
  */
 void chasles_euler_rate_matrix_body_yxy_batchf(
     size_t count,
@@ -1673,7 +1673,7 @@ void chasles_euler_rate_matrix_body_yxy_batchf(
  *   verdict     holds under
  *   assumes     sin(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   derivation  sha256 94fb1bb483db078ce2c2c21e24b9585dd03786b54f33df6db1bf0225793fbd66
+ *   derivation  sha256 cd5dec36e2ffbb4d79f5e51715750a932a8dcd10315484afd24a2b8c5417093d
  */
 void chasles_euler_rates_yxy(const double angles[3], const double omega[3], double theta_dot[3])
 {
@@ -1691,7 +1691,7 @@ void chasles_euler_rates_yxy(const double angles[3], const double omega[3], doub
 /*
  * Ex 3.10 chasles_euler_rates_yxy in single precision.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 94fb1bb483db078ce2c2c21e24b9585dd03786b54f33df6db1bf0225793fbd66
+ *   13 operations; derivation sha256 cd5dec36e2ffbb4d79f5e51715750a932a8dcd10315484afd24a2b8c5417093d
  */
 void chasles_euler_rates_yxyf(const float angles[3], const float omega[3], float theta_dot[3])
 {
@@ -1709,7 +1709,7 @@ void chasles_euler_rates_yxyf(const float angles[3], const float omega[3], float
 /*
  * Ex 3.10 chasles_euler_rates_yxy for a batch.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 94fb1bb483db078ce2c2c21e24b9585dd03786b54f33df6db1bf0225793fbd66
+ *   13 operations; derivation sha256 cd5dec36e2ffbb4d79f5e51715750a932a8dcd10315484afd24a2b8c5417093d
  */
 void chasles_euler_rates_yxy_batch(
     size_t count,
@@ -1728,7 +1728,7 @@ void chasles_euler_rates_yxy_batch(
 /*
  * Ex 3.10 chasles_euler_rates_yxyf for a batch.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 94fb1bb483db078ce2c2c21e24b9585dd03786b54f33df6db1bf0225793fbd66
+ *   13 operations; derivation sha256 cd5dec36e2ffbb4d79f5e51715750a932a8dcd10315484afd24a2b8c5417093d
  */
 void chasles_euler_rates_yxy_batchf(
     size_t count,
@@ -1751,7 +1751,7 @@ void chasles_euler_rates_yxy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   derivation  sha256 17190d54bfd0a86d9502cb09537bd8e6286d32172d51eaff6b4d85fe515e6386
+ *   derivation  sha256 9a10b4aca9084db3dbe838592a18dd16991e4e9266812ea40c364e475765c2da
  */
 void chasles_rotation_from_euler_yxz(const double angles[3], double Q[9])
 {
@@ -1786,7 +1786,7 @@ void chasles_rotation_from_euler_yxz(const double angles[3], double Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_yxz in single precision.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 17190d54bfd0a86d9502cb09537bd8e6286d32172d51eaff6b4d85fe515e6386
+ *   24 operations; derivation sha256 9a10b4aca9084db3dbe838592a18dd16991e4e9266812ea40c364e475765c2da
  */
 void chasles_rotation_from_euler_yxzf(const float angles[3], float Q[9])
 {
@@ -1821,7 +1821,7 @@ void chasles_rotation_from_euler_yxzf(const float angles[3], float Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_yxz for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 17190d54bfd0a86d9502cb09537bd8e6286d32172d51eaff6b4d85fe515e6386
+ *   24 operations; derivation sha256 9a10b4aca9084db3dbe838592a18dd16991e4e9266812ea40c364e475765c2da
  */
 void chasles_rotation_from_euler_yxz_batch(
     size_t count,
@@ -1836,7 +1836,7 @@ void chasles_rotation_from_euler_yxz_batch(
 /*
  * Ex 3.10 chasles_rotation_from_euler_yxzf for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 17190d54bfd0a86d9502cb09537bd8e6286d32172d51eaff6b4d85fe515e6386
+ *   24 operations; derivation sha256 9a10b4aca9084db3dbe838592a18dd16991e4e9266812ea40c364e475765c2da
  */
 void chasles_rotation_from_euler_yxz_batchf(
     size_t count,
@@ -1855,7 +1855,7 @@ void chasles_rotation_from_euler_yxz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 bbf73fa477d98d3c94b5e432f4be63588fcc3cc8e76193c0919e06f2fb7c2f6b
+ *   derivation  sha256 e4b0c1a359b6a0462bcaf854f5621ef6f306aaed262ef9eedca1b9dfd21141db
  */
 void chasles_euler_rate_matrix_yxz(const double angles[3], double W[9])
 {
@@ -1880,7 +1880,7 @@ void chasles_euler_rate_matrix_yxz(const double angles[3], double W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_yxz in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 bbf73fa477d98d3c94b5e432f4be63588fcc3cc8e76193c0919e06f2fb7c2f6b
+ *   6 operations; derivation sha256 e4b0c1a359b6a0462bcaf854f5621ef6f306aaed262ef9eedca1b9dfd21141db
  */
 void chasles_euler_rate_matrix_yxzf(const float angles[3], float W[9])
 {
@@ -1905,7 +1905,7 @@ void chasles_euler_rate_matrix_yxzf(const float angles[3], float W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_yxz for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 bbf73fa477d98d3c94b5e432f4be63588fcc3cc8e76193c0919e06f2fb7c2f6b
+ *   6 operations; derivation sha256 e4b0c1a359b6a0462bcaf854f5621ef6f306aaed262ef9eedca1b9dfd21141db
  */
 void chasles_euler_rate_matrix_yxz_batch(
     size_t count,
@@ -1920,7 +1920,7 @@ void chasles_euler_rate_matrix_yxz_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_yxzf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 bbf73fa477d98d3c94b5e432f4be63588fcc3cc8e76193c0919e06f2fb7c2f6b
+ *   6 operations; derivation sha256 e4b0c1a359b6a0462bcaf854f5621ef6f306aaed262ef9eedca1b9dfd21141db
  */
 void chasles_euler_rate_matrix_yxz_batchf(
     size_t count,
@@ -1939,7 +1939,7 @@ void chasles_euler_rate_matrix_yxz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 26a8efdcbc2560faa634d8a1459ad6fa123eac21993214a47c8eeb509e4e2ba0
+ *   derivation  sha256 bbaf7b40aee302ecf502aebad748a90068ef997f7ef78c435934daec4e186893
  */
 void chasles_euler_rate_matrix_body_yxz(const double angles[3], double W_body[9])
 {
@@ -1964,7 +1964,7 @@ void chasles_euler_rate_matrix_body_yxz(const double angles[3], double W_body[9]
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_yxz in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 26a8efdcbc2560faa634d8a1459ad6fa123eac21993214a47c8eeb509e4e2ba0
+ *   6 operations; derivation sha256 bbaf7b40aee302ecf502aebad748a90068ef997f7ef78c435934daec4e186893
  */
 void chasles_euler_rate_matrix_body_yxzf(const float angles[3], float W_body[9])
 {
@@ -1989,7 +1989,7 @@ void chasles_euler_rate_matrix_body_yxzf(const float angles[3], float W_body[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_yxz for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 26a8efdcbc2560faa634d8a1459ad6fa123eac21993214a47c8eeb509e4e2ba0
+ *   6 operations; derivation sha256 bbaf7b40aee302ecf502aebad748a90068ef997f7ef78c435934daec4e186893
  */
 void chasles_euler_rate_matrix_body_yxz_batch(
     size_t count,
@@ -2004,7 +2004,7 @@ void chasles_euler_rate_matrix_body_yxz_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_yxzf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 26a8efdcbc2560faa634d8a1459ad6fa123eac21993214a47c8eeb509e4e2ba0
+ *   6 operations; derivation sha256 bbaf7b40aee302ecf502aebad748a90068ef997f7ef78c435934daec4e186893
  */
 void chasles_euler_rate_matrix_body_yxz_batchf(
     size_t count,
@@ -2024,7 +2024,7 @@ void chasles_euler_rate_matrix_body_yxz_batchf(
  *   verdict     holds under
  *   assumes     cos(theta_2) != 0
  *   operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   derivation  sha256 c8a8c2fcdd4e811d34d4792ac2e6cbf91bd601af111a0fe88e7ba06331d57eb4
+ *   derivation  sha256 edb81e753178c5fce1e78e2d84d24357ec01af9efb3639d407093ca1170b8f22
  */
 void chasles_euler_rates_yxz(const double angles[3], const double omega[3], double theta_dot[3])
 {
@@ -2042,7 +2042,7 @@ void chasles_euler_rates_yxz(const double angles[3], const double omega[3], doub
 /*
  * Ex 3.10 chasles_euler_rates_yxz in single precision.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 c8a8c2fcdd4e811d34d4792ac2e6cbf91bd601af111a0fe88e7ba06331d57eb4
+ *   13 operations; derivation sha256 edb81e753178c5fce1e78e2d84d24357ec01af9efb3639d407093ca1170b8f22
  */
 void chasles_euler_rates_yxzf(const float angles[3], const float omega[3], float theta_dot[3])
 {
@@ -2060,7 +2060,7 @@ void chasles_euler_rates_yxzf(const float angles[3], const float omega[3], float
 /*
  * Ex 3.10 chasles_euler_rates_yxz for a batch.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 c8a8c2fcdd4e811d34d4792ac2e6cbf91bd601af111a0fe88e7ba06331d57eb4
+ *   13 operations; derivation sha256 edb81e753178c5fce1e78e2d84d24357ec01af9efb3639d407093ca1170b8f22
  */
 void chasles_euler_rates_yxz_batch(
     size_t count,
@@ -2079,7 +2079,7 @@ void chasles_euler_rates_yxz_batch(
 /*
  * Ex 3.10 chasles_euler_rates_yxzf for a batch.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 c8a8c2fcdd4e811d34d4792ac2e6cbf91bd601af111a0fe88e7ba06331d57eb4
+ *   13 operations; derivation sha256 edb81e753178c5fce1e78e2d84d24357ec01af9efb3639d407093ca1170b8f22
  */
 void chasles_euler_rates_yxz_batchf(
     size_t count,
@@ -2102,7 +2102,7 @@ void chasles_euler_rates_yxz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   derivation  sha256 f5f8c01f2091a8649522d5f542bef4da4d9d1b0480afffc3bf175b82c186c1a2
+ *   derivation  sha256 8067174eae8e12da17f50ae58f90ed494f2ed48db1f70a248864566fd994638c
  */
 void chasles_rotation_from_euler_yzx(const double angles[3], double Q[9])
 {
@@ -2136,7 +2136,7 @@ void chasles_rotation_from_euler_yzx(const double angles[3], double Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_yzx in single precision.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 f5f8c01f2091a8649522d5f542bef4da4d9d1b0480afffc3bf175b82c186c1a2
+ *   24 operations; derivation sha256 8067174eae8e12da17f50ae58f90ed494f2ed48db1f70a248864566fd994638c
  */
 void chasles_rotation_from_euler_yzxf(const float angles[3], float Q[9])
 {
@@ -2170,7 +2170,7 @@ void chasles_rotation_from_euler_yzxf(const float angles[3], float Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_yzx for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 f5f8c01f2091a8649522d5f542bef4da4d9d1b0480afffc3bf175b82c186c1a2
+ *   24 operations; derivation sha256 8067174eae8e12da17f50ae58f90ed494f2ed48db1f70a248864566fd994638c
  */
 void chasles_rotation_from_euler_yzx_batch(
     size_t count,
@@ -2185,7 +2185,7 @@ void chasles_rotation_from_euler_yzx_batch(
 /*
  * Ex 3.10 chasles_rotation_from_euler_yzxf for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 f5f8c01f2091a8649522d5f542bef4da4d9d1b0480afffc3bf175b82c186c1a2
+ *   24 operations; derivation sha256 8067174eae8e12da17f50ae58f90ed494f2ed48db1f70a248864566fd994638c
  */
 void chasles_rotation_from_euler_yzx_batchf(
     size_t count,
@@ -2204,7 +2204,7 @@ void chasles_rotation_from_euler_yzx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 979ee93a192c498dbd2cea6d4a0649d886572dcb11db1a223e095e68bbed983c
+ *   derivation  sha256 48b2bdb7a1b3028c165cf254cc61d428a4e18bdcc2621e21de7940aac283a8f6
  */
 void chasles_euler_rate_matrix_yzx(const double angles[3], double W[9])
 {
@@ -2228,7 +2228,7 @@ void chasles_euler_rate_matrix_yzx(const double angles[3], double W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_yzx in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 979ee93a192c498dbd2cea6d4a0649d886572dcb11db1a223e095e68bbed983c
+ *   6 operations; derivation sha256 48b2bdb7a1b3028c165cf254cc61d428a4e18bdcc2621e21de7940aac283a8f6
  */
 void chasles_euler_rate_matrix_yzxf(const float angles[3], float W[9])
 {
@@ -2252,7 +2252,7 @@ void chasles_euler_rate_matrix_yzxf(const float angles[3], float W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_yzx for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 979ee93a192c498dbd2cea6d4a0649d886572dcb11db1a223e095e68bbed983c
+ *   6 operations; derivation sha256 48b2bdb7a1b3028c165cf254cc61d428a4e18bdcc2621e21de7940aac283a8f6
  */
 void chasles_euler_rate_matrix_yzx_batch(
     size_t count,
@@ -2267,7 +2267,7 @@ void chasles_euler_rate_matrix_yzx_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_yzxf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 979ee93a192c498dbd2cea6d4a0649d886572dcb11db1a223e095e68bbed983c
+ *   6 operations; derivation sha256 48b2bdb7a1b3028c165cf254cc61d428a4e18bdcc2621e21de7940aac283a8f6
  */
 void chasles_euler_rate_matrix_yzx_batchf(
     size_t count,
@@ -2286,7 +2286,7 @@ void chasles_euler_rate_matrix_yzx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 1c65e98508f0ef49ac9374e13b4dbdfbfe2366ef59511c9d7fbfdf9247490c66
+ *   derivation  sha256 f7ecbe499957a1df734cc614102e267117566d3f6d80b71ca89a19ff14ae73d4
  */
 void chasles_euler_rate_matrix_body_yzx(const double angles[3], double W_body[9])
 {
@@ -2310,7 +2310,7 @@ void chasles_euler_rate_matrix_body_yzx(const double angles[3], double W_body[9]
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_yzx in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 1c65e98508f0ef49ac9374e13b4dbdfbfe2366ef59511c9d7fbfdf9247490c66
+ *   6 operations; derivation sha256 f7ecbe499957a1df734cc614102e267117566d3f6d80b71ca89a19ff14ae73d4
  */
 void chasles_euler_rate_matrix_body_yzxf(const float angles[3], float W_body[9])
 {
@@ -2334,7 +2334,7 @@ void chasles_euler_rate_matrix_body_yzxf(const float angles[3], float W_body[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_yzx for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 1c65e98508f0ef49ac9374e13b4dbdfbfe2366ef59511c9d7fbfdf9247490c66
+ *   6 operations; derivation sha256 f7ecbe499957a1df734cc614102e267117566d3f6d80b71ca89a19ff14ae73d4
  */
 void chasles_euler_rate_matrix_body_yzx_batch(
     size_t count,
@@ -2349,7 +2349,7 @@ void chasles_euler_rate_matrix_body_yzx_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_yzxf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 1c65e98508f0ef49ac9374e13b4dbdfbfe2366ef59511c9d7fbfdf9247490c66
+ *   6 operations; derivation sha256 f7ecbe499957a1df734cc614102e267117566d3f6d80b71ca89a19ff14ae73d4
  */
 void chasles_euler_rate_matrix_body_yzx_batchf(
     size_t count,
@@ -2369,7 +2369,7 @@ void chasles_euler_rate_matrix_body_yzx_batchf(
  *   verdict     holds under
  *   assumes     cos(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   derivation  sha256 2a3e407528723168ae6ccf7d2bb337f22a2589efe02700bea8cb8a61c85d4dd6
+ *   derivation  sha256 33b2d9256eb74313ba05c6fc7b3e91f7765487fe3f26de05f701ff4288cedb31
  */
 void chasles_euler_rates_yzx(const double angles[3], const double omega[3], double theta_dot[3])
 {
@@ -2387,7 +2387,7 @@ void chasles_euler_rates_yzx(const double angles[3], const double omega[3], doub
 /*
  * Ex 3.10 chasles_euler_rates_yzx in single precision.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 2a3e407528723168ae6ccf7d2bb337f22a2589efe02700bea8cb8a61c85d4dd6
+ *   13 operations; derivation sha256 33b2d9256eb74313ba05c6fc7b3e91f7765487fe3f26de05f701ff4288cedb31
  */
 void chasles_euler_rates_yzxf(const float angles[3], const float omega[3], float theta_dot[3])
 {
@@ -2405,7 +2405,7 @@ void chasles_euler_rates_yzxf(const float angles[3], const float omega[3], float
 /*
  * Ex 3.10 chasles_euler_rates_yzx for a batch.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 2a3e407528723168ae6ccf7d2bb337f22a2589efe02700bea8cb8a61c85d4dd6
+ *   13 operations; derivation sha256 33b2d9256eb74313ba05c6fc7b3e91f7765487fe3f26de05f701ff4288cedb31
  */
 void chasles_euler_rates_yzx_batch(
     size_t count,
@@ -2424,7 +2424,7 @@ void chasles_euler_rates_yzx_batch(
 /*
  * Ex 3.10 chasles_euler_rates_yzxf for a batch.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 2a3e407528723168ae6ccf7d2bb337f22a2589efe02700bea8cb8a61c85d4dd6
+ *   13 operations; derivation sha256 33b2d9256eb74313ba05c6fc7b3e91f7765487fe3f26de05f701ff4288cedb31
  */
 void chasles_euler_rates_yzx_batchf(
     size_t count,
@@ -2447,7 +2447,7 @@ void chasles_euler_rates_yzx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   derivation  sha256 7b686944ad47c5cd9b3784929c2d0070f98b0ffabb883c4f47ecf3cb702f4abd
+ *   derivation  sha256 5b5ba0ef7860418b292b8302888ff85bd1afbe1f26dcb574f075aeaf9ff38357
  */
 void chasles_rotation_from_euler_yzy(const double angles[3], double Q[9])
 {
@@ -2481,7 +2481,7 @@ void chasles_rotation_from_euler_yzy(const double angles[3], double Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_yzy in single precision.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 7b686944ad47c5cd9b3784929c2d0070f98b0ffabb883c4f47ecf3cb702f4abd
+ *   24 operations; derivation sha256 5b5ba0ef7860418b292b8302888ff85bd1afbe1f26dcb574f075aeaf9ff38357
  */
 void chasles_rotation_from_euler_yzyf(const float angles[3], float Q[9])
 {
@@ -2515,7 +2515,7 @@ void chasles_rotation_from_euler_yzyf(const float angles[3], float Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_yzy for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 7b686944ad47c5cd9b3784929c2d0070f98b0ffabb883c4f47ecf3cb702f4abd
+ *   24 operations; derivation sha256 5b5ba0ef7860418b292b8302888ff85bd1afbe1f26dcb574f075aeaf9ff38357
  */
 void chasles_rotation_from_euler_yzy_batch(
     size_t count,
@@ -2530,7 +2530,7 @@ void chasles_rotation_from_euler_yzy_batch(
 /*
  * Ex 3.10 chasles_rotation_from_euler_yzyf for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 7b686944ad47c5cd9b3784929c2d0070f98b0ffabb883c4f47ecf3cb702f4abd
+ *   24 operations; derivation sha256 5b5ba0ef7860418b292b8302888ff85bd1afbe1f26dcb574f075aeaf9ff38357
  */
 void chasles_rotation_from_euler_yzy_batchf(
     size_t count,
@@ -2549,7 +2549,7 @@ void chasles_rotation_from_euler_yzy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 ba6684559cbfa5211efd1920d50f40cb70bc54cc92f6f5e00dc8c9c9306ccb9b
+ *   derivation  sha256 173a43a221173a0bd6addd4a110cef604ab7fcd2cf82d4df270377e26c071e83
  */
 void chasles_euler_rate_matrix_yzy(const double angles[3], double W[9])
 {
@@ -2573,7 +2573,7 @@ void chasles_euler_rate_matrix_yzy(const double angles[3], double W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_yzy in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 ba6684559cbfa5211efd1920d50f40cb70bc54cc92f6f5e00dc8c9c9306ccb9b
+ *   6 operations; derivation sha256 173a43a221173a0bd6addd4a110cef604ab7fcd2cf82d4df270377e26c071e83
  */
 void chasles_euler_rate_matrix_yzyf(const float angles[3], float W[9])
 {
@@ -2597,7 +2597,7 @@ void chasles_euler_rate_matrix_yzyf(const float angles[3], float W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_yzy for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 ba6684559cbfa5211efd1920d50f40cb70bc54cc92f6f5e00dc8c9c9306ccb9b
+ *   6 operations; derivation sha256 173a43a221173a0bd6addd4a110cef604ab7fcd2cf82d4df270377e26c071e83
  */
 void chasles_euler_rate_matrix_yzy_batch(
     size_t count,
@@ -2612,7 +2612,7 @@ void chasles_euler_rate_matrix_yzy_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_yzyf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 ba6684559cbfa5211efd1920d50f40cb70bc54cc92f6f5e00dc8c9c9306ccb9b
+ *   6 operations; derivation sha256 173a43a221173a0bd6addd4a110cef604ab7fcd2cf82d4df270377e26c071e83
  */
 void chasles_euler_rate_matrix_yzy_batchf(
     size_t count,
@@ -2631,7 +2631,7 @@ void chasles_euler_rate_matrix_yzy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 a35dfd48aac93458874306893e6f44c24955bbacc04abd7298941ffe4ad38df7
+ *   derivation  sha256 78afe33bfd90a71cf84d41ec65d49601b950b21dcafbd952225f877c9885d2a2
  */
 void chasles_euler_rate_matrix_body_yzy(const double angles[3], double W_body[9])
 {
@@ -2656,7 +2656,7 @@ void chasles_euler_rate_matrix_body_yzy(const double angles[3], double W_body[9]
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_yzy in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 a35dfd48aac93458874306893e6f44c24955bbacc04abd7298941ffe4ad38df7
+ *   6 operations; derivation sha256 78afe33bfd90a71cf84d41ec65d49601b950b21dcafbd952225f877c9885d2a2
  */
 void chasles_euler_rate_matrix_body_yzyf(const float angles[3], float W_body[9])
 {
@@ -2681,7 +2681,7 @@ void chasles_euler_rate_matrix_body_yzyf(const float angles[3], float W_body[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_yzy for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 a35dfd48aac93458874306893e6f44c24955bbacc04abd7298941ffe4ad38df7
+ *   6 operations; derivation sha256 78afe33bfd90a71cf84d41ec65d49601b950b21dcafbd952225f877c9885d2a2
  */
 void chasles_euler_rate_matrix_body_yzy_batch(
     size_t count,
@@ -2696,7 +2696,7 @@ void chasles_euler_rate_matrix_body_yzy_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_yzyf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 a35dfd48aac93458874306893e6f44c24955bbacc04abd7298941ffe4ad38df7
+ *   6 operations; derivation sha256 78afe33bfd90a71cf84d41ec65d49601b950b21dcafbd952225f877c9885d2a2
  */
 void chasles_euler_rate_matrix_body_yzy_batchf(
     size_t count,
@@ -2716,7 +2716,7 @@ void chasles_euler_rate_matrix_body_yzy_batchf(
  *   verdict     holds under
  *   assumes     sin(theta_2) != 0
  *   operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   derivation  sha256 e6787b1ffc3ac3257b5fb969bb06df8128f53d9dc82afd679e4bc41ba6ee3198
+ *   derivation  sha256 c2679441a74674f45a4fb62481b4da309797cb451375f5e7c969afa25969398f
  */
 void chasles_euler_rates_yzy(const double angles[3], const double omega[3], double theta_dot[3])
 {
@@ -2735,7 +2735,7 @@ void chasles_euler_rates_yzy(const double angles[3], const double omega[3], doub
 /*
  * Ex 3.10 chasles_euler_rates_yzy in single precision.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 e6787b1ffc3ac3257b5fb969bb06df8128f53d9dc82afd679e4bc41ba6ee3198
+ *   13 operations; derivation sha256 c2679441a74674f45a4fb62481b4da309797cb451375f5e7c969afa25969398f
  */
 void chasles_euler_rates_yzyf(const float angles[3], const float omega[3], float theta_dot[3])
 {
@@ -2754,7 +2754,7 @@ void chasles_euler_rates_yzyf(const float angles[3], const float omega[3], float
 /*
  * Ex 3.10 chasles_euler_rates_yzy for a batch.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 e6787b1ffc3ac3257b5fb969bb06df8128f53d9dc82afd679e4bc41ba6ee3198
+ *   13 operations; derivation sha256 c2679441a74674f45a4fb62481b4da309797cb451375f5e7c969afa25969398f
  */
 void chasles_euler_rates_yzy_batch(
     size_t count,
@@ -2773,7 +2773,7 @@ void chasles_euler_rates_yzy_batch(
 /*
  * Ex 3.10 chasles_euler_rates_yzyf for a batch.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 e6787b1ffc3ac3257b5fb969bb06df8128f53d9dc82afd679e4bc41ba6ee3198
+ *   13 operations; derivation sha256 c2679441a74674f45a4fb62481b4da309797cb451375f5e7c969afa25969398f
  */
 void chasles_euler_rates_yzy_batchf(
     size_t count,
@@ -2796,7 +2796,7 @@ void chasles_euler_rates_yzy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   derivation  sha256 ca7633bf41e92038cc6b88046e6340d4c576629d0f18bc3aecb737f26530ca17
+ *   derivation  sha256 8ae99d46108398deee39b74f0f0d6af4c2ca2209815ada56c3702867ca814530
  */
 void chasles_rotation_from_euler_zxy(const double angles[3], double Q[9])
 {
@@ -2830,7 +2830,7 @@ void chasles_rotation_from_euler_zxy(const double angles[3], double Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_zxy in single precision.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 ca7633bf41e92038cc6b88046e6340d4c576629d0f18bc3aecb737f26530ca17
+ *   24 operations; derivation sha256 8ae99d46108398deee39b74f0f0d6af4c2ca2209815ada56c3702867ca814530
  */
 void chasles_rotation_from_euler_zxyf(const float angles[3], float Q[9])
 {
@@ -2864,7 +2864,7 @@ void chasles_rotation_from_euler_zxyf(const float angles[3], float Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_zxy for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 ca7633bf41e92038cc6b88046e6340d4c576629d0f18bc3aecb737f26530ca17
+ *   24 operations; derivation sha256 8ae99d46108398deee39b74f0f0d6af4c2ca2209815ada56c3702867ca814530
  */
 void chasles_rotation_from_euler_zxy_batch(
     size_t count,
@@ -2879,7 +2879,7 @@ void chasles_rotation_from_euler_zxy_batch(
 /*
  * Ex 3.10 chasles_rotation_from_euler_zxyf for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 ca7633bf41e92038cc6b88046e6340d4c576629d0f18bc3aecb737f26530ca17
+ *   24 operations; derivation sha256 8ae99d46108398deee39b74f0f0d6af4c2ca2209815ada56c3702867ca814530
  */
 void chasles_rotation_from_euler_zxy_batchf(
     size_t count,
@@ -2898,7 +2898,7 @@ void chasles_rotation_from_euler_zxy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 c9bbde2ea0fb35785f195db8cf9c22b079939ad6bc1baf139d90c4c613f8de4e
+ *   derivation  sha256 5be122f500ea442153ec10921e5fb13dd3487b8181aba875421abbcde2b0f441
  */
 void chasles_euler_rate_matrix_zxy(const double angles[3], double W[9])
 {
@@ -2922,7 +2922,7 @@ void chasles_euler_rate_matrix_zxy(const double angles[3], double W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_zxy in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 c9bbde2ea0fb35785f195db8cf9c22b079939ad6bc1baf139d90c4c613f8de4e
+ *   6 operations; derivation sha256 5be122f500ea442153ec10921e5fb13dd3487b8181aba875421abbcde2b0f441
  */
 void chasles_euler_rate_matrix_zxyf(const float angles[3], float W[9])
 {
@@ -2946,7 +2946,7 @@ void chasles_euler_rate_matrix_zxyf(const float angles[3], float W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_zxy for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 c9bbde2ea0fb35785f195db8cf9c22b079939ad6bc1baf139d90c4c613f8de4e
+ *   6 operations; derivation sha256 5be122f500ea442153ec10921e5fb13dd3487b8181aba875421abbcde2b0f441
  */
 void chasles_euler_rate_matrix_zxy_batch(
     size_t count,
@@ -2961,7 +2961,7 @@ void chasles_euler_rate_matrix_zxy_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_zxyf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 c9bbde2ea0fb35785f195db8cf9c22b079939ad6bc1baf139d90c4c613f8de4e
+ *   6 operations; derivation sha256 5be122f500ea442153ec10921e5fb13dd3487b8181aba875421abbcde2b0f441
  */
 void chasles_euler_rate_matrix_zxy_batchf(
     size_t count,
@@ -2980,7 +2980,7 @@ void chasles_euler_rate_matrix_zxy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 a611a63b6938b2b997498f97e27cd039fceb6b271b6c278f8fb653f9efd6344a
+ *   derivation  sha256 4b435c59444750de449c28f85ae7ad26df977cf6fbda22643e49734a03373fe2
  */
 void chasles_euler_rate_matrix_body_zxy(const double angles[3], double W_body[9])
 {
@@ -3004,7 +3004,7 @@ void chasles_euler_rate_matrix_body_zxy(const double angles[3], double W_body[9]
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_zxy in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 a611a63b6938b2b997498f97e27cd039fceb6b271b6c278f8fb653f9efd6344a
+ *   6 operations; derivation sha256 4b435c59444750de449c28f85ae7ad26df977cf6fbda22643e49734a03373fe2
  */
 void chasles_euler_rate_matrix_body_zxyf(const float angles[3], float W_body[9])
 {
@@ -3028,7 +3028,7 @@ void chasles_euler_rate_matrix_body_zxyf(const float angles[3], float W_body[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_zxy for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 a611a63b6938b2b997498f97e27cd039fceb6b271b6c278f8fb653f9efd6344a
+ *   6 operations; derivation sha256 4b435c59444750de449c28f85ae7ad26df977cf6fbda22643e49734a03373fe2
  */
 void chasles_euler_rate_matrix_body_zxy_batch(
     size_t count,
@@ -3043,7 +3043,7 @@ void chasles_euler_rate_matrix_body_zxy_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_zxyf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 a611a63b6938b2b997498f97e27cd039fceb6b271b6c278f8fb653f9efd6344a
+ *   6 operations; derivation sha256 4b435c59444750de449c28f85ae7ad26df977cf6fbda22643e49734a03373fe2
  */
 void chasles_euler_rate_matrix_body_zxy_batchf(
     size_t count,
@@ -3063,7 +3063,7 @@ void chasles_euler_rate_matrix_body_zxy_batchf(
  *   verdict     holds under
  *   assumes     cos(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   derivation  sha256 ee67b04e12e2ce2ff7badd33424db51608115b788ef62f3b47fcf14fdb928c97
+ *   derivation  sha256 36071585fc3f03318fec1095f6fce622812bcb4c86edba593061dbcba7c5833c
  */
 void chasles_euler_rates_zxy(const double angles[3], const double omega[3], double theta_dot[3])
 {
@@ -3081,7 +3081,7 @@ void chasles_euler_rates_zxy(const double angles[3], const double omega[3], doub
 /*
  * Ex 3.10 chasles_euler_rates_zxy in single precision.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 ee67b04e12e2ce2ff7badd33424db51608115b788ef62f3b47fcf14fdb928c97
+ *   13 operations; derivation sha256 36071585fc3f03318fec1095f6fce622812bcb4c86edba593061dbcba7c5833c
  */
 void chasles_euler_rates_zxyf(const float angles[3], const float omega[3], float theta_dot[3])
 {
@@ -3099,7 +3099,7 @@ void chasles_euler_rates_zxyf(const float angles[3], const float omega[3], float
 /*
  * Ex 3.10 chasles_euler_rates_zxy for a batch.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 ee67b04e12e2ce2ff7badd33424db51608115b788ef62f3b47fcf14fdb928c97
+ *   13 operations; derivation sha256 36071585fc3f03318fec1095f6fce622812bcb4c86edba593061dbcba7c5833c
  */
 void chasles_euler_rates_zxy_batch(
     size_t count,
@@ -3118,7 +3118,7 @@ void chasles_euler_rates_zxy_batch(
 /*
  * Ex 3.10 chasles_euler_rates_zxyf for a batch.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 ee67b04e12e2ce2ff7badd33424db51608115b788ef62f3b47fcf14fdb928c97
+ *   13 operations; derivation sha256 36071585fc3f03318fec1095f6fce622812bcb4c86edba593061dbcba7c5833c
  */
 void chasles_euler_rates_zxy_batchf(
     size_t count,
@@ -3141,7 +3141,7 @@ void chasles_euler_rates_zxy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   derivation  sha256 756e561b63ad1d97719fdce482ca42e3886b6d3b2c0b57cbd62497adc959bff9
+ *   derivation  sha256 04f70e9463c92048149fe7c49d75cab4b8a6178633341287094620e7f32079a5
  */
 void chasles_rotation_from_euler_zxz(const double angles[3], double Q[9])
 {
@@ -3175,7 +3175,7 @@ void chasles_rotation_from_euler_zxz(const double angles[3], double Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_zxz in single precision.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 756e561b63ad1d97719fdce482ca42e3886b6d3b2c0b57cbd62497adc959bff9
+ *   24 operations; derivation sha256 04f70e9463c92048149fe7c49d75cab4b8a6178633341287094620e7f32079a5
  */
 void chasles_rotation_from_euler_zxzf(const float angles[3], float Q[9])
 {
@@ -3209,7 +3209,7 @@ void chasles_rotation_from_euler_zxzf(const float angles[3], float Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_zxz for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 756e561b63ad1d97719fdce482ca42e3886b6d3b2c0b57cbd62497adc959bff9
+ *   24 operations; derivation sha256 04f70e9463c92048149fe7c49d75cab4b8a6178633341287094620e7f32079a5
  */
 void chasles_rotation_from_euler_zxz_batch(
     size_t count,
@@ -3224,7 +3224,7 @@ void chasles_rotation_from_euler_zxz_batch(
 /*
  * Ex 3.10 chasles_rotation_from_euler_zxzf for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 756e561b63ad1d97719fdce482ca42e3886b6d3b2c0b57cbd62497adc959bff9
+ *   24 operations; derivation sha256 04f70e9463c92048149fe7c49d75cab4b8a6178633341287094620e7f32079a5
  */
 void chasles_rotation_from_euler_zxz_batchf(
     size_t count,
@@ -3243,7 +3243,7 @@ void chasles_rotation_from_euler_zxz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 512360b2471fc102ac0fa8c9ac661115c57b4554ccbb378ff4a41d591c93840f
+ *   derivation  sha256 39bc0189602fb535367e07a92b8264011a74e4da0fe3ae728712ee149805d981
  */
 void chasles_euler_rate_matrix_zxz(const double angles[3], double W[9])
 {
@@ -3267,7 +3267,7 @@ void chasles_euler_rate_matrix_zxz(const double angles[3], double W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_zxz in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 512360b2471fc102ac0fa8c9ac661115c57b4554ccbb378ff4a41d591c93840f
+ *   6 operations; derivation sha256 39bc0189602fb535367e07a92b8264011a74e4da0fe3ae728712ee149805d981
  */
 void chasles_euler_rate_matrix_zxzf(const float angles[3], float W[9])
 {
@@ -3291,7 +3291,7 @@ void chasles_euler_rate_matrix_zxzf(const float angles[3], float W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_zxz for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 512360b2471fc102ac0fa8c9ac661115c57b4554ccbb378ff4a41d591c93840f
+ *   6 operations; derivation sha256 39bc0189602fb535367e07a92b8264011a74e4da0fe3ae728712ee149805d981
  */
 void chasles_euler_rate_matrix_zxz_batch(
     size_t count,
@@ -3306,7 +3306,7 @@ void chasles_euler_rate_matrix_zxz_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_zxzf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 512360b2471fc102ac0fa8c9ac661115c57b4554ccbb378ff4a41d591c93840f
+ *   6 operations; derivation sha256 39bc0189602fb535367e07a92b8264011a74e4da0fe3ae728712ee149805d981
  */
 void chasles_euler_rate_matrix_zxz_batchf(
     size_t count,
@@ -3325,7 +3325,7 @@ void chasles_euler_rate_matrix_zxz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 adfc2a1f56123a02796689fcd31259419dc567c1cea84e1b93815971924418ae
+ *   derivation  sha256 74da24a97e78f4dbac40e98935303cf217bc7f042bf9159e791dad68a3e3f65f
  */
 void chasles_euler_rate_matrix_body_zxz(const double angles[3], double W_body[9])
 {
@@ -3350,7 +3350,7 @@ void chasles_euler_rate_matrix_body_zxz(const double angles[3], double W_body[9]
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_zxz in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 adfc2a1f56123a02796689fcd31259419dc567c1cea84e1b93815971924418ae
+ *   6 operations; derivation sha256 74da24a97e78f4dbac40e98935303cf217bc7f042bf9159e791dad68a3e3f65f
  */
 void chasles_euler_rate_matrix_body_zxzf(const float angles[3], float W_body[9])
 {
@@ -3375,7 +3375,7 @@ void chasles_euler_rate_matrix_body_zxzf(const float angles[3], float W_body[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_zxz for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 adfc2a1f56123a02796689fcd31259419dc567c1cea84e1b93815971924418ae
+ *   6 operations; derivation sha256 74da24a97e78f4dbac40e98935303cf217bc7f042bf9159e791dad68a3e3f65f
  */
 void chasles_euler_rate_matrix_body_zxz_batch(
     size_t count,
@@ -3390,7 +3390,7 @@ void chasles_euler_rate_matrix_body_zxz_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_zxzf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 adfc2a1f56123a02796689fcd31259419dc567c1cea84e1b93815971924418ae
+ *   6 operations; derivation sha256 74da24a97e78f4dbac40e98935303cf217bc7f042bf9159e791dad68a3e3f65f
  */
 void chasles_euler_rate_matrix_body_zxz_batchf(
     size_t count,
@@ -3410,7 +3410,7 @@ void chasles_euler_rate_matrix_body_zxz_batchf(
  *   verdict     holds under
  *   assumes     sin(theta_2) != 0
  *   operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   derivation  sha256 09b879f243dc95114aab98bf81ea6eae784a54b0990675a477f7ce0c32d031d1
+ *   derivation  sha256 c4be8033440e1d79b2e56990aa59b3c7ca0a87f9dd9af836af659978d8c1ec64
  */
 void chasles_euler_rates_zxz(const double angles[3], const double omega[3], double theta_dot[3])
 {
@@ -3429,7 +3429,7 @@ void chasles_euler_rates_zxz(const double angles[3], const double omega[3], doub
 /*
  * Ex 3.10 chasles_euler_rates_zxz in single precision.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 09b879f243dc95114aab98bf81ea6eae784a54b0990675a477f7ce0c32d031d1
+ *   13 operations; derivation sha256 c4be8033440e1d79b2e56990aa59b3c7ca0a87f9dd9af836af659978d8c1ec64
  */
 void chasles_euler_rates_zxzf(const float angles[3], const float omega[3], float theta_dot[3])
 {
@@ -3448,7 +3448,7 @@ void chasles_euler_rates_zxzf(const float angles[3], const float omega[3], float
 /*
  * Ex 3.10 chasles_euler_rates_zxz for a batch.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 09b879f243dc95114aab98bf81ea6eae784a54b0990675a477f7ce0c32d031d1
+ *   13 operations; derivation sha256 c4be8033440e1d79b2e56990aa59b3c7ca0a87f9dd9af836af659978d8c1ec64
  */
 void chasles_euler_rates_zxz_batch(
     size_t count,
@@ -3467,7 +3467,7 @@ void chasles_euler_rates_zxz_batch(
 /*
  * Ex 3.10 chasles_euler_rates_zxzf for a batch.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 09b879f243dc95114aab98bf81ea6eae784a54b0990675a477f7ce0c32d031d1
+ *   13 operations; derivation sha256 c4be8033440e1d79b2e56990aa59b3c7ca0a87f9dd9af836af659978d8c1ec64
  */
 void chasles_euler_rates_zxz_batchf(
     size_t count,
@@ -3490,7 +3490,7 @@ void chasles_euler_rates_zxz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   derivation  sha256 b086cf1947f6376651c2d19f6e9839e418d89561cf84963157d2affe0010df0c
+ *   derivation  sha256 581896c72ed36cfaa5f1c03cf7263fbf0550f59682687769a152434e626ec5fd
  */
 void chasles_rotation_from_euler_zyx(const double angles[3], double Q[9])
 {
@@ -3525,7 +3525,7 @@ void chasles_rotation_from_euler_zyx(const double angles[3], double Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_zyx in single precision.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 b086cf1947f6376651c2d19f6e9839e418d89561cf84963157d2affe0010df0c
+ *   24 operations; derivation sha256 581896c72ed36cfaa5f1c03cf7263fbf0550f59682687769a152434e626ec5fd
  */
 void chasles_rotation_from_euler_zyxf(const float angles[3], float Q[9])
 {
@@ -3560,7 +3560,7 @@ void chasles_rotation_from_euler_zyxf(const float angles[3], float Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_zyx for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 b086cf1947f6376651c2d19f6e9839e418d89561cf84963157d2affe0010df0c
+ *   24 operations; derivation sha256 581896c72ed36cfaa5f1c03cf7263fbf0550f59682687769a152434e626ec5fd
  */
 void chasles_rotation_from_euler_zyx_batch(
     size_t count,
@@ -3575,7 +3575,7 @@ void chasles_rotation_from_euler_zyx_batch(
 /*
  * Ex 3.10 chasles_rotation_from_euler_zyxf for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 b086cf1947f6376651c2d19f6e9839e418d89561cf84963157d2affe0010df0c
+ *   24 operations; derivation sha256 581896c72ed36cfaa5f1c03cf7263fbf0550f59682687769a152434e626ec5fd
  */
 void chasles_rotation_from_euler_zyx_batchf(
     size_t count,
@@ -3594,7 +3594,7 @@ void chasles_rotation_from_euler_zyx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 c78d897ee452651cdb8b9bfc04d057d2602075b3c060b52e9abbb487376671ce
+ *   derivation  sha256 66c872236d303d61f6b01e55f2a04707326e08e9a8def9fd2d0718455165a53c
  */
 void chasles_euler_rate_matrix_zyx(const double angles[3], double W[9])
 {
@@ -3619,7 +3619,7 @@ void chasles_euler_rate_matrix_zyx(const double angles[3], double W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_zyx in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 c78d897ee452651cdb8b9bfc04d057d2602075b3c060b52e9abbb487376671ce
+ *   6 operations; derivation sha256 66c872236d303d61f6b01e55f2a04707326e08e9a8def9fd2d0718455165a53c
  */
 void chasles_euler_rate_matrix_zyxf(const float angles[3], float W[9])
 {
@@ -3644,7 +3644,7 @@ void chasles_euler_rate_matrix_zyxf(const float angles[3], float W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_zyx for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 c78d897ee452651cdb8b9bfc04d057d2602075b3c060b52e9abbb487376671ce
+ *   6 operations; derivation sha256 66c872236d303d61f6b01e55f2a04707326e08e9a8def9fd2d0718455165a53c
  */
 void chasles_euler_rate_matrix_zyx_batch(
     size_t count,
@@ -3659,7 +3659,7 @@ void chasles_euler_rate_matrix_zyx_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_zyxf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 c78d897ee452651cdb8b9bfc04d057d2602075b3c060b52e9abbb487376671ce
+ *   6 operations; derivation sha256 66c872236d303d61f6b01e55f2a04707326e08e9a8def9fd2d0718455165a53c
  */
 void chasles_euler_rate_matrix_zyx_batchf(
     size_t count,
@@ -3678,7 +3678,7 @@ void chasles_euler_rate_matrix_zyx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 8abeae5db88e4e8b1f980002de3225324bc9a6183b8092de5393f5b48777d47e
+ *   derivation  sha256 20343db592ec9160010881086692dd2ae5a3a0bdb2ea91849acb9df55eb2f72a
  */
 void chasles_euler_rate_matrix_body_zyx(const double angles[3], double W_body[9])
 {
@@ -3703,7 +3703,7 @@ void chasles_euler_rate_matrix_body_zyx(const double angles[3], double W_body[9]
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_zyx in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 8abeae5db88e4e8b1f980002de3225324bc9a6183b8092de5393f5b48777d47e
+ *   6 operations; derivation sha256 20343db592ec9160010881086692dd2ae5a3a0bdb2ea91849acb9df55eb2f72a
  */
 void chasles_euler_rate_matrix_body_zyxf(const float angles[3], float W_body[9])
 {
@@ -3728,7 +3728,7 @@ void chasles_euler_rate_matrix_body_zyxf(const float angles[3], float W_body[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_zyx for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 8abeae5db88e4e8b1f980002de3225324bc9a6183b8092de5393f5b48777d47e
+ *   6 operations; derivation sha256 20343db592ec9160010881086692dd2ae5a3a0bdb2ea91849acb9df55eb2f72a
  */
 void chasles_euler_rate_matrix_body_zyx_batch(
     size_t count,
@@ -3743,7 +3743,7 @@ void chasles_euler_rate_matrix_body_zyx_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_zyxf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 8abeae5db88e4e8b1f980002de3225324bc9a6183b8092de5393f5b48777d47e
+ *   6 operations; derivation sha256 20343db592ec9160010881086692dd2ae5a3a0bdb2ea91849acb9df55eb2f72a
  */
 void chasles_euler_rate_matrix_body_zyx_batchf(
     size_t count,
@@ -3763,7 +3763,7 @@ void chasles_euler_rate_matrix_body_zyx_batchf(
  *   verdict     holds under
  *   assumes     cos(theta_2) != 0
  *   operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   derivation  sha256 44ffc8749b3737689be53a3802e4e63272cccafc953c814cecb9e96ac9a325df
+ *   derivation  sha256 c12c1c96a5832b81a39cc1699d8110c43abf5ac969574ba9645e1e2ca3e5a587
  */
 void chasles_euler_rates_zyx(const double angles[3], const double omega[3], double theta_dot[3])
 {
@@ -3781,7 +3781,7 @@ void chasles_euler_rates_zyx(const double angles[3], const double omega[3], doub
 /*
  * Ex 3.10 chasles_euler_rates_zyx in single precision.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 44ffc8749b3737689be53a3802e4e63272cccafc953c814cecb9e96ac9a325df
+ *   13 operations; derivation sha256 c12c1c96a5832b81a39cc1699d8110c43abf5ac969574ba9645e1e2ca3e5a587
  */
 void chasles_euler_rates_zyxf(const float angles[3], const float omega[3], float theta_dot[3])
 {
@@ -3799,7 +3799,7 @@ void chasles_euler_rates_zyxf(const float angles[3], const float omega[3], float
 /*
  * Ex 3.10 chasles_euler_rates_zyx for a batch.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 44ffc8749b3737689be53a3802e4e63272cccafc953c814cecb9e96ac9a325df
+ *   13 operations; derivation sha256 c12c1c96a5832b81a39cc1699d8110c43abf5ac969574ba9645e1e2ca3e5a587
  */
 void chasles_euler_rates_zyx_batch(
     size_t count,
@@ -3818,7 +3818,7 @@ void chasles_euler_rates_zyx_batch(
 /*
  * Ex 3.10 chasles_euler_rates_zyxf for a batch.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 44ffc8749b3737689be53a3802e4e63272cccafc953c814cecb9e96ac9a325df
+ *   13 operations; derivation sha256 c12c1c96a5832b81a39cc1699d8110c43abf5ac969574ba9645e1e2ca3e5a587
  */
 void chasles_euler_rates_zyx_batchf(
     size_t count,
@@ -3841,7 +3841,7 @@ void chasles_euler_rates_zyx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   derivation  sha256 43811e29291aaf24b8d2ac3cc8abeea6bd935d6d676c55cfca93e360e0f55e27
+ *   derivation  sha256 4025aa2b857829dd40030f976438d7ef055e83c86995d4d37382381b152c2f5a
  */
 void chasles_rotation_from_euler_zyz(const double angles[3], double Q[9])
 {
@@ -3875,7 +3875,7 @@ void chasles_rotation_from_euler_zyz(const double angles[3], double Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_zyz in single precision.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 43811e29291aaf24b8d2ac3cc8abeea6bd935d6d676c55cfca93e360e0f55e27
+ *   24 operations; derivation sha256 4025aa2b857829dd40030f976438d7ef055e83c86995d4d37382381b152c2f5a
  */
 void chasles_rotation_from_euler_zyzf(const float angles[3], float Q[9])
 {
@@ -3909,7 +3909,7 @@ void chasles_rotation_from_euler_zyzf(const float angles[3], float Q[9])
 /*
  * Ex 3.10 chasles_rotation_from_euler_zyz for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 43811e29291aaf24b8d2ac3cc8abeea6bd935d6d676c55cfca93e360e0f55e27
+ *   24 operations; derivation sha256 4025aa2b857829dd40030f976438d7ef055e83c86995d4d37382381b152c2f5a
  */
 void chasles_rotation_from_euler_zyz_batch(
     size_t count,
@@ -3924,7 +3924,7 @@ void chasles_rotation_from_euler_zyz_batch(
 /*
  * Ex 3.10 chasles_rotation_from_euler_zyzf for a batch.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 43811e29291aaf24b8d2ac3cc8abeea6bd935d6d676c55cfca93e360e0f55e27
+ *   24 operations; derivation sha256 4025aa2b857829dd40030f976438d7ef055e83c86995d4d37382381b152c2f5a
  */
 void chasles_rotation_from_euler_zyz_batchf(
     size_t count,
@@ -3943,7 +3943,7 @@ void chasles_rotation_from_euler_zyz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 6c84c4efffd55db4ea8213dc9b11cecc8349dad17b36135cc160d50d6109cb3f
+ *   derivation  sha256 b218cf9859c431d040eb202055f9cd230dc8e311ad82193e0c9a3f33d5febbe0
  */
 void chasles_euler_rate_matrix_zyz(const double angles[3], double W[9])
 {
@@ -3968,7 +3968,7 @@ void chasles_euler_rate_matrix_zyz(const double angles[3], double W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_zyz in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 6c84c4efffd55db4ea8213dc9b11cecc8349dad17b36135cc160d50d6109cb3f
+ *   6 operations; derivation sha256 b218cf9859c431d040eb202055f9cd230dc8e311ad82193e0c9a3f33d5febbe0
  */
 void chasles_euler_rate_matrix_zyzf(const float angles[3], float W[9])
 {
@@ -3993,7 +3993,7 @@ void chasles_euler_rate_matrix_zyzf(const float angles[3], float W[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_zyz for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 6c84c4efffd55db4ea8213dc9b11cecc8349dad17b36135cc160d50d6109cb3f
+ *   6 operations; derivation sha256 b218cf9859c431d040eb202055f9cd230dc8e311ad82193e0c9a3f33d5febbe0
  */
 void chasles_euler_rate_matrix_zyz_batch(
     size_t count,
@@ -4008,7 +4008,7 @@ void chasles_euler_rate_matrix_zyz_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_zyzf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 6c84c4efffd55db4ea8213dc9b11cecc8349dad17b36135cc160d50d6109cb3f
+ *   6 operations; derivation sha256 b218cf9859c431d040eb202055f9cd230dc8e311ad82193e0c9a3f33d5febbe0
  */
 void chasles_euler_rate_matrix_zyz_batchf(
     size_t count,
@@ -4027,7 +4027,7 @@ void chasles_euler_rate_matrix_zyz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   derivation  sha256 36a3c2c542a8d3639c876836964fedd9c9060e40dbe251339937870900c56103
+ *   derivation  sha256 338c4bd63de50eb34cdf85a54bb6ae6f4979fcbfa6b866131be19ad92fe74878
  */
 void chasles_euler_rate_matrix_body_zyz(const double angles[3], double W_body[9])
 {
@@ -4051,7 +4051,7 @@ void chasles_euler_rate_matrix_body_zyz(const double angles[3], double W_body[9]
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_zyz in single precision.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 36a3c2c542a8d3639c876836964fedd9c9060e40dbe251339937870900c56103
+ *   6 operations; derivation sha256 338c4bd63de50eb34cdf85a54bb6ae6f4979fcbfa6b866131be19ad92fe74878
  */
 void chasles_euler_rate_matrix_body_zyzf(const float angles[3], float W_body[9])
 {
@@ -4075,7 +4075,7 @@ void chasles_euler_rate_matrix_body_zyzf(const float angles[3], float W_body[9])
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_zyz for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 36a3c2c542a8d3639c876836964fedd9c9060e40dbe251339937870900c56103
+ *   6 operations; derivation sha256 338c4bd63de50eb34cdf85a54bb6ae6f4979fcbfa6b866131be19ad92fe74878
  */
 void chasles_euler_rate_matrix_body_zyz_batch(
     size_t count,
@@ -4090,7 +4090,7 @@ void chasles_euler_rate_matrix_body_zyz_batch(
 /*
  * Ex 3.10 chasles_euler_rate_matrix_body_zyzf for a batch.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 36a3c2c542a8d3639c876836964fedd9c9060e40dbe251339937870900c56103
+ *   6 operations; derivation sha256 338c4bd63de50eb34cdf85a54bb6ae6f4979fcbfa6b866131be19ad92fe74878
  */
 void chasles_euler_rate_matrix_body_zyz_batchf(
     size_t count,
@@ -4110,7 +4110,7 @@ void chasles_euler_rate_matrix_body_zyz_batchf(
  *   verdict     holds under
  *   assumes     sin(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   derivation  sha256 76b36cf9c5a1b834fc7624c1332aeaf5949ec6ce50867f34ab37b197a766426f
+ *   derivation  sha256 a96c14a018c279b26006e373745953f8ade90795be64fb33b11d0b9c13278361
  */
 void chasles_euler_rates_zyz(const double angles[3], const double omega[3], double theta_dot[3])
 {
@@ -4128,7 +4128,7 @@ void chasles_euler_rates_zyz(const double angles[3], const double omega[3], doub
 /*
  * Ex 3.10 chasles_euler_rates_zyz in single precision.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 76b36cf9c5a1b834fc7624c1332aeaf5949ec6ce50867f34ab37b197a766426f
+ *   13 operations; derivation sha256 a96c14a018c279b26006e373745953f8ade90795be64fb33b11d0b9c13278361
  */
 void chasles_euler_rates_zyzf(const float angles[3], const float omega[3], float theta_dot[3])
 {
@@ -4146,7 +4146,7 @@ void chasles_euler_rates_zyzf(const float angles[3], const float omega[3], float
 /*
  * Ex 3.10 chasles_euler_rates_zyz for a batch.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 76b36cf9c5a1b834fc7624c1332aeaf5949ec6ce50867f34ab37b197a766426f
+ *   13 operations; derivation sha256 a96c14a018c279b26006e373745953f8ade90795be64fb33b11d0b9c13278361
  */
 void chasles_euler_rates_zyz_batch(
     size_t count,
@@ -4165,7 +4165,7 @@ void chasles_euler_rates_zyz_batch(
 /*
  * Ex 3.10 chasles_euler_rates_zyzf for a batch.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 76b36cf9c5a1b834fc7624c1332aeaf5949ec6ce50867f34ab37b197a766426f
+ *   13 operations; derivation sha256 a96c14a018c279b26006e373745953f8ade90795be64fb33b11d0b9c13278361
  */
 void chasles_euler_rates_zyz_batchf(
     size_t count,

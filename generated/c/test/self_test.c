@@ -876,6 +876,62 @@ static void rotation_from_triads_vector_2f(void)
     comparef("chasles_rotation_from_triadsf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
 }
 
+static void axial_vector_vector_1(void)
+{
+    const double Omega[9] = {
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+    };
+    const double omega_expected[3] = {0.5, 0.5, 0.5};
+    double omega[3];
+    chasles_axial_vector(Omega, omega);
+    compare("chasles_axial_vector, vector 1: omega", 3, omega, omega_expected, 8.0 * DBL_EPSILON);
+}
+
+static void axial_vector_vector_2(void)
+{
+    const double Omega[9] = {0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0};
+    const double omega_expected[3] = {0.0, 0.0, 0.8};
+    double omega[3];
+    chasles_axial_vector(Omega, omega);
+    compare("chasles_axial_vector, vector 2: omega", 3, omega, omega_expected, 8.0 * DBL_EPSILON);
+}
+
+static void axial_vector_vector_1f(void)
+{
+    const float Omega[9] = {
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+    };
+    const double omega_expected[3] = {0.5, 0.5, 0.5};
+    float omega[3];
+    chasles_axial_vectorf(Omega, omega);
+    comparef("chasles_axial_vectorf, vector 1: omega", 3, omega, omega_expected, 8.0 * FLT_EPSILON);
+}
+
+static void axial_vector_vector_2f(void)
+{
+    const float Omega[9] = {0.6f, -0.8f, 0.0f, 0.8f, 0.6f, 0.0f, 0.0f, 0.0f, 1.0f};
+    const double omega_expected[3] = {0.0, 0.0, 0.8};
+    float omega[3];
+    chasles_axial_vectorf(Omega, omega);
+    comparef("chasles_axial_vectorf, vector 2: omega", 3, omega, omega_expected, 8.0 * FLT_EPSILON);
+}
+
 static void velocity_of_point_vector_1(void)
 {
     const double omega[3] = {1.25, 0.5, -0.75};
@@ -7898,6 +7954,10 @@ int main(void)
     rotation_from_triads_vector_2();
     rotation_from_triads_vector_1f();
     rotation_from_triads_vector_2f();
+    axial_vector_vector_1();
+    axial_vector_vector_2();
+    axial_vector_vector_1f();
+    axial_vector_vector_2f();
     velocity_of_point_vector_1();
     velocity_of_point_vector_2();
     velocity_of_point_vector_1f();

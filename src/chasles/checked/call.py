@@ -90,14 +90,13 @@ class Checked:
             subjects = [array for _, array in self._named(names, arrays)]
             zero = np.asarray(divisor(*subjects)) == 0
             if zero.any():
-                zero = np.broadcast_to(zero, batch) & self._valueless(arrays)
-                self._refuse(names, text, Finding(zero, np.zeros(batch), "the kernel has no value there"))
+                lost = zero & _any_over(np.broadcast_to(zero, batch) & self._valueless(arrays, batch), zero.shape)
+                self._refuse(names, text, Finding(lost, np.zeros(lost.shape), "the kernel has no value there"))
 
-    def _valueless(self, arrays: Sequence[Numbers]) -> Any:
+    def _valueless(self, arrays: Sequence[Numbers], batch: tuple[int, ...]) -> Any:
         """Where some entry of some result is NaN."""
         results = self.kernel(*arrays)
         results = results if isinstance(results, tuple) else (results,)
-        batch = self._batch(arrays)
         return np.logical_or.reduce([np.isnan(r).reshape(*batch, -1).any(axis=-1) for r in results])
 
     def _named(self, names: Sequence[str], arrays: Sequence[Numbers]) -> list[tuple[tuple[int, ...], Numbers]]:
@@ -118,6 +117,13 @@ class Checked:
 def _flat(array: Numbers, core: tuple[int, ...]) -> Numbers:
     """The array with its core entries on one axis, in double precision."""
     return array.reshape(*array.shape[: array.ndim - len(core)], prod(core)).astype(np.float64)
+
+
+def _any_over(mask: Any, shape: tuple[int, ...]) -> Any:
+    """Whether the mask holds anywhere along the axes over which an array of the shape is spread."""
+    mask = mask.any(axis=tuple(range(mask.ndim - len(shape))))
+    spread = tuple(axis for axis, (own, size) in enumerate(zip(shape, mask.shape, strict=True)) if own != size)
+    return mask.any(axis=spread, keepdims=True)
 
 
 def _expected(core: tuple[int, ...]) -> str:

@@ -169,7 +169,8 @@ def inputs_of(kernel: Kernel, program: Program | None = None) -> tuple[Input, ..
 
 
 def _argument(holds: Holding) -> Argument:
-    return Argument(argument_name(holds), core_shape(holds), meaning_of(holds))
+    name = plain(holds) if isinstance(holds, Node) else argument_name(holds)
+    return Argument(name, core_shape(holds), meaning_of(holds))
 
 
 def _symbols(kernel: Kernel) -> frozenset[Node]:
