@@ -44,7 +44,7 @@ angular_velocity_matrix_is_skew = Theorem(
 angular_velocity = Definition(
     "3.45",
     omega, vect(Omega),
-    says="The angular velocity: the axial vector of that matrix.",
+    says="The angular velocity: the axial vector of the angular-velocity matrix.",
     kernel=Kernel(of=(Omega,), name="axial_vector"),
 )
 

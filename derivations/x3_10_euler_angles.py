@@ -57,8 +57,7 @@ def _elementary(axis: str) -> Claim:
     u = AXES[axis]
     return Claim(
         "Ex 3.10",
-        _turn(axis, theta),
-        u @ u.T + cos(theta) * (one - u @ u.T) + sin(theta) * CPM(u),
+        _turn(axis, theta), u @ u.T + cos(theta) * (one - u @ u.T) + sin(theta) * CPM(u),
         part=next(_parts),
         says=f"The elementary rotation about {axis} is the rotation about that axis.",
     )
@@ -66,8 +65,7 @@ def _elementary(axis: str) -> Claim:
 
 rates_of_the_angles = Definition(
     "Ex 3.10",
-    rates,
-    column(rate(theta_1), rate(theta_2), rate(theta_3)),
+    rates, column(rate(theta_1), rate(theta_2), rate(theta_3)),
     part=next(_parts),
     says="The rates of the Euler angles.",
 )
@@ -89,8 +87,7 @@ def _rotation(sequence: str) -> Definition:
     first, second, third = (_turn(axis, angle) for axis, angle in zip(sequence, angles.parts, strict=True))
     return Definition(
         "Ex 3.10",
-        Q,
-        first @ second @ third,
+        Q, first @ second @ third,
         part=next(_parts),
         says=f"The rotation by Euler angles about {', '.join(sequence)}.",
         sign="=",
@@ -104,8 +101,7 @@ def _rate_matrix(sequence: str) -> Definition:
     i, j, k = (AXES[axis] for axis in sequence)
     return Definition(
         "Ex 3.10",
-        W,
-        row(i, first @ j, first @ second @ k),
+        W, row(i, first @ j, first @ second @ k),
         part=next(_parts),
         says=f"The angular velocity, in the fixed frame, from the rates of Euler angles about {', '.join(sequence)}.",
         kernel=Kernel(of=(angles,)),
@@ -118,8 +114,7 @@ def _rate_matrix_in_body(sequence: str) -> Definition:
     i, j, k = (AXES[axis] for axis in sequence)
     return Definition(
         "Ex 3.10",
-        W_body,
-        row(third.T @ second.T @ i, third.T @ j, k),
+        W_body, row(third.T @ second.T @ i, third.T @ j, k),
         part=next(_parts),
         says=f"The angular velocity, in the body frame, from the rates of Euler angles about {', '.join(sequence)}.",
         kernel=Kernel(of=(angles,)),
@@ -132,16 +127,14 @@ def _rates_of_rotation(sequence: str, rotation: Definition, fixed: Definition, b
     return (
         Claim(
             "Ex 3.10",
-            rate(Q),
-            CPM(W @ rates) @ Q,
+            rate(Q), CPM(W @ rates) @ Q,
             part=next(_parts),
             says=f"The rate of the rotation by the angular velocity in the fixed frame, {said}.",
             given=(rotation, fixed, rates_of_the_angles),
         ),
         Claim(
             "Ex 3.10",
-            Q.T @ rate(Q),
-            CPM(W_body @ rates),
+            Q.T @ rate(Q), CPM(W_body @ rates),
             part=next(_parts),
             says=f"The rate of the rotation by the angular velocity in the body frame, {said}.",
             given=(rotation, body, rates_of_the_angles),
@@ -157,16 +150,14 @@ def _determinants(sequence: str, fixed: Definition, body: Definition) -> tuple[C
     return (
         Claim(
             "Ex 3.10",
-            det(W),
-            value,
+            det(W), value,
             part=next(_parts),
             says=f"The matrix of the fixed frame is singular where this vanishes, and only there, {said}.",
             given=(fixed,),
         ),
         Claim(
             "Ex 3.10",
-            det(W_body),
-            value,
+            det(W_body), value,
             part=next(_parts),
             says=f"The matrix of the body frame is singular where this vanishes, and only there, {said}.",
             given=(body,),
@@ -185,8 +176,7 @@ def _solved(sequence: str, fixed: Definition) -> tuple[Claim, Condition, Claim]:
     said = f"Euler angles about {i}, {j}, {k}"
     equations = Condition(
         "Ex 3.10",
-        omega,
-        W @ rates,
+        omega, W @ rates,
         part=next(_parts),
         says=f"The rates of {said} that go with an angular velocity.",
         given=(fixed,),
@@ -195,8 +185,7 @@ def _solved(sequence: str, fixed: Definition) -> tuple[Claim, Condition, Claim]:
     return (
         Claim(
             "Ex 3.10",
-            inverse(W),
-            column(first.T - share * third_row, second.T, third_row),
+            inverse(W), column(first.T - share * third_row, second.T, third_row),
             part=next(_parts),
             says=f"The inverse of the matrix for {said}.",
             given=(fixed,),
@@ -205,8 +194,7 @@ def _solved(sequence: str, fixed: Definition) -> tuple[Claim, Condition, Claim]:
         equations,
         Claim(
             "Ex 3.10",
-            rates,
-            column(dot(first, omega) - share * third, dot(second, omega), third),
+            rates, column(dot(first, omega) - share * third, dot(second, omega), third),
             part=next(_parts),
             says=f"The rates of {said} from the angular velocity in the fixed frame.",
             given=(equations, fixed),

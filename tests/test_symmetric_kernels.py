@@ -12,6 +12,8 @@ from chasles.lowering.declaration import requested
 from chasles.lowering.equality import differences
 from chasles.lowering.lower import program_of
 from chasles.lowering.program import Op
+from chasles.numerics import request_of
+from chasles.numerics.sampling import draw, moves
 from chasles.proof.judge import Judge
 from chasles.statements import Definition, Entry, Kernel, Packed, Section, Stack, load
 from chasles.statements.kernel import SIX
@@ -119,3 +121,22 @@ def test_a_family_of_statements_is_declared_by_name() -> None:
     assert names[:2] == ["rates_of_the_angles", "elementary_rotation_x"]
     assert "euler_rates_zyz" in names
     assert len(names) == len(set(names)) == 124
+
+
+def test_inputs_are_drawn_and_moved_symmetrically() -> None:
+    asked = entry(S @ S, Kernel(of=(S,), symmetric=(S, T)))
+    request = request_of("made_sym6", asked.statement, asked.kernels[1])
+    assert [(item.argument.shape, item.nodes) for item in request.inputs] == [((6,), (S,))]
+    assert [output.shape for output in request.outputs] == [(6,)]
+    sample = next(draw(request, "generic", np.random.default_rng(5)))
+    matrix = sample.arrays[S]
+    assert (matrix == matrix.T).all()
+    assert request.inputs[0].gathered(sample.arrays).tolist() == matrix[UPPER].tolist()
+    neighbours = [(np.asarray(one), np.asarray(other)) for one, other in moves(request, S, matrix, sample.exact[S])]
+    assert len(neighbours) == 6
+    for one, other in neighbours:
+        for moved in (one, other):
+            assert (moved == moved.T).all()
+            assert np.count_nonzero(moved != matrix) in (1, 2)
+    ((value,),) = (request.reference(sample.arrays, 30),)
+    np.testing.assert_allclose([float(row[0]) for row in value], (matrix @ matrix)[UPPER], rtol=1e-13)

@@ -5524,7 +5524,7 @@ static const Kernel kernels[] = {
         .name = "axial_vector",
         .signature = "(3,3)->(3)",
         .doc =
-            "(3.45) The angular velocity: the axial vector of that matrix.\n"
+            "(3.45) The angular velocity: the axial vector of the angular-velocity matrix.\n"
             "  given       Omega (3, 3): angular-velocity matrix\n"
             "  returns     omega (3): angular velocity\n"
             "  verdict     defined\n"

@@ -476,7 +476,7 @@ def rotation_from_triads(triad: Any, triad_prime: Any, /, *, out: Any = None) ->
 
 
 def axial_vector(Omega: Any, /, *, out: Any = None) -> Any:
-    """(3.45) The angular velocity: the axial vector of that matrix.
+    """(3.45) The angular velocity: the axial vector of the angular-velocity matrix.
     given       Omega (3, 3): angular-velocity matrix
     returns     omega (3): angular velocity
     verdict     defined

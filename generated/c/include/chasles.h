@@ -302,7 +302,7 @@ void chasles_rotation_from_triads_batchf(
     float *Q, ptrdiff_t Q_step);
 
 /*
- * (3.45) The angular velocity: the axial vector of that matrix.
+ * (3.45) The angular velocity: the axial vector of the angular-velocity matrix.
  *   given       Omega[9]: angular-velocity matrix
  *   returns     omega[3]: angular velocity
  *   verdict     defined

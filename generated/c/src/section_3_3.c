@@ -6,7 +6,7 @@
 #include "chasles.h"
 
 /*
- * (3.45) The angular velocity: the axial vector of that matrix.
+ * (3.45) The angular velocity: the axial vector of the angular-velocity matrix.
  *   given       Omega[9]: angular-velocity matrix
  *   returns     omega[3]: angular velocity
  *   verdict     defined

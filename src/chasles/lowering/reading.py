@@ -10,11 +10,10 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from chasles.lowering.algebra import Algebra
-from chasles.lowering.program import Op, Program, Step
+from chasles.lowering.program import Op, Program
 from chasles.lowering.request import Request
 from chasles.lowering.signs import Signs
 from chasles.proof.ratios import Ratio
-from chasles.statements.kernel import places_of
 from chasles.vocabulary import Call, Node, Number, Scale, Sum, Symbol
 
 __all__ = ["Reading", "Settled", "Unreadable", "angles_of"]
@@ -112,7 +111,7 @@ class Reading:
                 raise Unreadable(f"step {number}, {op.value}, is read as a number")
 
     def _input(self, argument: int, entry: int) -> Ratio:
-        node, row, column = places_of(self._request.arguments[argument])[entry]
+        node, row, column = self._request.place(argument, entry)
         try:
             return self._algebra.entry(node, row, column)
         except KeyError:
@@ -148,16 +147,11 @@ def _call(function: str, angle: Linear) -> Call:
     return Call(function, terms[0] if len(terms) == 1 else Sum(terms))
 
 
-def _read(step: Step, request: Request) -> Node:
-    """The symbol, or the rate, of which a step reads an entry."""
-    return places_of(request.arguments[step.argument])[step.entry][0]
-
-
 def _linear(program: Program, request: Request, number: int) -> Linear:
     """A step as a sum of rational multiples of scalar arguments."""
     step = program.steps[number]
     match step.op:
-        case Op.INPUT if isinstance(symbol := _read(step, request), Symbol) and symbol.is_scalar:
+        case Op.INPUT if isinstance(symbol := request.place(step.argument, step.entry)[0], Symbol) and symbol.is_scalar:
             return {symbol: Fraction(1)}
         case Op.ADD | Op.SUBTRACT:
             one, other = (_linear(program, request, operand) for operand in step.operands)

@@ -70,6 +70,10 @@ class Request:
         """The symbols, and rates of symbols, whose values the arguments hold."""
         return tuple(node for argument in self.arguments for node in nodes_of(argument))
 
+    def place(self, argument: int, entry: int) -> Place:
+        """What a step reads: the symbol, or its rate, with the row and the column."""
+        return places_of(self.arguments[argument])[entry]
+
 
 def composed(
     name: str,

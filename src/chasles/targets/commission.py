@@ -51,7 +51,9 @@ def _heading(entry: Entry, decision: Decision, request: Request, asked: Asked) -
     needs = standing.needs if isinstance(standing, HoldsUnder) else _assumed(standing, request)
     section = f"section_{entry.section.number.replace('.', '_')}"
     expected = tuple(hypothesis.text for hypothesis in asked.expected if hypothesis.text not in needs)
-    return Heading(entry.number, entry.statement.says, said, needs, fingerprint(entry.statement), section, expected)
+    return Heading(
+        entry.number, entry.statement.says, said, needs, fingerprint(entry.statement), section, expected=expected
+    )
 
 
 def _word(verdict: Verdict) -> str:
