@@ -50,7 +50,10 @@ class Checked:
     def _arrays(self, operands: Sequence[Any], moves: Sequence[Any]) -> Iterator[Numbers]:
         """The inputs as arrays of floats, core axes last."""
         for (name, core), operand, move in zip(self.inputs, operands, moves, strict=True):
-            array = np.asarray(operand)
+            try:
+                array = np.asarray(operand)
+            except ValueError as error:
+                raise ValueError(f"{self.__name__}: {name} is no array of numbers: {error}") from None
             if array.dtype.kind not in "biuf":
                 raise TypeError(f"{self.__name__}: {name} must hold real numbers; it holds {array.dtype}")
             if move is not None and array.ndim >= len(core):
@@ -73,7 +76,8 @@ class Checked:
 
     def _require_finite(self, arrays: Sequence[Numbers]) -> None:
         for (name, core), array in zip(self.inputs, arrays, strict=True):
-            self._refuse((name,), "all entries are finite", is_finite(_flat(array, core)))
+            if not np.isfinite(array).all():
+                self._refuse((name,), "all entries are finite", is_finite(_flat(array, core)))
 
     def _require(self, arrays: Sequence[Numbers], tolerance: float) -> None:
         """The hypotheses that a test of numbers decides."""
