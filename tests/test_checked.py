@@ -196,7 +196,7 @@ def test_nothing_is_stored_if_something_does_not_hold() -> None:
     ("bad", "error"), [([[0.0, 1.0], [2.0]], ValueError), ("abc", TypeError), (None, TypeError), ([{}] * 3, TypeError)]
 )
 def test_what_is_no_array_of_numbers_is_named(bad: object, error: type[Exception]) -> None:
-    with pytest.raises(error, match="^rotation_from_axis_angle: e "):
+    with pytest.raises(error, match=r"^rotation_from_axis_angle: e "):
         checked.rotation_from_axis_angle(bad, 1.0)
 
 
