@@ -34,11 +34,13 @@ theta = scalar("theta", r"\theta", "angle of an elementary rotation")
 rates = vector("theta_dot", r"\dot{\boldsymbol{\theta}}", "rates of the Euler angles", FREQUENCY)
 W = square("W", "W", "angular velocity in the fixed frame from the rates of the Euler angles")
 W_body = square("W_body", r"\mathbf{W}_{\mathcal{M}}", "angular velocity in the body frame from those rates")
+second_axis = vector("k_2", r"\mathbf{k}_2", "axis of the second turn, as the first has left it")
+third_axis = vector("k_3", r"\mathbf{k}_3", "unit vector at right angles to the axes of the first two turns")
 angles = Stack("angles", (theta_1, theta_2, theta_3), "Euler angles, in the order of the turns")
 
 SEQUENCES = tuple(f"{i}{j}{k}" for i in "xyz" for j in "xyz" for k in "xyz" if i != j != k)
 AXES = dict(zip("xyz", unit_columns, strict=True))
-SAID_OF_EACH = 10
+SAID_OF_EACH = 12
 _parts = iter(range(1, 2 + len(AXES) + SAID_OF_EACH * len(SEQUENCES)))
 
 
@@ -165,14 +167,34 @@ def _determinants(sequence: str, fixed: Definition, body: Definition) -> tuple[C
     )
 
 
-def _solved(sequence: str, fixed: Definition) -> tuple[Claim, Condition, Claim]:
+def _axes(sequence: str) -> tuple[Definition, Definition]:
+    """Two axes that the first turn moves."""
+    i, j, _ = tuple(sequence)
+    turned = _turn(i, theta_1)
+    return (
+        Definition(
+            "Ex 3.10",
+            second_axis, turned @ AXES[j],
+            part=next(_parts),
+            says=f"The axis {j}, turned about {i}.",
+        ),
+        Definition(
+            "Ex 3.10",
+            third_axis, turned @ AXES[_left_out(i, j)],
+            part=next(_parts),
+            says=f"The axis that is neither {i} nor {j}, turned about {i}.",
+        ),
+    )
+
+
+def _solved(
+    sequence: str, fixed: Definition, second: Definition, third: Definition
+) -> tuple[Condition, Claim, Claim]:
     """The rates are components along the first axis and along two more, at right angles, that the first turn moves."""
     i, j, k = tuple(sequence)
-    turned, other = _turn(i, theta_1), _left_out(i, j)
-    first, second, across = AXES[i], turned @ AXES[j], turned @ AXES[other]
+    first, across = AXES[i], _signed(third_axis, i, _left_out(i, j), j) if i == k else third_axis
     lever, share = (sin(theta_2), cos(theta_2)) if i == k else (cos(theta_2), _signed(sin(theta_2), i, j, k))
-    third = _signed(-dot(across, omega), i, j, other) / lever if i == k else dot(across, omega) / lever
-    third_row = (_signed(-over(1, lever), i, j, other) if i == k else over(1, lever)) * across.T
+    third_rate, third_row = dot(across, omega) / lever, over(1, lever) * across.T
     said = f"Euler angles about {i}, {j}, {k}"
     equations = Condition(
         "Ex 3.10",
@@ -183,21 +205,21 @@ def _solved(sequence: str, fixed: Definition) -> tuple[Claim, Condition, Claim]:
         on=(rates,),
     )
     return (
-        Claim(
-            "Ex 3.10",
-            inverse(W), column(first.T - share * third_row, second.T, third_row),
-            part=next(_parts),
-            says=f"The inverse of the matrix for {said}.",
-            given=(fixed,),
-            assuming=(nonzero(lever),),
-        ),
         equations,
         Claim(
             "Ex 3.10",
-            rates, column(dot(first, omega) - share * third, dot(second, omega), third),
+            inverse(W), column(first.T - share * third_row, second_axis.T, third_row),
+            part=next(_parts),
+            says=f"The inverse of the matrix for {said}.",
+            given=(fixed, second, third),
+            assuming=(nonzero(lever),),
+        ),
+        Claim(
+            "Ex 3.10",
+            rates, column(dot(first, omega) - share * third_rate, dot(second_axis, omega), third_rate),
             part=next(_parts),
             says=f"The rates of {said} from the angular velocity in the fixed frame.",
-            given=(equations, fixed),
+            given=(equations, fixed, second, third),
             assuming=(nonzero(lever),),
             kernel=Kernel(of=(angles, omega)),
         ),
@@ -209,7 +231,8 @@ def _statements(sequence: str) -> dict[str, Statement]:
     rotation, fixed, body = _rotation(sequence), _rate_matrix(sequence), _rate_matrix_in_body(sequence)
     in_fixed, in_body = _rates_of_rotation(sequence, rotation, fixed, body)
     determinant, determinant_in_body = _determinants(sequence, fixed, body)
-    inverted, equations, rates_of_sequence = _solved(sequence, fixed)
+    second, third = _axes(sequence)
+    equations, inverted, rates_of_sequence = _solved(sequence, fixed, second, third)
     return {
         f"rotation_from_euler_{sequence}": rotation,
         f"euler_rate_matrix_{sequence}": fixed,
@@ -218,6 +241,8 @@ def _statements(sequence: str) -> dict[str, Statement]:
         f"rate_of_rotation_by_euler_{sequence}_in_body_frame": in_body,
         f"determinant_of_euler_rate_matrix_{sequence}": determinant,
         f"determinant_of_euler_rate_matrix_body_{sequence}": determinant_in_body,
+        f"second_axis_of_euler_{sequence}": second,
+        f"third_axis_of_euler_{sequence}": third,
         f"angular_velocity_from_euler_rates_{sequence}": equations,
         f"inverse_of_euler_rate_matrix_{sequence}": inverted,
         f"euler_rates_{sequence}": rates_of_sequence,

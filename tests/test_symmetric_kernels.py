@@ -120,7 +120,7 @@ def test_a_family_of_statements_is_declared_by_name() -> None:
     names = [e.name for e in load() if e.number == "Ex 3.10"]
     assert names[:2] == ["rates_of_the_angles", "elementary_rotation_x"]
     assert "euler_rates_zyz" in names
-    assert len(names) == len(set(names)) == 124
+    assert len(names) == len(set(names)) == 148
 
 
 def test_inputs_are_drawn_and_moved_symmetrically() -> None:

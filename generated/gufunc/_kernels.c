@@ -3144,7 +3144,7 @@ static const char euler_rate_matrix_body_xyx_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_xyx.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 6680ed5e0065e86be5ede1392988b273d66d7294e9f98bd21f5995b64f04020b
+ *   13 operations; derivation sha256 e453c9ec715829e85f9601a1d0ec08462b05bd7dcf4ff68c0d823046a49f7b25
  */
 static void euler_rates_xyx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3195,7 +3195,7 @@ static const char euler_rates_xyx_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_xyz.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 0cea117706a64d97d8bdbd2e4fd380fc62206ab55d7d2a91540f368cc27f9870
+ *   24 operations; derivation sha256 6705bbdc3cc819470adf698e905e15041cab2c79ee214c77c73b890ac65f41ce
  */
 static void rotation_from_euler_xyz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3242,7 +3242,7 @@ static const char rotation_from_euler_xyz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_xyz.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 727b20e1b0b73863606b227bcb1ee8f63318534fcd2691b488dd6bb3e008f7a5
+ *   6 operations; derivation sha256 8b9592b89e483d6287bed3bb4d0027fafb382171a6999dd56d09507bbf0d590c
  */
 static void euler_rate_matrix_xyz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3289,7 +3289,7 @@ static const char euler_rate_matrix_xyz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_xyz.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 2be843b1c8bcf554409134741a98ded93388365670f614f6cb1fc893a0e8a883
+ *   6 operations; derivation sha256 6edfea23479e92ef7d1e7e7d68bcd13ee371f2991c16353952f09f3c9d81ed3c
  */
 static void euler_rate_matrix_body_xyz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3336,7 +3336,7 @@ static const char euler_rate_matrix_body_xyz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_xyz.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 bd0c6f4b6dded2540673b31111efab98cd56656a47a7d1c15a58ec3feec76bb1
+ *   13 operations; derivation sha256 bec42ab40a38f203a48f4e170dc0ad4fb0cb1c57041bf8abc87e9c159e906d1b
  */
 static void euler_rates_xyz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3387,7 +3387,7 @@ static const char euler_rates_xyz_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_xzx.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 fa5672d572ba62d9e45fffa4848cc24a0c47c7067a8a59b865433226cb492f17
+ *   24 operations; derivation sha256 de3a851daae76ca498f976ed679390610caf046ca454d49669dab454cd2104d1
  */
 static void rotation_from_euler_xzx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3434,7 +3434,7 @@ static const char rotation_from_euler_xzx_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_xzx.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 dc3972bfdbefe855a135e5d6dfe1379102462102153180de7ed283e96eeb6111
+ *   6 operations; derivation sha256 545b1f6b179f88fad10dbd0fac8687f59350380469f6ca96bc437c08d8649800
  */
 static void euler_rate_matrix_xzx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3481,7 +3481,7 @@ static const char euler_rate_matrix_xzx_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_xzx.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 d9e0e82546acba106ac4c57420a2eab05b641c00df85ff7be216b8a0fc9d8665
+ *   6 operations; derivation sha256 4421d8d529350d6e5a4683c66c54675834e8b21d5b6680f974942482d20d7faa
  */
 static void euler_rate_matrix_body_xzx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3528,7 +3528,7 @@ static const char euler_rate_matrix_body_xzx_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_xzx.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 408e95f0d48f8fcc6450ff354821b3bcc7b8afe170311512bf6808fc6ebf035d
+ *   13 operations; derivation sha256 0ccb549820c0ab21158582ccb0f8286408599eb24bab35fd4a60461f59ffafd6
  */
 static void euler_rates_xzx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3579,7 +3579,7 @@ static const char euler_rates_xzx_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_xzy.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 ec01d03ae5956d3c060281719ab7e0fe33cdb6c1a61009f0ecedd6b28c16d955
+ *   24 operations; derivation sha256 528f8a3eb6e52746d86a5138d675ae8293cc6c7de4f1c00ba3c4b692ba51c455
  */
 static void rotation_from_euler_xzy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3626,7 +3626,7 @@ static const char rotation_from_euler_xzy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_xzy.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 eff8b044920f2622991ff4992754af00b4bb6db0588c9c38024defb9d92b31a8
+ *   6 operations; derivation sha256 4ccd841cb0d6e568bdae1a01686f08fa60121be46d720f48317ac76ca58343f3
  */
 static void euler_rate_matrix_xzy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3673,7 +3673,7 @@ static const char euler_rate_matrix_xzy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_xzy.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 82d38f5fbd88f30e0766279355f8c1075afa7f058dd52a2ba49700c1103941b2
+ *   6 operations; derivation sha256 140a985ea02031261c7a92a5cae173ebafe88054961990673ef5a69b4c1c784c
  */
 static void euler_rate_matrix_body_xzy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3720,7 +3720,7 @@ static const char euler_rate_matrix_body_xzy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_xzy.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 c13c9cc6d29ab7900f6ed7fef43449399dc7948756dc5e0c1278fad40f8eaf5f
+ *   13 operations; derivation sha256 087e3bef0a80b53adecd8dbfc1ca485d856b9ab12bf0597224ad01bffe84d48d
  */
 static void euler_rates_xzy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3771,7 +3771,7 @@ static const char euler_rates_xzy_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_yxy.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 39c327f2b06e2eb28d5297a5219cdf25d8c6fa35f3e8c4abd686a96f628448b9
+ *   24 operations; derivation sha256 4639340b4c5a19e5e71818440a5e25a7dc695042caa389d57e5938578f329204
  */
 static void rotation_from_euler_yxy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3818,7 +3818,7 @@ static const char rotation_from_euler_yxy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_yxy.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 a636f1aef1e498fc12bb18c833be214ecab09d723d189feb6293198c1da27769
+ *   6 operations; derivation sha256 4cbc84e4cff896b34c5c2f02307a9c69b503d7a3a6aa2154b90b95c513c1bbce
  */
 static void euler_rate_matrix_yxy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3865,7 +3865,7 @@ static const char euler_rate_matrix_yxy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_yxy.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 542fac587b2f6c693e2f358949f10e38342e83da48b28f0bfefa2518c3dbbf7d
+ *   6 operations; derivation sha256 a91079d1f94bff7ab0a579982ea7cd90304a0348ae48792ba5271dddfcbf7035
  */
 static void euler_rate_matrix_body_yxy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3912,7 +3912,7 @@ static const char euler_rate_matrix_body_yxy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_yxy.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 cd5dec36e2ffbb4d79f5e51715750a932a8dcd10315484afd24a2b8c5417093d
+ *   13 operations; derivation sha256 57f9fa9a9312c200080117d0f7819b233fa81817547398adafd4ca1378e12c37
  */
 static void euler_rates_yxy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3963,7 +3963,7 @@ static const char euler_rates_yxy_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_yxz.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 9a10b4aca9084db3dbe838592a18dd16991e4e9266812ea40c364e475765c2da
+ *   24 operations; derivation sha256 7826edee42401859a8ff2260131eccd87584d6b7fc0ad058baafa9ef41dddf6d
  */
 static void rotation_from_euler_yxz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4010,7 +4010,7 @@ static const char rotation_from_euler_yxz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_yxz.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 e4b0c1a359b6a0462bcaf854f5621ef6f306aaed262ef9eedca1b9dfd21141db
+ *   6 operations; derivation sha256 07480db4ffa6cc7d6437a7e2665ee04918a7abb314a91e8b1902406359365ea3
  */
 static void euler_rate_matrix_yxz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4057,7 +4057,7 @@ static const char euler_rate_matrix_yxz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_yxz.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 bbaf7b40aee302ecf502aebad748a90068ef997f7ef78c435934daec4e186893
+ *   6 operations; derivation sha256 8fcfcba93190fa9fe68f95cec90b57f0b7c5ef19ebaeb913da577bffd1d751aa
  */
 static void euler_rate_matrix_body_yxz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4104,7 +4104,7 @@ static const char euler_rate_matrix_body_yxz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_yxz.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 edb81e753178c5fce1e78e2d84d24357ec01af9efb3639d407093ca1170b8f22
+ *   13 operations; derivation sha256 2212d1def76d12a0d532fa8d15c98f725dc91b310425411666552c46e23e6bcc
  */
 static void euler_rates_yxz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4155,7 +4155,7 @@ static const char euler_rates_yxz_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_yzx.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 8067174eae8e12da17f50ae58f90ed494f2ed48db1f70a248864566fd994638c
+ *   24 operations; derivation sha256 ef5522efe35a5dbb6eb545a7113286a6df3ac2d9603f138c97acd6f4fc1ccdc9
  */
 static void rotation_from_euler_yzx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4202,7 +4202,7 @@ static const char rotation_from_euler_yzx_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_yzx.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 48b2bdb7a1b3028c165cf254cc61d428a4e18bdcc2621e21de7940aac283a8f6
+ *   6 operations; derivation sha256 f21a6f4f704b91ac82727b870a55688276de0a91bfef95348ddb665cf0053bbe
  */
 static void euler_rate_matrix_yzx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4249,7 +4249,7 @@ static const char euler_rate_matrix_yzx_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_yzx.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 f7ecbe499957a1df734cc614102e267117566d3f6d80b71ca89a19ff14ae73d4
+ *   6 operations; derivation sha256 8002c5ad3e9637706ec1f0995aff426cd6d3c93bbb9c6b05f736a8f04dc13a53
  */
 static void euler_rate_matrix_body_yzx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4296,7 +4296,7 @@ static const char euler_rate_matrix_body_yzx_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_yzx.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 33b2d9256eb74313ba05c6fc7b3e91f7765487fe3f26de05f701ff4288cedb31
+ *   13 operations; derivation sha256 d1003d9548b999def53c21a3d1f187a414f4fc0f945b05b72a7c6fbfb5c7a47d
  */
 static void euler_rates_yzx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4347,7 +4347,7 @@ static const char euler_rates_yzx_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_yzy.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 5b5ba0ef7860418b292b8302888ff85bd1afbe1f26dcb574f075aeaf9ff38357
+ *   24 operations; derivation sha256 9b151d27de4ffca05409badf5b12a98224dd3d563317e41d406695d5ac82d8fe
  */
 static void rotation_from_euler_yzy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4394,7 +4394,7 @@ static const char rotation_from_euler_yzy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_yzy.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 173a43a221173a0bd6addd4a110cef604ab7fcd2cf82d4df270377e26c071e83
+ *   6 operations; derivation sha256 2f9bfcf1cf1510c9d532f8993939787ce7f9c20c82877a4ff2da46a70393d647
  */
 static void euler_rate_matrix_yzy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4441,7 +4441,7 @@ static const char euler_rate_matrix_yzy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_yzy.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 78afe33bfd90a71cf84d41ec65d49601b950b21dcafbd952225f877c9885d2a2
+ *   6 operations; derivation sha256 5762f9bb88e3585fbcf0a24320f2bff2cde801a395480e2e0590be6aaf815133
  */
 static void euler_rate_matrix_body_yzy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4488,7 +4488,7 @@ static const char euler_rate_matrix_body_yzy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_yzy.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 c2679441a74674f45a4fb62481b4da309797cb451375f5e7c969afa25969398f
+ *   13 operations; derivation sha256 b6355f58c7c3fa95bc6d061430c73cc2a10d5ac79a707165aff3d890f9581dba
  */
 static void euler_rates_yzy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4539,7 +4539,7 @@ static const char euler_rates_yzy_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_zxy.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 8ae99d46108398deee39b74f0f0d6af4c2ca2209815ada56c3702867ca814530
+ *   24 operations; derivation sha256 b9f5bd8cb933973ed7cbd4c1597c7beb8def73e0322a6320eafff859e529e1b7
  */
 static void rotation_from_euler_zxy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4586,7 +4586,7 @@ static const char rotation_from_euler_zxy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_zxy.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 5be122f500ea442153ec10921e5fb13dd3487b8181aba875421abbcde2b0f441
+ *   6 operations; derivation sha256 df727c18be22cfac4c3a09b0f1e97010c957f2a06bb7dac8fad89bc630cdfc72
  */
 static void euler_rate_matrix_zxy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4633,7 +4633,7 @@ static const char euler_rate_matrix_zxy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_zxy.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 4b435c59444750de449c28f85ae7ad26df977cf6fbda22643e49734a03373fe2
+ *   6 operations; derivation sha256 f450ca1b0eb3ccc517bdc3221e8a1e2c9cc8e3d8de87bd14b8f038e09efa7cd4
  */
 static void euler_rate_matrix_body_zxy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4680,7 +4680,7 @@ static const char euler_rate_matrix_body_zxy_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_zxy.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 36071585fc3f03318fec1095f6fce622812bcb4c86edba593061dbcba7c5833c
+ *   13 operations; derivation sha256 b6247cfe1605afb09834132d0089f65feb63196135176c18e66aaecefde6ff2d
  */
 static void euler_rates_zxy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4731,7 +4731,7 @@ static const char euler_rates_zxy_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_zxz.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 04f70e9463c92048149fe7c49d75cab4b8a6178633341287094620e7f32079a5
+ *   24 operations; derivation sha256 ec42254a14e2150cfdfa3e489c58c9f29abfb1adb674fbfc9db9de4062ab509b
  */
 static void rotation_from_euler_zxz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4778,7 +4778,7 @@ static const char rotation_from_euler_zxz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_zxz.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 39bc0189602fb535367e07a92b8264011a74e4da0fe3ae728712ee149805d981
+ *   6 operations; derivation sha256 596864b48f2083e275fa86c7bd645c22321a7dca6c8a229e42796d251888e8f2
  */
 static void euler_rate_matrix_zxz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4825,7 +4825,7 @@ static const char euler_rate_matrix_zxz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_zxz.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 74da24a97e78f4dbac40e98935303cf217bc7f042bf9159e791dad68a3e3f65f
+ *   6 operations; derivation sha256 d69ea9f6ef6685b83332ef5a90dbdd6051040c10577814f685fcfbda54e5aeaf
  */
 static void euler_rate_matrix_body_zxz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4872,7 +4872,7 @@ static const char euler_rate_matrix_body_zxz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_zxz.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 c4be8033440e1d79b2e56990aa59b3c7ca0a87f9dd9af836af659978d8c1ec64
+ *   13 operations; derivation sha256 69c02425a879b8837aea25c6a1189c081b2a0c50eda10e5718e89bbd6988fd02
  */
 static void euler_rates_zxz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4923,7 +4923,7 @@ static const char euler_rates_zxz_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_zyx.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 581896c72ed36cfaa5f1c03cf7263fbf0550f59682687769a152434e626ec5fd
+ *   24 operations; derivation sha256 600331d1bf931f72e5c669d33f112d1205b8fe035f57e62c807299776dba5386
  */
 static void rotation_from_euler_zyx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -4970,7 +4970,7 @@ static const char rotation_from_euler_zyx_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_zyx.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 66c872236d303d61f6b01e55f2a04707326e08e9a8def9fd2d0718455165a53c
+ *   6 operations; derivation sha256 801dcac4871c313d8f88d5611a62e3fdfff1565d6bb1568273ad0ea2a965d1e5
  */
 static void euler_rate_matrix_zyx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -5017,7 +5017,7 @@ static const char euler_rate_matrix_zyx_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_zyx.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 20343db592ec9160010881086692dd2ae5a3a0bdb2ea91849acb9df55eb2f72a
+ *   6 operations; derivation sha256 d820b0c990936bb7c922ad28e0b083d260059e6b0d74c52dcd91087315dfc602
  */
 static void euler_rate_matrix_body_zyx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -5064,7 +5064,7 @@ static const char euler_rate_matrix_body_zyx_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_zyx.
  *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 c12c1c96a5832b81a39cc1699d8110c43abf5ac969574ba9645e1e2ca3e5a587
+ *   13 operations; derivation sha256 621952a0c32884add034832a91f740d3acb5c4d2939cdeff3c489ff41833c3c9
  */
 static void euler_rates_zyx_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -5115,7 +5115,7 @@ static const char euler_rates_zyx_types[] = {
 /*
  * Ex 3.10 The loops of rotation_from_euler_zyz.
  *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 4025aa2b857829dd40030f976438d7ef055e83c86995d4d37382381b152c2f5a
+ *   24 operations; derivation sha256 20ec1abc97e092ce5bad87ed0387a034bad0867c0b77b86a3b952f003423a08c
  */
 static void rotation_from_euler_zyz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -5162,7 +5162,7 @@ static const char rotation_from_euler_zyz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_zyz.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 b218cf9859c431d040eb202055f9cd230dc8e311ad82193e0c9a3f33d5febbe0
+ *   6 operations; derivation sha256 f418037614354fc95575c5aec827f9f49fc347c491c4170e0c6ec842a5a94a3b
  */
 static void euler_rate_matrix_zyz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -5209,7 +5209,7 @@ static const char euler_rate_matrix_zyz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rate_matrix_body_zyz.
  *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 338c4bd63de50eb34cdf85a54bb6ae6f4979fcbfa6b866131be19ad92fe74878
+ *   6 operations; derivation sha256 3ef03099d7065afdf2c43a90443a389d8fd659ce4ef8f0db395cc2d6f5b9a4cf
  */
 static void euler_rate_matrix_body_zyz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -5256,7 +5256,7 @@ static const char euler_rate_matrix_body_zyz_types[] = {
 /*
  * Ex 3.10 The loops of euler_rates_zyz.
  *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 a96c14a018c279b26006e373745953f8ade90795be64fb33b11d0b9c13278361
+ *   13 operations; derivation sha256 b611c82c8754e1d16d209c861db78e54b286288315a5f5818e43a985e2b73890
  */
 static void euler_rates_zyz_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -6490,8 +6490,8 @@ static const Kernel kernels[] = {
             "  returns     theta_dot (3): rates of the Euler angles\n"
             "  verdict     holds under\n"
             "  assumes     sin(theta_2) != 0\n"
-            "  operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 6680ed5e0065e86be5ede1392988b273d66d7294e9f98bd21f5995b64f04020b\n"
+            "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  derivation  sha256 e453c9ec715829e85f9601a1d0ec08462b05bd7dcf4ff68c0d823046a49f7b25\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_xyx_loops,
@@ -6509,7 +6509,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 0cea117706a64d97d8bdbd2e4fd380fc62206ab55d7d2a91540f368cc27f9870\n"
+            "  derivation  sha256 6705bbdc3cc819470adf698e905e15041cab2c79ee214c77c73b890ac65f41ce\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_xyz_loops,
@@ -6527,7 +6527,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 727b20e1b0b73863606b227bcb1ee8f63318534fcd2691b488dd6bb3e008f7a5\n"
+            "  derivation  sha256 8b9592b89e483d6287bed3bb4d0027fafb382171a6999dd56d09507bbf0d590c\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_xyz_loops,
@@ -6545,7 +6545,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 2be843b1c8bcf554409134741a98ded93388365670f614f6cb1fc893a0e8a883\n"
+            "  derivation  sha256 6edfea23479e92ef7d1e7e7d68bcd13ee371f2991c16353952f09f3c9d81ed3c\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_xyz_loops,
@@ -6564,7 +6564,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     cos(theta_2) != 0\n"
             "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 bd0c6f4b6dded2540673b31111efab98cd56656a47a7d1c15a58ec3feec76bb1\n"
+            "  derivation  sha256 bec42ab40a38f203a48f4e170dc0ad4fb0cb1c57041bf8abc87e9c159e906d1b\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_xyz_loops,
@@ -6582,7 +6582,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 fa5672d572ba62d9e45fffa4848cc24a0c47c7067a8a59b865433226cb492f17\n"
+            "  derivation  sha256 de3a851daae76ca498f976ed679390610caf046ca454d49669dab454cd2104d1\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_xzx_loops,
@@ -6600,7 +6600,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 dc3972bfdbefe855a135e5d6dfe1379102462102153180de7ed283e96eeb6111\n"
+            "  derivation  sha256 545b1f6b179f88fad10dbd0fac8687f59350380469f6ca96bc437c08d8649800\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_xzx_loops,
@@ -6618,7 +6618,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 d9e0e82546acba106ac4c57420a2eab05b641c00df85ff7be216b8a0fc9d8665\n"
+            "  derivation  sha256 4421d8d529350d6e5a4683c66c54675834e8b21d5b6680f974942482d20d7faa\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_xzx_loops,
@@ -6637,7 +6637,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     sin(theta_2) != 0\n"
             "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 408e95f0d48f8fcc6450ff354821b3bcc7b8afe170311512bf6808fc6ebf035d\n"
+            "  derivation  sha256 0ccb549820c0ab21158582ccb0f8286408599eb24bab35fd4a60461f59ffafd6\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_xzx_loops,
@@ -6655,7 +6655,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 ec01d03ae5956d3c060281719ab7e0fe33cdb6c1a61009f0ecedd6b28c16d955\n"
+            "  derivation  sha256 528f8a3eb6e52746d86a5138d675ae8293cc6c7de4f1c00ba3c4b692ba51c455\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_xzy_loops,
@@ -6673,7 +6673,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 eff8b044920f2622991ff4992754af00b4bb6db0588c9c38024defb9d92b31a8\n"
+            "  derivation  sha256 4ccd841cb0d6e568bdae1a01686f08fa60121be46d720f48317ac76ca58343f3\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_xzy_loops,
@@ -6691,7 +6691,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 82d38f5fbd88f30e0766279355f8c1075afa7f058dd52a2ba49700c1103941b2\n"
+            "  derivation  sha256 140a985ea02031261c7a92a5cae173ebafe88054961990673ef5a69b4c1c784c\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_xzy_loops,
@@ -6710,7 +6710,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     cos(theta_2) != 0\n"
             "  operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 c13c9cc6d29ab7900f6ed7fef43449399dc7948756dc5e0c1278fad40f8eaf5f\n"
+            "  derivation  sha256 087e3bef0a80b53adecd8dbfc1ca485d856b9ab12bf0597224ad01bffe84d48d\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_xzy_loops,
@@ -6728,7 +6728,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 39c327f2b06e2eb28d5297a5219cdf25d8c6fa35f3e8c4abd686a96f628448b9\n"
+            "  derivation  sha256 4639340b4c5a19e5e71818440a5e25a7dc695042caa389d57e5938578f329204\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_yxy_loops,
@@ -6746,7 +6746,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 a636f1aef1e498fc12bb18c833be214ecab09d723d189feb6293198c1da27769\n"
+            "  derivation  sha256 4cbc84e4cff896b34c5c2f02307a9c69b503d7a3a6aa2154b90b95c513c1bbce\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_yxy_loops,
@@ -6764,7 +6764,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 542fac587b2f6c693e2f358949f10e38342e83da48b28f0bfefa2518c3dbbf7d\n"
+            "  derivation  sha256 a91079d1f94bff7ab0a579982ea7cd90304a0348ae48792ba5271dddfcbf7035\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_yxy_loops,
@@ -6783,7 +6783,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     sin(theta_2) != 0\n"
             "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 cd5dec36e2ffbb4d79f5e51715750a932a8dcd10315484afd24a2b8c5417093d\n"
+            "  derivation  sha256 57f9fa9a9312c200080117d0f7819b233fa81817547398adafd4ca1378e12c37\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_yxy_loops,
@@ -6801,7 +6801,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 9a10b4aca9084db3dbe838592a18dd16991e4e9266812ea40c364e475765c2da\n"
+            "  derivation  sha256 7826edee42401859a8ff2260131eccd87584d6b7fc0ad058baafa9ef41dddf6d\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_yxz_loops,
@@ -6819,7 +6819,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 e4b0c1a359b6a0462bcaf854f5621ef6f306aaed262ef9eedca1b9dfd21141db\n"
+            "  derivation  sha256 07480db4ffa6cc7d6437a7e2665ee04918a7abb314a91e8b1902406359365ea3\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_yxz_loops,
@@ -6837,7 +6837,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 bbaf7b40aee302ecf502aebad748a90068ef997f7ef78c435934daec4e186893\n"
+            "  derivation  sha256 8fcfcba93190fa9fe68f95cec90b57f0b7c5ef19ebaeb913da577bffd1d751aa\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_yxz_loops,
@@ -6856,7 +6856,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     cos(theta_2) != 0\n"
             "  operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 edb81e753178c5fce1e78e2d84d24357ec01af9efb3639d407093ca1170b8f22\n"
+            "  derivation  sha256 2212d1def76d12a0d532fa8d15c98f725dc91b310425411666552c46e23e6bcc\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_yxz_loops,
@@ -6874,7 +6874,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 8067174eae8e12da17f50ae58f90ed494f2ed48db1f70a248864566fd994638c\n"
+            "  derivation  sha256 ef5522efe35a5dbb6eb545a7113286a6df3ac2d9603f138c97acd6f4fc1ccdc9\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_yzx_loops,
@@ -6892,7 +6892,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 48b2bdb7a1b3028c165cf254cc61d428a4e18bdcc2621e21de7940aac283a8f6\n"
+            "  derivation  sha256 f21a6f4f704b91ac82727b870a55688276de0a91bfef95348ddb665cf0053bbe\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_yzx_loops,
@@ -6910,7 +6910,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 f7ecbe499957a1df734cc614102e267117566d3f6d80b71ca89a19ff14ae73d4\n"
+            "  derivation  sha256 8002c5ad3e9637706ec1f0995aff426cd6d3c93bbb9c6b05f736a8f04dc13a53\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_yzx_loops,
@@ -6929,7 +6929,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     cos(theta_2) != 0\n"
             "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 33b2d9256eb74313ba05c6fc7b3e91f7765487fe3f26de05f701ff4288cedb31\n"
+            "  derivation  sha256 d1003d9548b999def53c21a3d1f187a414f4fc0f945b05b72a7c6fbfb5c7a47d\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_yzx_loops,
@@ -6947,7 +6947,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 5b5ba0ef7860418b292b8302888ff85bd1afbe1f26dcb574f075aeaf9ff38357\n"
+            "  derivation  sha256 9b151d27de4ffca05409badf5b12a98224dd3d563317e41d406695d5ac82d8fe\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_yzy_loops,
@@ -6965,7 +6965,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 173a43a221173a0bd6addd4a110cef604ab7fcd2cf82d4df270377e26c071e83\n"
+            "  derivation  sha256 2f9bfcf1cf1510c9d532f8993939787ce7f9c20c82877a4ff2da46a70393d647\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_yzy_loops,
@@ -6983,7 +6983,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 78afe33bfd90a71cf84d41ec65d49601b950b21dcafbd952225f877c9885d2a2\n"
+            "  derivation  sha256 5762f9bb88e3585fbcf0a24320f2bff2cde801a395480e2e0590be6aaf815133\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_yzy_loops,
@@ -7001,8 +7001,8 @@ static const Kernel kernels[] = {
             "  returns     theta_dot (3): rates of the Euler angles\n"
             "  verdict     holds under\n"
             "  assumes     sin(theta_2) != 0\n"
-            "  operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 c2679441a74674f45a4fb62481b4da309797cb451375f5e7c969afa25969398f\n"
+            "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  derivation  sha256 b6355f58c7c3fa95bc6d061430c73cc2a10d5ac79a707165aff3d890f9581dba\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_yzy_loops,
@@ -7020,7 +7020,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 8ae99d46108398deee39b74f0f0d6af4c2ca2209815ada56c3702867ca814530\n"
+            "  derivation  sha256 b9f5bd8cb933973ed7cbd4c1597c7beb8def73e0322a6320eafff859e529e1b7\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_zxy_loops,
@@ -7038,7 +7038,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 5be122f500ea442153ec10921e5fb13dd3487b8181aba875421abbcde2b0f441\n"
+            "  derivation  sha256 df727c18be22cfac4c3a09b0f1e97010c957f2a06bb7dac8fad89bc630cdfc72\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_zxy_loops,
@@ -7056,7 +7056,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 4b435c59444750de449c28f85ae7ad26df977cf6fbda22643e49734a03373fe2\n"
+            "  derivation  sha256 f450ca1b0eb3ccc517bdc3221e8a1e2c9cc8e3d8de87bd14b8f038e09efa7cd4\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_zxy_loops,
@@ -7075,7 +7075,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     cos(theta_2) != 0\n"
             "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 36071585fc3f03318fec1095f6fce622812bcb4c86edba593061dbcba7c5833c\n"
+            "  derivation  sha256 b6247cfe1605afb09834132d0089f65feb63196135176c18e66aaecefde6ff2d\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_zxy_loops,
@@ -7093,7 +7093,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 04f70e9463c92048149fe7c49d75cab4b8a6178633341287094620e7f32079a5\n"
+            "  derivation  sha256 ec42254a14e2150cfdfa3e489c58c9f29abfb1adb674fbfc9db9de4062ab509b\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_zxz_loops,
@@ -7111,7 +7111,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 39bc0189602fb535367e07a92b8264011a74e4da0fe3ae728712ee149805d981\n"
+            "  derivation  sha256 596864b48f2083e275fa86c7bd645c22321a7dca6c8a229e42796d251888e8f2\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_zxz_loops,
@@ -7129,7 +7129,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 74da24a97e78f4dbac40e98935303cf217bc7f042bf9159e791dad68a3e3f65f\n"
+            "  derivation  sha256 d69ea9f6ef6685b83332ef5a90dbdd6051040c10577814f685fcfbda54e5aeaf\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_zxz_loops,
@@ -7147,8 +7147,8 @@ static const Kernel kernels[] = {
             "  returns     theta_dot (3): rates of the Euler angles\n"
             "  verdict     holds under\n"
             "  assumes     sin(theta_2) != 0\n"
-            "  operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 c4be8033440e1d79b2e56990aa59b3c7ca0a87f9dd9af836af659978d8c1ec64\n"
+            "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  derivation  sha256 69c02425a879b8837aea25c6a1189c081b2a0c50eda10e5718e89bbd6988fd02\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_zxz_loops,
@@ -7166,7 +7166,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 581896c72ed36cfaa5f1c03cf7263fbf0550f59682687769a152434e626ec5fd\n"
+            "  derivation  sha256 600331d1bf931f72e5c669d33f112d1205b8fe035f57e62c807299776dba5386\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_zyx_loops,
@@ -7184,7 +7184,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 66c872236d303d61f6b01e55f2a04707326e08e9a8def9fd2d0718455165a53c\n"
+            "  derivation  sha256 801dcac4871c313d8f88d5611a62e3fdfff1565d6bb1568273ad0ea2a965d1e5\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_zyx_loops,
@@ -7202,7 +7202,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 20343db592ec9160010881086692dd2ae5a3a0bdb2ea91849acb9df55eb2f72a\n"
+            "  derivation  sha256 d820b0c990936bb7c922ad28e0b083d260059e6b0d74c52dcd91087315dfc602\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_zyx_loops,
@@ -7221,7 +7221,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     cos(theta_2) != 0\n"
             "  operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 c12c1c96a5832b81a39cc1699d8110c43abf5ac969574ba9645e1e2ca3e5a587\n"
+            "  derivation  sha256 621952a0c32884add034832a91f740d3acb5c4d2939cdeff3c489ff41833c3c9\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_zyx_loops,
@@ -7239,7 +7239,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
-            "  derivation  sha256 4025aa2b857829dd40030f976438d7ef055e83c86995d4d37382381b152c2f5a\n"
+            "  derivation  sha256 20ec1abc97e092ce5bad87ed0387a034bad0867c0b77b86a3b952f003423a08c\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = rotation_from_euler_zyz_loops,
@@ -7257,7 +7257,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 b218cf9859c431d040eb202055f9cd230dc8e311ad82193e0c9a3f33d5febbe0\n"
+            "  derivation  sha256 f418037614354fc95575c5aec827f9f49fc347c491c4170e0c6ec842a5a94a3b\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_zyz_loops,
@@ -7275,7 +7275,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
-            "  derivation  sha256 338c4bd63de50eb34cdf85a54bb6ae6f4979fcbfa6b866131be19ad92fe74878\n"
+            "  derivation  sha256 3ef03099d7065afdf2c43a90443a389d8fd659ce4ef8f0db395cc2d6f5b9a4cf\n"
             "  signature   (3)->(3,3)\n"
             "",
         .loops = euler_rate_matrix_body_zyz_loops,
@@ -7294,7 +7294,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     sin(theta_2) != 0\n"
             "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
-            "  derivation  sha256 a96c14a018c279b26006e373745953f8ade90795be64fb33b11d0b9c13278361\n"
+            "  derivation  sha256 b611c82c8754e1d16d209c861db78e54b286288315a5f5818e43a985e2b73890\n"
             "  signature   (3),(3)->(3)\n"
             "",
         .loops = euler_rates_zyz_loops,
