@@ -35,6 +35,7 @@ from chasles.statements import (
     Theorem,
     nonzero,
     unit,
+    unit_column,
 )
 from chasles.vocabulary import (
     CPM,
@@ -536,7 +537,7 @@ rotation_from_linear_invariants = Claim(
     says="The rotation from its linear invariants.",
     given=(rotation_from_axis_angle, linear_vector, linear_scalar),
     assuming=(nonzero(1 + cos(phi), r"\phi \neq \pi"),),
-    kernel=Kernel(of=(q, q_0)),
+    kernel=Kernel(of=(q, q_0), expected=(unit_column(q, q_0), nonzero(1 + q_0))),
 )
 
 rotation_from_euler_rodrigues = Claim(
@@ -545,7 +546,7 @@ rotation_from_euler_rodrigues = Claim(
     part=2,
     says="The rotation from its Euler-Rodrigues parameters.",
     given=(rotation_from_axis_angle, euler_rodrigues_vector, euler_rodrigues_scalar),
-    kernel=Kernel(of=(q, q_0)),
+    kernel=Kernel(of=(q, q_0), expected=(unit_column(q, q_0),)),
 )
 
 linear_invariants = Claim(
@@ -553,7 +554,7 @@ linear_invariants = Claim(
     column(q, q_0), column(vect(Q), (tr(Q) - 1) / 2),
     says="The linear invariants from the rotation.",
     given=(rotation_from_axis_angle, linear_vector, linear_scalar),
-    kernel=Kernel(of=(Q,), results=("q", "q_0")),
+    kernel=Kernel(of=(Q,), results=("q", "q_0"), expected=(Q_is_a_rotation,)),
 )
 
 # At a half-turn Q + 1 = 2 e e^T: each column that is not zero is along the axis.

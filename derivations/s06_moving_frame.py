@@ -57,7 +57,7 @@ moving_frame_velocity = Claim(
     + in_frame(Q, "F") @ in_frame(rate(rho_M), "M"),
     says="The velocity of P in the fixed frame from that in the moving frame.",
     given=(velocity_by_differentiation, rate_of_rotation, angular_velocity_matrix_of_vector),
-    kernel=Kernel(of=(rate(o), Q, omega, rho_M, rate(rho_M))),
+    kernel=Kernel(of=(rate(o), Q, omega, rho_M, rate(rho_M)), expected=(Q_is_a_rotation,)),
 )
 
 acceleration_in_moving_frame_by_differentiation = Claim(
@@ -80,5 +80,7 @@ moving_frame_acceleration = Claim(
     + in_frame(Q, "F") @ in_frame(rate(rate(rho_M)), "M"),
     says="The acceleration of P in the fixed frame: as a point of the moving frame, Coriolis, and in the moving frame.",
     given=(acceleration_in_moving_frame_by_differentiation, rate_of_rotation, angular_velocity_matrix_of_vector),
-    kernel=Kernel(of=(rate(rate(o)), Q, omega, rate(omega), rho_M, rate(rho_M), rate(rate(rho_M)))),
+    kernel=Kernel(
+        of=(rate(rate(o)), Q, omega, rate(omega), rho_M, rate(rho_M), rate(rate(rho_M))), expected=(Q_is_a_rotation,)
+    ),
 )

@@ -366,8 +366,10 @@ void chasles_euler_rodrigues_rate_matrix_batchf(
  *   returns     Q[9]: rotation
  *   verdict     holds under
  *   assumes     phi != pi
+ *   expects     |[q, q_0]| = 1
+ *               1 + q_0 != 0
  *   operations  20: 7 add, 3 subtract, 9 multiply, 1 divide
- *   derivation  sha256 ea28f0fa942d584b259525e962097be1354ff910cf1b14cdaa065f0e8a7de393
+ *   derivation  sha256 19e234a754a5568e2a2452e2008c17414b949e07381e92256366ba6cc7d976bb
  */
 void chasles_rotation_from_linear_invariants(const double q[3], double q_0, double Q[9])
 {
@@ -401,7 +403,7 @@ void chasles_rotation_from_linear_invariants(const double q[3], double q_0, doub
 /*
  * text 3.4.2 f chasles_rotation_from_linear_invariants in single precision.
  *   verdict: holds under; assumes phi != pi
- *   20 operations; derivation sha256 ea28f0fa942d584b259525e962097be1354ff910cf1b14cdaa065f0e8a7de393
+ *   20 operations; derivation sha256 19e234a754a5568e2a2452e2008c17414b949e07381e92256366ba6cc7d976bb
  */
 void chasles_rotation_from_linear_invariantsf(const float q[3], float q_0, float Q[9])
 {
@@ -435,7 +437,7 @@ void chasles_rotation_from_linear_invariantsf(const float q[3], float q_0, float
 /*
  * text 3.4.2 f chasles_rotation_from_linear_invariants for a batch.
  *   verdict: holds under; assumes phi != pi
- *   20 operations; derivation sha256 ea28f0fa942d584b259525e962097be1354ff910cf1b14cdaa065f0e8a7de393
+ *   20 operations; derivation sha256 19e234a754a5568e2a2452e2008c17414b949e07381e92256366ba6cc7d976bb
  */
 void chasles_rotation_from_linear_invariants_batch(
     size_t count,
@@ -451,7 +453,7 @@ void chasles_rotation_from_linear_invariants_batch(
 /*
  * text 3.4.2 f chasles_rotation_from_linear_invariantsf for a batch.
  *   verdict: holds under; assumes phi != pi
- *   20 operations; derivation sha256 ea28f0fa942d584b259525e962097be1354ff910cf1b14cdaa065f0e8a7de393
+ *   20 operations; derivation sha256 19e234a754a5568e2a2452e2008c17414b949e07381e92256366ba6cc7d976bb
  */
 void chasles_rotation_from_linear_invariants_batchf(
     size_t count,
@@ -471,8 +473,9 @@ void chasles_rotation_from_linear_invariants_batchf(
  *   returns     Q[9]: rotation
  *   verdict     holds under
  *   assumes     |e| = 1
+ *   expects     |[q, q_0]| = 1
  *   operations  29: 8 add, 4 subtract, 17 multiply
- *   derivation  sha256 99a4cba6f6c99cb900d6e9c9d4e2ef7a5715571273dafc564f29ffd0f7b85f0c
+ *   derivation  sha256 767311161fbd53fb1cb19724605fdf117b3445cf5f7cf313ccc6ecbf4a40f8c5
  */
 void chasles_rotation_from_euler_rodrigues(const double q[3], double q_0, double Q[9])
 {
@@ -509,7 +512,7 @@ void chasles_rotation_from_euler_rodrigues(const double q[3], double q_0, double
 /*
  * text 3.4.2 f chasles_rotation_from_euler_rodrigues in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 99a4cba6f6c99cb900d6e9c9d4e2ef7a5715571273dafc564f29ffd0f7b85f0c
+ *   29 operations; derivation sha256 767311161fbd53fb1cb19724605fdf117b3445cf5f7cf313ccc6ecbf4a40f8c5
  */
 void chasles_rotation_from_euler_rodriguesf(const float q[3], float q_0, float Q[9])
 {
@@ -546,7 +549,7 @@ void chasles_rotation_from_euler_rodriguesf(const float q[3], float q_0, float Q
 /*
  * text 3.4.2 f chasles_rotation_from_euler_rodrigues for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 99a4cba6f6c99cb900d6e9c9d4e2ef7a5715571273dafc564f29ffd0f7b85f0c
+ *   29 operations; derivation sha256 767311161fbd53fb1cb19724605fdf117b3445cf5f7cf313ccc6ecbf4a40f8c5
  */
 void chasles_rotation_from_euler_rodrigues_batch(
     size_t count,
@@ -562,7 +565,7 @@ void chasles_rotation_from_euler_rodrigues_batch(
 /*
  * text 3.4.2 f chasles_rotation_from_euler_rodriguesf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 99a4cba6f6c99cb900d6e9c9d4e2ef7a5715571273dafc564f29ffd0f7b85f0c
+ *   29 operations; derivation sha256 767311161fbd53fb1cb19724605fdf117b3445cf5f7cf313ccc6ecbf4a40f8c5
  */
 void chasles_rotation_from_euler_rodrigues_batchf(
     size_t count,
@@ -582,8 +585,9 @@ void chasles_rotation_from_euler_rodrigues_batchf(
  *               q_0: scalar part of four invariants of the rotation
  *   verdict     holds under
  *   assumes     |e| = 1
+ *   expects     Q is a rotation
  *   operations  10: 2 add, 4 subtract, 4 multiply
- *   derivation  sha256 36a144798681f302cdd381b0fc0940a897d02a61242017e7c9f898db6791c1be
+ *   derivation  sha256 dd83557748f8a3babd3f50468d387276f7ffb668b7fc29c093a7976e71eaabef
  */
 void chasles_linear_invariants(const double Q[9], double q[3], double *q_0)
 {
@@ -600,7 +604,7 @@ void chasles_linear_invariants(const double Q[9], double q[3], double *q_0)
 /*
  * text 3.4.2 g chasles_linear_invariants in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   10 operations; derivation sha256 36a144798681f302cdd381b0fc0940a897d02a61242017e7c9f898db6791c1be
+ *   10 operations; derivation sha256 dd83557748f8a3babd3f50468d387276f7ffb668b7fc29c093a7976e71eaabef
  */
 void chasles_linear_invariantsf(const float Q[9], float q[3], float *q_0)
 {
@@ -617,7 +621,7 @@ void chasles_linear_invariantsf(const float Q[9], float q[3], float *q_0)
 /*
  * text 3.4.2 g chasles_linear_invariants for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   10 operations; derivation sha256 36a144798681f302cdd381b0fc0940a897d02a61242017e7c9f898db6791c1be
+ *   10 operations; derivation sha256 dd83557748f8a3babd3f50468d387276f7ffb668b7fc29c093a7976e71eaabef
  */
 void chasles_linear_invariants_batch(
     size_t count,
@@ -633,7 +637,7 @@ void chasles_linear_invariants_batch(
 /*
  * text 3.4.2 g chasles_linear_invariantsf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   10 operations; derivation sha256 36a144798681f302cdd381b0fc0940a897d02a61242017e7c9f898db6791c1be
+ *   10 operations; derivation sha256 dd83557748f8a3babd3f50468d387276f7ffb668b7fc29c093a7976e71eaabef
  */
 void chasles_linear_invariants_batchf(
     size_t count,
@@ -845,7 +849,7 @@ void chasles_natural_invariants_batchf(
  *   verdict     holds under
  *   assumes     Q is a rotation
  *   operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root
- *   derivation  sha256 a67e13328e4829418ed30de028f2dc8c77a4a793125037bcb24b15ce06ed4e8d
+ *   derivation  sha256 cf80240821bf7b155e686e07803c148570ed0cfe8c40ee0b4475badae8fba733
  */
 void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *q_0)
 {
@@ -909,7 +913,7 @@ void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parameters in single precision.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 a67e13328e4829418ed30de028f2dc8c77a4a793125037bcb24b15ce06ed4e8d
+ *   49 operations; derivation sha256 cf80240821bf7b155e686e07803c148570ed0cfe8c40ee0b4475badae8fba733
  */
 void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_0)
 {
@@ -973,7 +977,7 @@ void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parameters for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 a67e13328e4829418ed30de028f2dc8c77a4a793125037bcb24b15ce06ed4e8d
+ *   49 operations; derivation sha256 cf80240821bf7b155e686e07803c148570ed0cfe8c40ee0b4475badae8fba733
  */
 void chasles_euler_rodrigues_parameters_batch(
     size_t count,
@@ -989,7 +993,7 @@ void chasles_euler_rodrigues_parameters_batch(
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parametersf for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 a67e13328e4829418ed30de028f2dc8c77a4a793125037bcb24b15ce06ed4e8d
+ *   49 operations; derivation sha256 cf80240821bf7b155e686e07803c148570ed0cfe8c40ee0b4475badae8fba733
  */
 void chasles_euler_rodrigues_parameters_batchf(
     size_t count,
@@ -1270,7 +1274,7 @@ void chasles_screw_of_motion_batchf(
  *   verdict     holds under
  *   assumes     omega != 0
  *   operations  48: 4 add, 12 subtract, 24 multiply, 7 divide, 1 square root
- *   derivation  sha256 209e592ce8a41573bccbb2a3620515b5b480dde918c912fa0446dac1a7d40036
+ *   derivation  sha256 ffff026ce6030fc871086030213029706592796ae44d57bb00d9ec2cb093ae46
  */
 void chasles_instant_screw(
     const double omega[3],
@@ -1308,7 +1312,7 @@ void chasles_instant_screw(
 /*
  * text 3.4.1 c chasles_instant_screw in single precision.
  *   verdict: holds under; assumes omega != 0
- *   48 operations; derivation sha256 209e592ce8a41573bccbb2a3620515b5b480dde918c912fa0446dac1a7d40036
+ *   48 operations; derivation sha256 ffff026ce6030fc871086030213029706592796ae44d57bb00d9ec2cb093ae46
  */
 void chasles_instant_screwf(
     const float omega[3],
@@ -1346,7 +1350,7 @@ void chasles_instant_screwf(
 /*
  * text 3.4.1 c chasles_instant_screw for a batch.
  *   verdict: holds under; assumes omega != 0
- *   48 operations; derivation sha256 209e592ce8a41573bccbb2a3620515b5b480dde918c912fa0446dac1a7d40036
+ *   48 operations; derivation sha256 ffff026ce6030fc871086030213029706592796ae44d57bb00d9ec2cb093ae46
  */
 void chasles_instant_screw_batch(
     size_t count,
@@ -1369,7 +1373,7 @@ void chasles_instant_screw_batch(
 /*
  * text 3.4.1 c chasles_instant_screwf for a batch.
  *   verdict: holds under; assumes omega != 0
- *   48 operations; derivation sha256 209e592ce8a41573bccbb2a3620515b5b480dde918c912fa0446dac1a7d40036
+ *   48 operations; derivation sha256 ffff026ce6030fc871086030213029706592796ae44d57bb00d9ec2cb093ae46
  */
 void chasles_instant_screw_batchf(
     size_t count,
@@ -1699,7 +1703,7 @@ void chasles_euler_rodrigues_velocity_matrix_batchf(
  *   assumes     |e| = 1
  *               phi != 0
  *   operations  35: 2 add, 10 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine
- *   derivation  sha256 03378dde89c3aaac2473eda92712bf10969b44e2791c52441961929bbc3faff7
+ *   derivation  sha256 e2dfaa3aa3fac1f79b45222f3204af5a75f395308f6b3f9290346729c641eaf1
  */
 void chasles_pose_rate_natural(const double e[3], double phi, const double t[6], double s_dot[7])
 {
@@ -1725,7 +1729,7 @@ void chasles_pose_rate_natural(const double e[3], double phi, const double t[6],
 /*
  * (3.78) chasles_pose_rate_natural in single precision.
  *   verdict: holds under; assumes |e| = 1, phi != 0
- *   35 operations; derivation sha256 03378dde89c3aaac2473eda92712bf10969b44e2791c52441961929bbc3faff7
+ *   35 operations; derivation sha256 e2dfaa3aa3fac1f79b45222f3204af5a75f395308f6b3f9290346729c641eaf1
  */
 void chasles_pose_rate_naturalf(const float e[3], float phi, const float t[6], float s_dot[7])
 {
@@ -1751,7 +1755,7 @@ void chasles_pose_rate_naturalf(const float e[3], float phi, const float t[6], f
 /*
  * (3.78) chasles_pose_rate_natural for a batch.
  *   verdict: holds under; assumes |e| = 1, phi != 0
- *   35 operations; derivation sha256 03378dde89c3aaac2473eda92712bf10969b44e2791c52441961929bbc3faff7
+ *   35 operations; derivation sha256 e2dfaa3aa3fac1f79b45222f3204af5a75f395308f6b3f9290346729c641eaf1
  */
 void chasles_pose_rate_natural_batch(
     size_t count,
@@ -1772,7 +1776,7 @@ void chasles_pose_rate_natural_batch(
 /*
  * (3.78) chasles_pose_rate_naturalf for a batch.
  *   verdict: holds under; assumes |e| = 1, phi != 0
- *   35 operations; derivation sha256 03378dde89c3aaac2473eda92712bf10969b44e2791c52441961929bbc3faff7
+ *   35 operations; derivation sha256 e2dfaa3aa3fac1f79b45222f3204af5a75f395308f6b3f9290346729c641eaf1
  */
 void chasles_pose_rate_natural_batchf(
     size_t count,
@@ -1799,7 +1803,7 @@ void chasles_pose_rate_natural_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  53: 7 add, 11 subtract, 33 multiply, 1 sine, 1 cosine
- *   derivation  sha256 485b60f5c3aeac6ce1e8f47296c4e310a527f2526b4ca7577ff63944281afba0
+ *   derivation  sha256 30ffb709cd3b1987574a6cb20949774164c18855b55a74fc172537bd3a7138a3
  */
 void chasles_pose_rate_linear(const double e[3], double phi, const double t[6], double s_dot[7])
 {
@@ -1830,7 +1834,7 @@ void chasles_pose_rate_linear(const double e[3], double phi, const double t[6], 
 /*
  * (3.78) chasles_pose_rate_linear in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   53 operations; derivation sha256 485b60f5c3aeac6ce1e8f47296c4e310a527f2526b4ca7577ff63944281afba0
+ *   53 operations; derivation sha256 30ffb709cd3b1987574a6cb20949774164c18855b55a74fc172537bd3a7138a3
  */
 void chasles_pose_rate_linearf(const float e[3], float phi, const float t[6], float s_dot[7])
 {
@@ -1861,7 +1865,7 @@ void chasles_pose_rate_linearf(const float e[3], float phi, const float t[6], fl
 /*
  * (3.78) chasles_pose_rate_linear for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   53 operations; derivation sha256 485b60f5c3aeac6ce1e8f47296c4e310a527f2526b4ca7577ff63944281afba0
+ *   53 operations; derivation sha256 30ffb709cd3b1987574a6cb20949774164c18855b55a74fc172537bd3a7138a3
  */
 void chasles_pose_rate_linear_batch(
     size_t count,
@@ -1878,7 +1882,7 @@ void chasles_pose_rate_linear_batch(
 /*
  * (3.78) chasles_pose_rate_linearf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   53 operations; derivation sha256 485b60f5c3aeac6ce1e8f47296c4e310a527f2526b4ca7577ff63944281afba0
+ *   53 operations; derivation sha256 30ffb709cd3b1987574a6cb20949774164c18855b55a74fc172537bd3a7138a3
  */
 void chasles_pose_rate_linear_batchf(
     size_t count,
@@ -1905,7 +1909,7 @@ void chasles_pose_rate_linear_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  28: 5 add, 3 subtract, 18 multiply, 1 sine, 1 cosine
- *   derivation  sha256 339dc61f9ddbbce6d47832bfa5f83511f919dfb2680d41f08f397cc5f5818873
+ *   derivation  sha256 17b8436529f6b3c4a1aefcc8236971431106d820c1c98937a7defcd8b9830b55
  */
 void chasles_pose_rate_euler_rodrigues(
     const double e[3],
@@ -1938,7 +1942,7 @@ void chasles_pose_rate_euler_rodrigues(
 /*
  * (3.78) chasles_pose_rate_euler_rodrigues in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   28 operations; derivation sha256 339dc61f9ddbbce6d47832bfa5f83511f919dfb2680d41f08f397cc5f5818873
+ *   28 operations; derivation sha256 17b8436529f6b3c4a1aefcc8236971431106d820c1c98937a7defcd8b9830b55
  */
 void chasles_pose_rate_euler_rodriguesf(
     const float e[3],
@@ -1971,7 +1975,7 @@ void chasles_pose_rate_euler_rodriguesf(
 /*
  * (3.78) chasles_pose_rate_euler_rodrigues for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   28 operations; derivation sha256 339dc61f9ddbbce6d47832bfa5f83511f919dfb2680d41f08f397cc5f5818873
+ *   28 operations; derivation sha256 17b8436529f6b3c4a1aefcc8236971431106d820c1c98937a7defcd8b9830b55
  */
 void chasles_pose_rate_euler_rodrigues_batch(
     size_t count,
@@ -1992,7 +1996,7 @@ void chasles_pose_rate_euler_rodrigues_batch(
 /*
  * (3.78) chasles_pose_rate_euler_rodriguesf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   28 operations; derivation sha256 339dc61f9ddbbce6d47832bfa5f83511f919dfb2680d41f08f397cc5f5818873
+ *   28 operations; derivation sha256 17b8436529f6b3c4a1aefcc8236971431106d820c1c98937a7defcd8b9830b55
  */
 void chasles_pose_rate_euler_rodrigues_batchf(
     size_t count,
@@ -2019,7 +2023,7 @@ void chasles_pose_rate_euler_rodrigues_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  27: 6 add, 4 subtract, 15 multiply, 1 sine, 1 cosine
- *   derivation  sha256 a734862884a894688cc48e122cf5f84242a09356a3b59996da7ceca338c88bee
+ *   derivation  sha256 c1c920878c5f917138095dea1943d4f0605d07dd2521a120e9e0a574400414d0
  */
 void chasles_twist_from_pose_rate_natural(
     const double e[3],
@@ -2049,7 +2053,7 @@ void chasles_twist_from_pose_rate_natural(
 /*
  * (3.80a) chasles_twist_from_pose_rate_natural in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   27 operations; derivation sha256 a734862884a894688cc48e122cf5f84242a09356a3b59996da7ceca338c88bee
+ *   27 operations; derivation sha256 c1c920878c5f917138095dea1943d4f0605d07dd2521a120e9e0a574400414d0
  */
 void chasles_twist_from_pose_rate_naturalf(
     const float e[3],
@@ -2079,7 +2083,7 @@ void chasles_twist_from_pose_rate_naturalf(
 /*
  * (3.80a) chasles_twist_from_pose_rate_natural for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   27 operations; derivation sha256 a734862884a894688cc48e122cf5f84242a09356a3b59996da7ceca338c88bee
+ *   27 operations; derivation sha256 c1c920878c5f917138095dea1943d4f0605d07dd2521a120e9e0a574400414d0
  */
 void chasles_twist_from_pose_rate_natural_batch(
     size_t count,
@@ -2100,7 +2104,7 @@ void chasles_twist_from_pose_rate_natural_batch(
 /*
  * (3.80a) chasles_twist_from_pose_rate_naturalf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   27 operations; derivation sha256 a734862884a894688cc48e122cf5f84242a09356a3b59996da7ceca338c88bee
+ *   27 operations; derivation sha256 c1c920878c5f917138095dea1943d4f0605d07dd2521a120e9e0a574400414d0
  */
 void chasles_twist_from_pose_rate_natural_batchf(
     size_t count,
@@ -2128,7 +2132,7 @@ void chasles_twist_from_pose_rate_natural_batchf(
  *   assumes     |e| = 1
  *               phi != pi
  *   operations  25: 4 add, 6 subtract, 12 multiply, 1 divide, 1 sine, 1 cosine
- *   derivation  sha256 2198ea1ef9b2a1092af274c28947c46ea9dcee1755b4d2bfeb21915eae15ec77
+ *   derivation  sha256 649387c3a4635aed7b72ec7a0c9cd67fa1407b285288b83838890827853ca799
  */
 void chasles_twist_from_pose_rate_linear(
     const double e[3],
@@ -2158,7 +2162,7 @@ void chasles_twist_from_pose_rate_linear(
 /*
  * (3.80a) chasles_twist_from_pose_rate_linear in single precision.
  *   verdict: holds under; assumes |e| = 1, phi != pi
- *   25 operations; derivation sha256 2198ea1ef9b2a1092af274c28947c46ea9dcee1755b4d2bfeb21915eae15ec77
+ *   25 operations; derivation sha256 649387c3a4635aed7b72ec7a0c9cd67fa1407b285288b83838890827853ca799
  */
 void chasles_twist_from_pose_rate_linearf(
     const float e[3],
@@ -2188,7 +2192,7 @@ void chasles_twist_from_pose_rate_linearf(
 /*
  * (3.80a) chasles_twist_from_pose_rate_linear for a batch.
  *   verdict: holds under; assumes |e| = 1, phi != pi
- *   25 operations; derivation sha256 2198ea1ef9b2a1092af274c28947c46ea9dcee1755b4d2bfeb21915eae15ec77
+ *   25 operations; derivation sha256 649387c3a4635aed7b72ec7a0c9cd67fa1407b285288b83838890827853ca799
  */
 void chasles_twist_from_pose_rate_linear_batch(
     size_t count,
@@ -2209,7 +2213,7 @@ void chasles_twist_from_pose_rate_linear_batch(
 /*
  * (3.80a) chasles_twist_from_pose_rate_linearf for a batch.
  *   verdict: holds under; assumes |e| = 1, phi != pi
- *   25 operations; derivation sha256 2198ea1ef9b2a1092af274c28947c46ea9dcee1755b4d2bfeb21915eae15ec77
+ *   25 operations; derivation sha256 649387c3a4635aed7b72ec7a0c9cd67fa1407b285288b83838890827853ca799
  */
 void chasles_twist_from_pose_rate_linear_batchf(
     size_t count,
@@ -2236,7 +2240,7 @@ void chasles_twist_from_pose_rate_linear_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  29: 3 add, 6 subtract, 18 multiply, 1 sine, 1 cosine
- *   derivation  sha256 706de516b3cc18711578a88117494ee18e5fa90ed73390c6b7020956353b1361
+ *   derivation  sha256 f7009c929bd74e6e8423e03290dcaa8570b236828a6884c7d6bd52463508ac87
  */
 void chasles_twist_from_pose_rate_euler_rodrigues(
     const double e[3],
@@ -2267,7 +2271,7 @@ void chasles_twist_from_pose_rate_euler_rodrigues(
 /*
  * (3.80a) chasles_twist_from_pose_rate_euler_rodrigues in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 706de516b3cc18711578a88117494ee18e5fa90ed73390c6b7020956353b1361
+ *   29 operations; derivation sha256 f7009c929bd74e6e8423e03290dcaa8570b236828a6884c7d6bd52463508ac87
  */
 void chasles_twist_from_pose_rate_euler_rodriguesf(
     const float e[3],
@@ -2298,7 +2302,7 @@ void chasles_twist_from_pose_rate_euler_rodriguesf(
 /*
  * (3.80a) chasles_twist_from_pose_rate_euler_rodrigues for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 706de516b3cc18711578a88117494ee18e5fa90ed73390c6b7020956353b1361
+ *   29 operations; derivation sha256 f7009c929bd74e6e8423e03290dcaa8570b236828a6884c7d6bd52463508ac87
  */
 void chasles_twist_from_pose_rate_euler_rodrigues_batch(
     size_t count,
@@ -2319,7 +2323,7 @@ void chasles_twist_from_pose_rate_euler_rodrigues_batch(
 /*
  * (3.80a) chasles_twist_from_pose_rate_euler_rodriguesf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 706de516b3cc18711578a88117494ee18e5fa90ed73390c6b7020956353b1361
+ *   29 operations; derivation sha256 f7009c929bd74e6e8423e03290dcaa8570b236828a6884c7d6bd52463508ac87
  */
 void chasles_twist_from_pose_rate_euler_rodrigues_batchf(
     size_t count,
@@ -2346,7 +2350,7 @@ void chasles_twist_from_pose_rate_euler_rodrigues_batchf(
  *   verdict     holds
  *   assumes     nothing
  *   operations  15: 3 add, 6 subtract, 6 multiply
- *   derivation  sha256 3219ddd73c3c590a6566e28a84076f81cbaba27a5a84b161382d2076d953c075
+ *   derivation  sha256 4e8860fe94d4e257f6a09561ef25e7c999ddca2a00337fe8774fc0c2b9433a22
  */
 void chasles_twist_transfer(
     const double t_A[6],
@@ -2374,7 +2378,7 @@ void chasles_twist_transfer(
 /*
  * (3.83a) chasles_twist_transfer in single precision.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 3219ddd73c3c590a6566e28a84076f81cbaba27a5a84b161382d2076d953c075
+ *   15 operations; derivation sha256 4e8860fe94d4e257f6a09561ef25e7c999ddca2a00337fe8774fc0c2b9433a22
  */
 void chasles_twist_transferf(const float t_A[6], const float a[3], const float p[3], float t_P[6])
 {
@@ -2398,7 +2402,7 @@ void chasles_twist_transferf(const float t_A[6], const float a[3], const float p
 /*
  * (3.83a) chasles_twist_transfer for a batch.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 3219ddd73c3c590a6566e28a84076f81cbaba27a5a84b161382d2076d953c075
+ *   15 operations; derivation sha256 4e8860fe94d4e257f6a09561ef25e7c999ddca2a00337fe8774fc0c2b9433a22
  */
 void chasles_twist_transfer_batch(
     size_t count,
@@ -2415,7 +2419,7 @@ void chasles_twist_transfer_batch(
 /*
  * (3.83a) chasles_twist_transferf for a batch.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 3219ddd73c3c590a6566e28a84076f81cbaba27a5a84b161382d2076d953c075
+ *   15 operations; derivation sha256 4e8860fe94d4e257f6a09561ef25e7c999ddca2a00337fe8774fc0c2b9433a22
  */
 void chasles_twist_transfer_batchf(
     size_t count,

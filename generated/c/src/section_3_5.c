@@ -13,7 +13,7 @@
  *   verdict     defined
  *   assumes     Q is a rotation
  *   operations  15: 6 add, 3 subtract, 6 multiply
- *   derivation  sha256 5052f47f7af7362fc9f1cf608959b53ca94e5f5f25d07beebb01e47a3cc3a950
+ *   derivation  sha256 600ac9c19e353f65970adc87c2c9e1aba7f40174fd2c1780126b444caebb2a29
  */
 void chasles_angular_acceleration_matrix(
     const double omega[3],
@@ -49,7 +49,7 @@ void chasles_angular_acceleration_matrix(
 /*
  * (3.86) chasles_angular_acceleration_matrix in single precision.
  *   verdict: defined; assumes Q is a rotation
- *   15 operations; derivation sha256 5052f47f7af7362fc9f1cf608959b53ca94e5f5f25d07beebb01e47a3cc3a950
+ *   15 operations; derivation sha256 600ac9c19e353f65970adc87c2c9e1aba7f40174fd2c1780126b444caebb2a29
  */
 void chasles_angular_acceleration_matrixf(
     const float omega[3],
@@ -85,7 +85,7 @@ void chasles_angular_acceleration_matrixf(
 /*
  * (3.86) chasles_angular_acceleration_matrix for a batch.
  *   verdict: defined; assumes Q is a rotation
- *   15 operations; derivation sha256 5052f47f7af7362fc9f1cf608959b53ca94e5f5f25d07beebb01e47a3cc3a950
+ *   15 operations; derivation sha256 600ac9c19e353f65970adc87c2c9e1aba7f40174fd2c1780126b444caebb2a29
  */
 void chasles_angular_acceleration_matrix_batch(
     size_t count,
@@ -104,7 +104,7 @@ void chasles_angular_acceleration_matrix_batch(
 /*
  * (3.86) chasles_angular_acceleration_matrixf for a batch.
  *   verdict: defined; assumes Q is a rotation
- *   15 operations; derivation sha256 5052f47f7af7362fc9f1cf608959b53ca94e5f5f25d07beebb01e47a3cc3a950
+ *   15 operations; derivation sha256 600ac9c19e353f65970adc87c2c9e1aba7f40174fd2c1780126b444caebb2a29
  */
 void chasles_angular_acceleration_matrix_batchf(
     size_t count,
@@ -131,7 +131,7 @@ void chasles_angular_acceleration_matrix_batchf(
  *   verdict     holds
  *   assumes     nothing
  *   operations  36: 6 add, 12 subtract, 18 multiply
- *   derivation  sha256 509ca9167167321c3bf15892dea6aa573b67b0b686ac57a5125297033e3c4c92
+ *   derivation  sha256 52077d75d24e72b9e016304332b02aeb13ece6765a6f5dff5b9cb8261bc6ae26
  */
 void chasles_acceleration_of_point(
     const double omega[3],
@@ -161,7 +161,7 @@ void chasles_acceleration_of_point(
 /*
  * (3.89) chasles_acceleration_of_point in single precision.
  *   verdict: holds; assumes nothing
- *   36 operations; derivation sha256 509ca9167167321c3bf15892dea6aa573b67b0b686ac57a5125297033e3c4c92
+ *   36 operations; derivation sha256 52077d75d24e72b9e016304332b02aeb13ece6765a6f5dff5b9cb8261bc6ae26
  */
 void chasles_acceleration_of_pointf(
     const float omega[3],
@@ -191,7 +191,7 @@ void chasles_acceleration_of_pointf(
 /*
  * (3.89) chasles_acceleration_of_point for a batch.
  *   verdict: holds; assumes nothing
- *   36 operations; derivation sha256 509ca9167167321c3bf15892dea6aa573b67b0b686ac57a5125297033e3c4c92
+ *   36 operations; derivation sha256 52077d75d24e72b9e016304332b02aeb13ece6765a6f5dff5b9cb8261bc6ae26
  */
 void chasles_acceleration_of_point_batch(
     size_t count,
@@ -216,7 +216,7 @@ void chasles_acceleration_of_point_batch(
 /*
  * (3.89) chasles_acceleration_of_pointf for a batch.
  *   verdict: holds; assumes nothing
- *   36 operations; derivation sha256 509ca9167167321c3bf15892dea6aa573b67b0b686ac57a5125297033e3c4c92
+ *   36 operations; derivation sha256 52077d75d24e72b9e016304332b02aeb13ece6765a6f5dff5b9cb8261bc6ae26
  */
 void chasles_acceleration_of_point_batchf(
     size_t count,

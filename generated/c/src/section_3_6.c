@@ -15,8 +15,9 @@
  *   returns     p_dot[3]: time derivative of: position of any point P
  *   verdict     holds
  *   assumes     nothing
+ *   expects     Q is a rotation
  *   operations  45: 18 add, 3 subtract, 24 multiply
- *   derivation  sha256 da9e7c4331821e757d302e254d79b3fee81482b88d26f706b39478d1aa475204
+ *   derivation  sha256 b4941bd3b3f57c83b14de8fd13a10f996bcfeb8ee7bfc4215c85ab50fb9b8b33
  */
 void chasles_moving_frame_velocity(
     const double o_dot[3],
@@ -43,7 +44,7 @@ void chasles_moving_frame_velocity(
 /*
  * (3.103) chasles_moving_frame_velocity in single precision.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 da9e7c4331821e757d302e254d79b3fee81482b88d26f706b39478d1aa475204
+ *   45 operations; derivation sha256 b4941bd3b3f57c83b14de8fd13a10f996bcfeb8ee7bfc4215c85ab50fb9b8b33
  */
 void chasles_moving_frame_velocityf(
     const float o_dot[3],
@@ -70,7 +71,7 @@ void chasles_moving_frame_velocityf(
 /*
  * (3.103) chasles_moving_frame_velocity for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 da9e7c4331821e757d302e254d79b3fee81482b88d26f706b39478d1aa475204
+ *   45 operations; derivation sha256 b4941bd3b3f57c83b14de8fd13a10f996bcfeb8ee7bfc4215c85ab50fb9b8b33
  */
 void chasles_moving_frame_velocity_batch(
     size_t count,
@@ -95,7 +96,7 @@ void chasles_moving_frame_velocity_batch(
 /*
  * (3.103) chasles_moving_frame_velocityf for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 da9e7c4331821e757d302e254d79b3fee81482b88d26f706b39478d1aa475204
+ *   45 operations; derivation sha256 b4941bd3b3f57c83b14de8fd13a10f996bcfeb8ee7bfc4215c85ab50fb9b8b33
  */
 void chasles_moving_frame_velocity_batchf(
     size_t count,
@@ -130,8 +131,9 @@ void chasles_moving_frame_velocity_batchf(
  *   returns     p_ddot[3]: second time derivative of: position of any point P
  *   verdict     holds
  *   assumes     nothing
+ *   expects     Q is a rotation
  *   operations  96: 30 add, 12 subtract, 54 multiply
- *   derivation  sha256 da5d30181e11cd5a3119f7edd4a748da440cc7ec9f2463e8cef0f70537a10984
+ *   derivation  sha256 66da4387ad5ab81e53838f8c4723070d54bb0b3618d2713ac2cce73a080128c2
  */
 void chasles_moving_frame_acceleration(
     const double o_ddot[3],
@@ -169,7 +171,7 @@ void chasles_moving_frame_acceleration(
 /*
  * (3.105) chasles_moving_frame_acceleration in single precision.
  *   verdict: holds; assumes nothing
- *   96 operations; derivation sha256 da5d30181e11cd5a3119f7edd4a748da440cc7ec9f2463e8cef0f70537a10984
+ *   96 operations; derivation sha256 66da4387ad5ab81e53838f8c4723070d54bb0b3618d2713ac2cce73a080128c2
  */
 void chasles_moving_frame_accelerationf(
     const float o_ddot[3],
@@ -207,7 +209,7 @@ void chasles_moving_frame_accelerationf(
 /*
  * (3.105) chasles_moving_frame_acceleration for a batch.
  *   verdict: holds; assumes nothing
- *   96 operations; derivation sha256 da5d30181e11cd5a3119f7edd4a748da440cc7ec9f2463e8cef0f70537a10984
+ *   96 operations; derivation sha256 66da4387ad5ab81e53838f8c4723070d54bb0b3618d2713ac2cce73a080128c2
  */
 void chasles_moving_frame_acceleration_batch(
     size_t count,
@@ -236,7 +238,7 @@ void chasles_moving_frame_acceleration_batch(
 /*
  * (3.105) chasles_moving_frame_accelerationf for a batch.
  *   verdict: holds; assumes nothing
- *   96 operations; derivation sha256 da5d30181e11cd5a3119f7edd4a748da440cc7ec9f2463e8cef0f70537a10984
+ *   96 operations; derivation sha256 66da4387ad5ab81e53838f8c4723070d54bb0b3618d2713ac2cce73a080128c2
  */
 void chasles_moving_frame_acceleration_batchf(
     size_t count,

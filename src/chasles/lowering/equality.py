@@ -10,11 +10,12 @@ from chasles.lowering.algebra import Algebra
 from chasles.lowering.cases import Choice
 from chasles.lowering.program import Program
 from chasles.lowering.reading import Reading, Settled, Unreadable, angles_of
-from chasles.lowering.request import Request, argument_name
+from chasles.lowering.request import Output, Request, argument_name
 from chasles.lowering.signs import Differences, Fork, Impossible, Signs
 from chasles.proof.ratios import Ratio
 from chasles.proof.unfold import UndeclaredDivisor
 from chasles.proof.variables import Untreatable
+from chasles.statements.kernel import places_of
 from chasles.vocabulary import Node, Symbol
 
 __all__ = ["BUDGET", "differences", "program_equals"]
@@ -48,11 +49,11 @@ def differences(request: Request, program: Program, budget: float = BUDGET) -> t
 
 def _shape(request: Request, program: Program) -> str | None:
     """What of the program's arguments and results is not the request's."""
-    wanted = [(argument_name(node), node.shape[0] * node.shape[1]) for node in request.of]
+    wanted = [(argument_name(argument), len(places_of(argument))) for argument in request.arguments]
     have = [(argument.name, _size(argument.shape)) for argument in program.arguments]
     if wanted != have:
         return f"its arguments are {have}, and {wanted} were asked for"
-    wanted = [(output.name, output.value.shape[0] * output.value.shape[1]) for output in request.outputs]
+    wanted = [(output.name, len(output.places)) for output in request.outputs]
     have = [(result.name, len(result.entries)) for result in program.results]
     return f"its results are {have}, and {wanted} were asked for" if wanted != have else None
 
@@ -109,9 +110,9 @@ def _compared(
     algebra = signs.differences.algebra
     lost = _Lost(request, algebra, valueless)
     for output, result in zip(request.outputs, program.results, strict=True):
-        columns = output.value.shape[1]
-        for place, number in enumerate(result.entries):
-            row, column = divmod(place, columns)
+        if output.packed:
+            yield from _asymmetric(output, signs)
+        for (_, row, column), number in zip(output.places, result.entries, strict=True):
             wanted, found = algebra.entry(output.value, row, column), reading.value(number)
             label = f"{result.name}, entry {row + 1}, {column + 1}"
             if found is None or wanted in lost:
@@ -119,6 +120,15 @@ def _compared(
                     yield f"{label}: it has no value where the formula has one, or the other way round"
             elif not algebra.vanishes(found - wanted, signs.zeros):
                 yield f"{label}: it is not what the formula says"
+
+
+def _asymmetric(output: Output, signs: Signs) -> Iterator[str]:
+    """The entries of a packed result that are not those on the other side of the diagonal."""
+    algebra = signs.differences.algebra
+    for _, row, column in output.places:
+        one, other = algebra.entry(output.value, row, column), algebra.entry(output.value, column, row)
+        if not algebra.vanishes(one - other, signs.zeros):
+            yield f"{output.name} is not symmetric in {row + 1}, {column + 1}: six numbers cannot stand for it"
 
 
 class _Lost:

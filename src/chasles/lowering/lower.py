@@ -11,7 +11,7 @@ from chasles.lowering.expansion import Expansion
 from chasles.lowering.passes.guard import guarded
 from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import Argument, Program, Result
-from chasles.lowering.request import Request, argument_name, meaning_of
+from chasles.lowering.request import Request, argument_name, core_shape, meaning_of
 from chasles.statements import Entry, Kernel
 
 __all__ = ["lower", "program_of"]
@@ -42,12 +42,7 @@ def _expanded(request: Request, *, dense: bool) -> Program:
     results = []
     for output in request.outputs:
         rows = expansion.rows(output.value)
-        entries = tuple(entry for row in rows for entry in row)
-        results.append(Result(output.name, _core(output.value.shape), output.meaning, entries))
-    arguments = tuple(Argument(argument_name(node), _core(node.shape), meaning_of(node)) for node in request.of)
+        entries = tuple(rows[i][j] for _, i, j in output.places)
+        results.append(Result(output.name, output.shape, output.meaning, entries))
+    arguments = tuple(Argument(argument_name(item), core_shape(item), meaning_of(item)) for item in request.arguments)
     return Program(request.name, arguments, expansion.builder.steps, tuple(results))
-
-
-def _core(shape: tuple[int, int]) -> tuple[int, ...]:
-    """The shape of an array: () for a scalar, one axis for a column or a row."""
-    return shape if 1 not in shape else tuple(extent for extent in shape if extent > 1)

@@ -35,7 +35,7 @@ def request_of_inverse(
     Off its hypotheses an inverse depends on how it is written, so its reference is taken at the exact point of which
     the inputs are the rounding. Raises TypeError if the inverse asks for no kernel.
     """
-    kernel = kernel or sentence.kernel
+    kernel = kernel or (sentence.kernel and sentence.kernel.variants(name)[0])
     if kernel is None:
         raise TypeError(f"({sentence.number}) asks for no kernel: give it one, or leave it out")
     rules = dict(_rule(given, standing) for given in sentence.given if is_rule(given))

@@ -12,8 +12,9 @@ from fractions import Fraction
 from typing import ClassVar
 
 from chasles.statements.hypotheses import Hypothesis, nonzero
+from chasles.statements.kernel import Kernel
 from chasles.statements.problem import Goal, Problem, Standing, default_sides
-from chasles.statements.statement import Kernel, Statement
+from chasles.statements.statement import Statement
 from chasles.vocabulary import Call, Node, Number, Power, Sum, replace
 
 __all__ = ["Branch", "Cover", "Inverse", "problems_of_inverse"]

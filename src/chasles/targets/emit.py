@@ -69,6 +69,7 @@ def _entry(kernel: Kernel) -> dict[str, object]:
         "says": _quoted(heading.says),
         "verdict": _quoted(heading.verdict),
         "hypotheses": ", ".join(_quoted(hypothesis) for hypothesis in heading.hypotheses),
+        "expected": ", ".join(_quoted(hypothesis) for hypothesis in heading.expected),
         "signature": _quoted(signature(kernel.program)),
         "operations": _inline_table({op.value: counts[op] for op in Op if counts[op]}),
         "derivation": _quoted(heading.derivation),
