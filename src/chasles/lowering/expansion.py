@@ -54,6 +54,7 @@ class Expansion(Products):
         self.tensors = Tensors(builder)
         self.dense = dense
         self.meanings = Meanings(request, self)
+        self.tensors.units |= self._unit_arguments(request)
         self._scalars: dict[Node, int] = {}
         self._columns: dict[Node, Column] = {}
         self._matrices: dict[Node, Matrix] = {}
@@ -88,6 +89,11 @@ class Expansion(Products):
                 known = self._as_dense(known.shape, self.tensors.rows(known))
             self._matrices[node] = known
         return known
+
+    def _unit_arguments(self, request: Request) -> set[Column]:
+        """The arguments whose length is one by hypothesis."""
+        units = {h.subjects[0] for h in request.hypotheses if h.kind == "unit"}
+        return {tuple(row[0] for row in self.meanings.rows(node)) for node in request.of if node in units}
 
     def _scalar(self, node: Node) -> int:
         build = self.builder

@@ -11,7 +11,19 @@ from functools import reduce
 
 from chasles.lowering.builder import Builder
 
-__all__ = ["Column", "CrossProduct", "Dense", "Dyad", "Matrix", "Rows", "Tensor", "Tensors", "Unit", "transposed"]
+__all__ = [
+    "Column",
+    "CrossProduct",
+    "Dense",
+    "DoubleCross",
+    "Dyad",
+    "Matrix",
+    "Rows",
+    "Tensor",
+    "Tensors",
+    "Unit",
+    "transposed",
+]
 
 Column = tuple[int, ...]
 """The numbers of the steps that hold the entries of a column."""
@@ -48,7 +60,15 @@ class Dense:
     rows: Rows
 
 
-Tensor = Unit | Dyad | CrossProduct | Dense
+@dataclass(frozen=True, slots=True)
+class DoubleCross:
+    """The product of the cross-product matrices of two vectors: x -> left x (right x x)."""
+
+    left: Column
+    right: Column
+
+
+Tensor = Unit | Dyad | CrossProduct | DoubleCross | Dense
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,13 +80,16 @@ class Matrix:
 
 
 class Tensors:
-    """Vector and matrix algebra on steps."""
+    """Vector and matrix algebra on steps; of a column among the `units` it is known that its length is one."""
 
     def __init__(self, builder: Builder) -> None:
         self.builder = builder
+        self.units: set[Column] = set()
 
     def dot(self, a: Column, b: Column) -> int:
         """The scalar product a . b."""
+        if a == b and a in self.units:
+            return self.builder.one
         return reduce(self.builder.add, map(self.builder.multiply, a, b))
 
     def cross(self, a: Column, b: Column) -> Column:
@@ -129,15 +152,31 @@ class Tensors:
                 return factor, Dyad(right, left)
             case CrossProduct():
                 return self.builder.negate(factor), tensor
+            case DoubleCross(left, right):
+                return factor, DoubleCross(right, left)
             case Dense(rows):
                 return factor, Dense(transposed(rows))
 
     def applied(self, a: Matrix, x: Column) -> Column:
         """The product a x, term by term: the coefficient of a dyad multiplies one scalar."""
         total: Column = (self.builder.zero,) * a.shape[0]
-        for factor, tensor in a.terms:
+        for factor, tensor in self._projecting(a):
             total = self.sum(total, self._applied(factor, tensor, x))
         return total
+
+    def _projecting(self, a: Matrix) -> list[tuple[int, Tensor]]:
+        """The terms, k x x^T - k |x|^2 1 written as k times the square of the cross-product matrix of x.
+
+        So written nothing cancels: on the diagonal |x|^2 - x_i^2 is the sum of the other squares.
+        """
+        terms = {tensor: factor for factor, tensor in a.terms}
+        for factor, tensor in a.terms:
+            if isinstance(tensor, Dyad) and tensor.left == tensor.right and a.shape == (3, 3):
+                size = self.builder.multiply(factor, self.dot(tensor.left, tensor.left))
+                if terms.get(Unit(3)) == self.builder.negate(size):
+                    del terms[Unit(3)], terms[tensor]
+                    terms[DoubleCross(tensor.left, tensor.left)] = factor
+        return [(factor, tensor) for tensor, factor in terms.items()]
 
     def _applied(self, factor: int, tensor: Tensor, x: Column) -> Column:
         match tensor:
@@ -147,6 +186,11 @@ class Tensors:
                 return self.scaled(self.builder.multiply(factor, self.dot(right, x)), left)
             case CrossProduct(of):
                 return self.scaled(factor, self.cross(of, x))
+            case DoubleCross(left, right) if left == right and left in self.units:
+                along = self.scaled(self.dot(left, x), left)
+                return self.scaled(factor, tuple(map(self.builder.subtract, along, x)))
+            case DoubleCross(left, right):
+                return self.scaled(factor, self.cross(left, self.cross(right, x)))
             case Dense(rows):
                 return self.scaled(factor, tuple(self.dot(row, x) for row in rows))
 
@@ -169,6 +213,8 @@ class Tensors:
                 return Dyad(left, self._applied(*self._flipped(self.builder.one, b), right))
             case _, Dyad(left, right):
                 return Dyad(self._applied(self.builder.one, a, left), right)
+            case CrossProduct(left), CrossProduct(right):
+                return DoubleCross(left, right)
             case _:
                 columns = transposed(self.rows_of(b))
                 return Dense(tuple(tuple(self.dot(row, c) for c in columns) for row in self.rows_of(a)))
@@ -184,6 +230,8 @@ class Tensors:
                     part = self.dot(left, right)
                 case CrossProduct():
                     part = self.builder.zero
+                case DoubleCross(left, right):
+                    part = self.builder.multiply(self.builder.constant(-2), self.dot(left, right))
                 case Dense(rows):
                     part = reduce(self.builder.add, (row[i] for i, row in enumerate(rows)))
             total = self.builder.add(total, self.builder.multiply(factor, part))
@@ -210,7 +258,7 @@ class Tensors:
         """All entries."""
         zero = (self.builder.zero,) * a.shape[1]
         total: Rows = (zero,) * a.shape[0]
-        for factor, tensor in a.terms:
+        for factor, tensor in self._projecting(a):
             part = self.rows_of(tensor, factor)
             total = tuple(map(self.sum, total, part))
         return total
@@ -228,6 +276,8 @@ class Tensors:
                 x, y, z = self.scaled(factor, of)
                 zero, minus = self.builder.zero, self.builder.negate
                 return (zero, minus(z), y), (z, zero, minus(x)), (minus(y), x, zero)
+            case DoubleCross(left, right):
+                return self._double_cross(self.scaled(factor, left), right, symmetric=left == right)
             case Dense(rows):
                 return tuple(self.scaled(factor, row) for row in rows)
 
@@ -235,6 +285,13 @@ class Tensors:
         """The dyad of two columns; entries below the diagonal repeat those above it where the dyad is symmetric."""
         order = [[(j, i) if symmetric and j < i else (i, j) for j in range(len(right))] for i in range(len(left))]
         return tuple(tuple(self.builder.multiply(left[i], right[j]) for i, j in line) for line in order)
+
+    def _double_cross(self, left: Column, right: Column, *, symmetric: bool) -> Rows:
+        """right left^T - (left . right) 1, without the terms that cancel on the diagonal."""
+        dyad = self._dyad(right, left, symmetric=symmetric)
+        others = ((1, 2), (0, 2), (0, 1))
+        diagonal = [self.builder.negate(self.builder.add(dyad[j][j], dyad[k][k])) for j, k in others]
+        return tuple(tuple(diagonal[i] if i == j else dyad[i][j] for j in range(3)) for i in range(3))
 
     def determinant(self, rows: Rows) -> int:
         """The determinant, expanded along the first row."""
