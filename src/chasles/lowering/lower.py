@@ -50,8 +50,8 @@ def _candidates(request: Request) -> Iterator[Program]:
 def _expanded(request: Request, *, dense: bool) -> Program:
     expansion = Expansion(Builder(), request, dense=dense)
     results = []
-    for output in request.outputs:
-        rows = expansion.rows(output.value)
+    for output, value in zip(request.outputs, request.spelled, strict=True):
+        rows = expansion.rows(value)
         entries = tuple(entry for row in rows for entry in row)
         results.append(Result(output.name, _core(output.value.shape), output.meaning, entries))
     arguments = tuple(Argument(argument_name(node), _core(node.shape), meaning_of(node)) for node in request.of)

@@ -16,7 +16,9 @@ from chasles.lowering.refusal import LoweringError
 from chasles.lowering.rewriting import Angle, without_angles
 from chasles.statements import Hypothesis
 from chasles.statements.statement import bare
-from chasles.vocabulary import Node, Rate, Symbol, plain
+from chasles.vocabulary import Misfit, Node, Rate, Symbol, plain
+from chasles.vocabulary.measure import added
+from chasles.vocabulary.nodes import measured
 
 __all__ = ["Output", "Request", "argument_name", "composed", "meaning_of"]
 
@@ -36,6 +38,7 @@ class Request:
 
     `rules` define other symbols, each before those that use it; `choices` give symbols values case by case, `angles` by
     cosine and sine. The program is right wherever the `hypotheses` hold and nothing that is divided by is zero.
+    An offered `form` says the outputs in other words, of which the program is made; what it must equal is the outputs.
     """
 
     name: str
@@ -45,6 +48,12 @@ class Request:
     hypotheses: tuple[Hypothesis, ...] = ()
     choices: tuple[Choice, ...] = ()
     angles: tuple[tuple[Symbol, Angle], ...] = ()
+    form: tuple[Node, ...] = ()
+
+    @property
+    def spelled(self) -> tuple[Node, ...]:
+        """What the program is made of: the offered form, or the outputs as they are stated."""
+        return self.form or tuple(output.value for output in self.outputs)
 
 
 def composed(
@@ -56,11 +65,12 @@ def composed(
     hypotheses: Iterable[Hypothesis] = (),
     choices: Iterable[Choice] = (),
     angles: Mapping[Symbol, Angle] | None = None,
+    form: Iterable[Node] = (),
 ) -> Request:
     """The request with what it does not need left out; cosines and sines of `angles` are written by what is known.
 
     Raises `LoweringError` for a symbol that is neither an argument nor defined, a definition in a circle, an argument
-    that is not used or is no symbol, and names that no language takes.
+    that is not used or is no symbol, a form that does not fit the outputs, and names that no language takes.
     """
     of, angles = tuple(map(bare, of)), dict(angles or {})
     for argument in of:
@@ -75,12 +85,16 @@ def composed(
     choices = [_opened_choice(choice, opened) for choice in choices]
     outputs = tuple(with_fields(output, value=opened(output.value)) for output in outputs)
     hypotheses = tuple(_opened_hypothesis(hypothesis, opened) for hypothesis in hypotheses)
+    form = tuple(map(opened, form))
+    _require_fit(name, outputs, form)
     reach = Reach(name, of, rules, choices, angles)
     for output in outputs:
         reach.follow(output.value)
+    for value in form:
+        reach.follow(value)
     reach.require_all_used()
     _require_names(name, [argument_name(argument) for argument in of], [output.name for output in outputs])
-    return Request(name, of, outputs, reach.rules, hypotheses, reach.choices, reach.angles)
+    return Request(name, of, outputs, reach.rules, hypotheses, reach.choices, reach.angles, form)
 
 
 def argument_name(node: Node) -> str:
@@ -113,6 +127,16 @@ def _opened_choice(choice: Choice, opened: Callable[[Node], Node]) -> Choice:
 def _opened_hypothesis(hypothesis: Hypothesis, opened: Callable[[Node], Node]) -> Hypothesis:
     subjects, nonvanishing = tuple(map(opened, hypothesis.subjects)), tuple(map(opened, hypothesis.nonvanishing))
     return with_fields(hypothesis, subjects=subjects, nonvanishing=nonvanishing)
+
+
+def _require_fit(name: str, outputs: tuple[Output, ...], form: tuple[Node, ...]) -> None:
+    if form and len(form) != len(outputs):
+        raise LoweringError(f"{name}: its form has {len(form)} blocks, and {len(outputs)} results are asked for")
+    for output, value in zip(outputs, form, strict=False):
+        try:
+            added(measured(output.value), measured(value), (output.value, value), "equate")
+        except Misfit as misfit:
+            raise LoweringError(f"{name}: the form offered for {output.name} does not fit: {misfit}") from None
 
 
 def _require_argument(name: str, node: Node) -> None:

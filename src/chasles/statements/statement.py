@@ -33,11 +33,14 @@ class Kernel:
     """A request to emit the right side as a function `of` the given symbols and rates of symbols.
 
     `name` defaults to the statement's. With several `results`, the right side is a column of blocks, one for each.
+    `form` says the right side in other words, better ones for a machine; a kernel is made of it only once it is proved
+    equal to what stands.
     """
 
     of: tuple[Node, ...]
     name: str = ""
     results: tuple[str, ...] = ()
+    form: Node | None = None
 
 
 @dataclass(frozen=True, eq=False)

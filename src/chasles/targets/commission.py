@@ -5,6 +5,7 @@ from __future__ import annotations
 from chasles.lowering.declaration import Decide, requested
 from chasles.lowering.equality import differences
 from chasles.lowering.lower import program_of
+from chasles.lowering.offered import counterexample, in_words
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Request
 from chasles.proof.judge import Decision
@@ -30,9 +31,18 @@ def kernel_of(entry: Entry, decide: Decide) -> Kernel:
         raise EmissionError(str(error)) from error
     wrong = differences(request, program)
     if wrong:
-        raise EmissionError(f"{program.name}: the program is not proved to equal ({entry.number}): {'; '.join(wrong)}")
+        raise EmissionError(f"{program.name}: {_unequal(entry, request, wrong)}")
     heading = _heading(entry, decide(entry.statement), request)
     return Kernel(program, heading, checks_of(request, program))
+
+
+def _unequal(entry: Entry, request: Request, wrong: tuple[str, ...]) -> str:
+    """In what a program, or the form of which it is made, is not what stands."""
+    found = counterexample(request) if request.form else None
+    if found is not None:
+        return f"the offered form is not equal to ({entry.number}), as one sees {in_words(found)}"
+    what = "offered form" if request.form else "program"
+    return f"the {what} is not proved to equal ({entry.number}): {'; '.join(wrong)}"
 
 
 def _heading(entry: Entry, decision: Decision, request: Request) -> Heading:
@@ -44,7 +54,8 @@ def _heading(entry: Entry, decision: Decision, request: Request) -> Heading:
         said = f"{said} as printed, {_word(standing)} {how}"
     needs = standing.needs if isinstance(standing, HoldsUnder) else _assumed(standing, request)
     section = f"section_{entry.section.number.replace('.', '_')}"
-    return Heading(entry.number, entry.statement.says, said, needs, fingerprint(entry.statement), section)
+    derivation, form = fingerprint(entry.statement), "offered" if request.form else "stated"
+    return Heading(entry.number, entry.statement.says, said, needs, derivation, section, form)
 
 
 def _word(verdict: Verdict) -> str:

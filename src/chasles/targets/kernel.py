@@ -33,7 +33,8 @@ class EmissionError(Exception):
 class Heading:
     """What a generated function says of itself, in plain text.
 
-    `derivation` is the sha256 of the declaration in hexadecimal; `section` names the file of the C library.
+    `derivation` is the sha256 of the declaration in hexadecimal; `section` names the file of the C library; `form` is
+    "offered" where the program spells other words than the statement's, proved equal to it, else "stated".
     Raises ValueError for LaTeX, for a text of several lines and for a derivation that is no such hash.
     """
 
@@ -43,6 +44,7 @@ class Heading:
     hypotheses: tuple[str, ...]
     derivation: str
     section: str = "kernels"
+    form: str = "stated"
 
     def __post_init__(self) -> None:
         for text in (self.number, self.says, self.verdict, *self.hypotheses):

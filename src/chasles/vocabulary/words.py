@@ -21,6 +21,7 @@ __all__ = [
     "bracket",
     "column",
     "cos",
+    "cot",
     "cross",
     "det",
     "dot",
@@ -98,6 +99,11 @@ def cos(angle: Node) -> Call:
 def sin(angle: Node) -> Call:
     """The sine of an angle in radians."""
     return Call("sin", angle)
+
+
+def cot(angle: Node) -> Quotient:
+    """The cotangent of an angle in radians: its cosine divided by its sine."""
+    return Quotient(cos(angle), sin(angle))
 
 
 def dot(left: Node, right: Node) -> Dot:
