@@ -19,6 +19,7 @@ __all__ = [
     "Dyad",
     "Matrix",
     "Rows",
+    "SymmetricDyad",
     "Tensor",
     "Tensors",
     "Unit",
@@ -47,6 +48,14 @@ class Dyad:
 
 
 @dataclass(frozen=True, slots=True)
+class SymmetricDyad:
+    """left right^T + right left^T, for two different columns."""
+
+    left: Column
+    right: Column
+
+
+@dataclass(frozen=True, slots=True)
 class CrossProduct:
     """The cross-product matrix of a vector."""
 
@@ -68,7 +77,7 @@ class DoubleCross:
     right: Column
 
 
-Tensor = Unit | Dyad | CrossProduct | DoubleCross | Dense
+Tensor = Unit | Dyad | SymmetricDyad | CrossProduct | DoubleCross | Dense
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,7 +155,7 @@ class Tensors:
 
     def _flipped(self, factor: int, tensor: Tensor) -> tuple[int, Tensor]:
         match tensor:
-            case Unit():
+            case Unit() | SymmetricDyad():
                 return factor, tensor
             case Dyad(left, right):
                 return factor, Dyad(right, left)
@@ -160,11 +169,11 @@ class Tensors:
     def applied(self, a: Matrix, x: Column) -> Column:
         """The product a x, term by term: the coefficient of a dyad multiplies one scalar."""
         total: Column = (self.builder.zero,) * a.shape[0]
-        for factor, tensor in self._projecting(a):
+        for tensor, factor in self._projecting(a).items():
             total = self.sum(total, self._applied(factor, tensor, x))
         return total
 
-    def _projecting(self, a: Matrix) -> list[tuple[int, Tensor]]:
+    def _projecting(self, a: Matrix) -> dict[Tensor, int]:
         """The terms, k x x^T - k |x|^2 1 written as k times the square of the cross-product matrix of x.
 
         So written nothing cancels: on the diagonal |x|^2 - x_i^2 is the sum of the other squares.
@@ -176,7 +185,18 @@ class Tensors:
                 if terms.get(Unit(3)) == self.builder.negate(size):
                     del terms[Unit(3)], terms[tensor]
                     terms[DoubleCross(tensor.left, tensor.left)] = factor
-        return [(factor, tensor) for tensor, factor in terms.items()]
+        return terms
+
+    def _in_pairs(self, a: Matrix) -> dict[Tensor, int]:
+        """The same with k x y^T + k y x^T written as one term."""
+        terms = self._projecting(a)
+        for tensor in list(terms):
+            match tensor:
+                case Dyad(left, right) if left != right and tensor in terms:
+                    if terms.get(Dyad(right, left)) == terms[tensor]:
+                        terms[SymmetricDyad(left, right)] = terms.pop(tensor)
+                        del terms[Dyad(right, left)]
+        return terms
 
     def _applied(self, factor: int, tensor: Tensor, x: Column) -> Column:
         match tensor:
@@ -184,6 +204,9 @@ class Tensors:
                 return self.scaled(factor, x)
             case Dyad(left, right):
                 return self.scaled(self.builder.multiply(factor, self.dot(right, x)), left)
+            case SymmetricDyad(left, right):
+                one, other = Dyad(left, right), Dyad(right, left)
+                return self.sum(self._applied(factor, one, x), self._applied(factor, other, x))
             case CrossProduct(of):
                 return self.scaled(factor, self.cross(of, x))
             case DoubleCross(left, right) if left == right and left in self.units:
@@ -228,6 +251,8 @@ class Tensors:
                     part = self.builder.constant(size)
                 case Dyad(left, right):
                     part = self.dot(left, right)
+                case SymmetricDyad(left, right):
+                    part = self.builder.multiply(self.builder.constant(2), self.dot(left, right))
                 case CrossProduct():
                     part = self.builder.zero
                 case DoubleCross(left, right):
@@ -258,7 +283,7 @@ class Tensors:
         """All entries."""
         zero = (self.builder.zero,) * a.shape[1]
         total: Rows = (zero,) * a.shape[0]
-        for factor, tensor in self._projecting(a):
+        for tensor, factor in self._in_pairs(a).items():
             part = self.rows_of(tensor, factor)
             total = tuple(map(self.sum, total, part))
         return total
@@ -272,6 +297,8 @@ class Tensors:
                 return tuple(tuple(factor if i == j else zero for j in range(size)) for i in range(size))
             case Dyad(left, right):
                 return self._dyad(self.scaled(factor, left), right, symmetric=left == right)
+            case SymmetricDyad(left, right):
+                return self._symmetric_dyad(factor, left, right)
             case CrossProduct(of):
                 x, y, z = self.scaled(factor, of)
                 zero, minus = self.builder.zero, self.builder.negate
@@ -285,6 +312,21 @@ class Tensors:
         """The dyad of two columns; entries below the diagonal repeat those above it where the dyad is symmetric."""
         order = [[(j, i) if symmetric and j < i else (i, j) for j in range(len(right))] for i in range(len(left))]
         return tuple(tuple(self.builder.multiply(left[i], right[j]) for i, j in line) for line in order)
+
+    def _symmetric_dyad(self, factor: int, left: Column, right: Column) -> Rows:
+        """Its entries; on the diagonal, twice the factor times the product is taken, which is free for a half."""
+        build, scaled = self.builder, self.scaled(factor, left)
+        twice = build.multiply(build.constant(2), factor)
+        if build.value(twice) in (1, -1):
+            diagonal = tuple(map(build.multiply, self.scaled(twice, left), right))
+        else:
+            diagonal = tuple(build.add(x, x) for x in map(build.multiply, scaled, right))
+
+        def beside(i: int, j: int) -> int:
+            return build.add(build.multiply(scaled[i], right[j]), build.multiply(scaled[j], right[i]))
+
+        size = range(len(left))
+        return tuple(tuple(diagonal[i] if i == j else beside(min(i, j), max(i, j)) for j in size) for i in size)
 
     def _double_cross(self, left: Column, right: Column, *, symmetric: bool) -> Rows:
         """right left^T - (left . right) 1, without the terms that cancel on the diagonal."""

@@ -38,6 +38,7 @@ __all__ = [
     "scalar",
     "sin",
     "square",
+    "tan",
     "tr",
     "vect",
     "vector",
@@ -104,6 +105,11 @@ def sin(angle: Node) -> Call:
 def cot(angle: Node) -> Quotient:
     """The cotangent of an angle in radians: its cosine divided by its sine."""
     return Quotient(cos(angle), sin(angle))
+
+
+def tan(angle: Node) -> Quotient:
+    """The tangent of an angle in radians: its sine divided by its cosine."""
+    return Quotient(sin(angle), cos(angle))
 
 
 def dot(left: Node, right: Node) -> Dot:
