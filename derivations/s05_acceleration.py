@@ -43,6 +43,7 @@ from chasles.derivations.s04_twist import (
 
 from chasles.statements import Claim, Definition, Kernel, Section, unit
 from chasles.vocabulary import (
+    CPM,
     Node,
     bracket,
     column,

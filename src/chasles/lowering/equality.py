@@ -83,9 +83,7 @@ class _Stages:
         return self._known[key]
 
 
-def _on_way(
-    request: Request, program: Program, way: Sequence[int], stages: _Stages, deadline: float
-) -> Iterator[str]:
+def _on_way(request: Request, program: Program, way: Sequence[int], stages: _Stages, deadline: float) -> Iterator[str]:
     """The differences where each choice is in the case that `way` says; past its last case a choice has no value."""
     rules: dict[Node, Node] = {}
     valueless: list[Symbol] = []

@@ -12,12 +12,13 @@ from functools import reduce
 from typing import Any
 
 from chasles.lowering.builder import Builder
+from chasles.lowering.matrices import Column, CrossProduct, Dense, Dyad, Matrix, Rows, Unit
 from chasles.lowering.meaning import Meanings
 from chasles.lowering.products import Products
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Request
 from chasles.lowering.rewriting import flipped
-from chasles.lowering.tensors import Column, CrossProduct, Dense, Dyad, Matrix, Rows, Tensors, Unit
+from chasles.lowering.tensors import Tensors
 from chasles.vocabulary import (
     Block,
     Call,

@@ -35,7 +35,7 @@ def stable(request: Request, programs: Sequence[Program]) -> list[Program]:
     angles = [argument for argument in request.of if argument in _angles(programs, request)]
     if not angles or len(programs) == 1:
         return list(programs)
-    points = [_point(request, {angle: value for angle in angles}) for value in ANGLES]
+    points = [_point(request, dict.fromkeys(angles, value)) for value in ANGLES]
     table = [[loss for point in points for loss in losses(program, point)] for program in programs]
     least = [min(column) for column in zip(*table, strict=True)]
     fair = [all(x <= max(FEW, TIMES * best) for x, best in zip(row, least, strict=True)) for row in table]

@@ -25,7 +25,7 @@ ONE = (((0, 0), Fraction(1)),)
 def respelled(program: Program, *, halved: bool) -> Program:
     """The same program with functions of one angle in lowest terms; in those of half the angle, if `halved`."""
     values = _values(program, halved=halved)
-    spelling = _Spelling(program, {angle: unit for angle, unit in _units(program, halved=halved).items()})
+    spelling = _Spelling(program, _units(program, halved=halved))
     for number, step in enumerate(program.steps):
         if values[number] is None or step.op is Op.CONSTANT:
             operands = [spelling.of(k, values[k]) for k in step.operands]
@@ -139,7 +139,7 @@ class _Spelling:
         return total
 
     def _monomial(self, i: int, j: int, q: Fraction, angle: int) -> int:
-        """q sine^i cosine^j; what is divided by is divided by once, and powers are taken of the quotient."""
+        """The term q sine^i cosine^j; what is divided by is divided by once, and powers are taken of the quotient."""
         build, (s, c) = self.builder, (self._sine(angle, i), self._cosine(angle, j))
         if i < 0 or j < 0:
             (x, m), (y, n) = ((s, -i), (c, j)) if i < 0 else ((c, -j), (s, i))
@@ -169,7 +169,7 @@ class _Spelling:
         return total
 
     def _reciprocal(self, step: int, exponent: int, q: Fraction) -> int:
-        """q / step^exponent; a square is taken of the reciprocal, which is in range where the square of step is not."""
+        """The term q / step^exponent, by the reciprocal: its square is in range where that of the step is not."""
         if not exponent:
             return self.builder.constant(q)
         if exponent == 1:
