@@ -652,6 +652,8 @@ screw_of_motion = Inverse(
     ),
 )
 
+_direction = omega / norm(omega)
+
 instant_screw = Claim(
     "text 3.4.1 c",
     column(column(e_, n_), pitch_),
@@ -664,7 +666,17 @@ instant_screw = Claim(
         minimum_velocity_by_landmark,
         instant_screw_point,
     ),
-    kernel=Kernel(of=(omega, rate(a), a), results=("axis", "pitch")),
+    kernel=Kernel(
+        of=(omega, rate(a), a),
+        results=("axis", "pitch"),
+        form=column(
+            column(
+                _direction,
+                rate(a) / norm(omega) + cross(a, _direction) - dot(_direction, rate(a) / norm(omega)) * _direction,
+            ),
+            dot(_direction, rate(a) / norm(omega)),
+        ),
+    ),
 )
 
 phi_is_not_pi = nonzero(1 + cos(phi), r"\phi \neq \pi")
