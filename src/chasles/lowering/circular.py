@@ -119,14 +119,13 @@ def _in_cosine(polynomial: Polynomial) -> Polynomial:
 def _lowered(polynomial: Polynomial, which: int) -> Polynomial:
     """Squares of the sine (0) or cosine (1) replaced by one minus those of the other."""
     terms = dict(polynomial)
-    while high := [exponents for exponents in terms if exponents[which] > 1]:
-        for exponents in high:
-            q = terms.pop(exponents)
-            kept = list(exponents)
-            kept[which] -= 2
-            swapped = list(kept)
-            swapped[1 - which] += 2
-            terms = _plus(terms, {(kept[0], kept[1]): q, (swapped[0], swapped[1]): -q})
+    while (high := max(terms, key=lambda exponents: exponents[which], default=(0, 0)))[which] > 1:
+        q = terms.pop(high)
+        kept = list(high)
+        kept[which] -= 2
+        swapped = list(kept)
+        swapped[1 - which] += 2
+        terms = _plus(terms, {(kept[0], kept[1]): q, (swapped[0], swapped[1]): -q})
     return terms
 
 

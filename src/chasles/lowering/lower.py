@@ -16,7 +16,7 @@ from chasles.lowering.request import Request, argument_name, meaning_of
 from chasles.lowering.rounding import stable
 from chasles.statements import Entry, Kernel
 
-__all__ = ["lower", "program_of"]
+__all__ = ["expanded", "lower", "program_of"]
 
 
 def lower(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None = None) -> Program:
@@ -40,14 +40,15 @@ def _candidates(request: Request) -> Iterator[Program]:
     one angle may stay as they are, or be written in lowest terms of the angle or of its half.
     """
     for dense in (False, True):
-        spelled = pruned(_expanded(request, dense=dense))
+        spelled = pruned(expanded(request, dense=dense))
         yield spelled
         if spelled.operations[Op.SINE] + spelled.operations[Op.COSINE]:
             for halved in (False, True):
                 yield pruned(respelled(spelled, halved=halved))
 
 
-def _expanded(request: Request, *, dense: bool) -> Program:
+def expanded(request: Request, *, dense: bool) -> Program:
+    """The program that the request's words spell; `dense` writes every matrix that a rule defines in components."""
     expansion = Expansion(Builder(), request, dense=dense)
     results = []
     for output, value in zip(request.outputs, request.spelled, strict=True):
