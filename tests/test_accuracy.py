@@ -144,17 +144,22 @@ def error(request: Request, point: dict[Any, Any], exact: list[Any], dtype: type
     return float(max(gaps) / max(map(abs, exact)) * 2 / exactly(float(np.finfo(dtype).eps), CONTEXT))
 
 
-def condition(request: Request, point: dict[Any, Any], exact: list[Any]) -> float:
-    """The condition number: by how many times the relative changes of the inputs' entries the result changes."""
-    total = exactly(0, CONTEXT)
+def entries(request: Request, point: dict[Any, Any], k: int, places: tuple[int, ...], digits: int = 40) -> list[Any]:
+    flat = [x for row in request.reference(point, digits)[k] for x in row]
+    return [flat[place] for place in places]
+
+
+def condition(request: Request, point: dict[Any, Any], k: int, places: tuple[int, ...]) -> float:
+    """The condition number of a group of entries."""
+    exact, total = entries(request, point, k, places), exactly(0, CONTEXT)
     for node, value in point.items():
         for below, above in moves(request, node, value, value):
-            one, other = ([x[0] for x in request.reference({**point, node: moved}, 20)[0]] for moved in (below, above))
             low, high = np.ravel(below), np.ravel(above)
             (place,) = np.flatnonzero(low != high)
             step = exactly(float(high[place]), CONTEXT) - exactly(float(low[place]), CONTEXT)
-            size = abs(float(np.ravel(value)[place]))
-            total += max(abs(x - y) for x, y in zip(one, other, strict=True)) / step * size
+            sides = (entries(request, {**point, node: moved}, k, places, 20) for moved in (below, above))
+            change = max(abs(x - y) for x, y in zip(*sides, strict=True))
+            total += change / step * abs(float(np.ravel(value)[place]))
     return float(total / max(map(abs, exact)))
 
 
@@ -178,7 +183,7 @@ def test_screw_axis_point_is_as_good_as_its_inputs(book: Book, dtype: type[np.fl
     for point in points(request, dtype):
         exact = reference(request, point)
         if exact is not None:
-            assert error(request, point, exact, dtype) <= 2 * condition(request, point, exact), point
+            assert error(request, point, exact, dtype) <= 2 * condition(request, point, 0, (0, 1, 2)), point
             compared += 1
     assert compared > 50
 
@@ -213,3 +218,50 @@ def test_limits_are_exact(dtype: type[np.floating[Any]]) -> None:
     assert (kernels.linear_velocity_matrix(e, phi) == np.column_stack([one, np.zeros(3)])).all()
     assert (kernels.linear_rate_matrix_dot(e, phi, omega) == np.vstack([-half * cross, -omega])).all()
     assert (kernels.linear_velocity_matrix_dot(e, phi, omega) == np.column_stack([half * cross, -half * omega])).all()
+
+
+SLOW = {np.float64: (1e-140, 1e-100, 1e-12, 1e-8, 1e-4, 1.0), np.float32: (1e-17, 1e-12, 1e-8, 1e-4, 1e-2, 1.0)}
+PARALLEL = {np.float64: (1.0, 1e-4, 1e-8, 1e-12), np.float32: (1.0, 1e-2, 1e-4, 1e-6)}
+
+
+def slow_points(request: Request, dtype: type[np.floating[Any]]) -> Iterator[dict[Any, Any]]:
+    """The first input, of which the direction is taken, ever smaller; the second ever nearer to parallel to it."""
+    generator = np.random.default_rng(11)
+    for size in SLOW[dtype]:
+        for aside in PARALLEL[dtype]:
+            first, second, third = (generator.standard_normal(3) for _ in range(3))
+            values = (size * first, first + aside * second, third)
+            yield {given.node: x.astype(dtype) for given, x in zip(request.inputs, values, strict=True)}
+
+
+@pytest.mark.parametrize("dtype", PRECISIONS)
+@pytest.mark.parametrize("name", ["instant_screw", "wrench_axis", "instant_screw_point"])
+def test_as_good_as_the_inputs_where_nothing_turns_or_pulls(
+    book: Book, name: str, dtype: type[np.floating[Any]]
+) -> None:
+    request = book.made(name)[0]
+    for point in slow_points(request, dtype):
+        got = getattr(kernels, name)(*(point[given.node] for given in request.inputs))
+        got = got if isinstance(got, tuple) else (got,)
+        for k, output in enumerate(request.outputs):
+            for places in output.alike:
+                found = relative(request, point, got[k], k, places)
+                bound = condition(request, point, k, places)
+                assert found / float(np.finfo(dtype).eps) * 2 <= 4 + 2 * bound, (output.name, point)
+
+
+def relative(request: Request, point: dict[Any, Any], got: Any, k: int, places: tuple[int, ...]) -> float:
+    """The error of a group of entries, in parts of the largest of them."""
+    exact = entries(request, point, k, places)
+    flat = np.ravel(got)
+    gaps = [abs(exactly(float(flat[place]), CONTEXT) - x) for place, x in zip(places, exact, strict=True)]
+    return float(max(gaps) / max(map(abs, exact)))
+
+
+@pytest.mark.parametrize("dtype", PRECISIONS)
+def test_no_screw_of_what_stands_still(dtype: type[np.floating[Any]]) -> None:
+    nothing, e = np.zeros(3, dtype), AXIS.astype(dtype)
+    with np.errstate(all="ignore"):
+        for screw in (kernels.instant_screw, kernels.wrench_axis):
+            assert all(np.isnan(found).all() for found in screw(nothing, e, e))
+        assert np.isnan(kernels.instant_screw_point(nothing, e, e)).all()
