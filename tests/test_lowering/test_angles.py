@@ -78,6 +78,11 @@ def test_what_is_the_same_for_all_angles_is_a_number():
     assert (step.op, step.value) == (Op.CONSTANT, 1)
 
 
+def test_an_angle_may_be_a_cosine():
+    program = pruned(respelled(as_written(x * (1 - cos(sin(phi)))), halved=True))
+    assert dict(program.operations) == {Op.SINE: 2, Op.COSINE: 1, Op.MULTIPLY: 5}
+
+
 def test_a_harmless_versine_stays_as_it_is():
     value = cos(phi) * x + (1 - cos(phi))
     assert program_of(asked(value)).operations[Op.MULTIPLY] == 1

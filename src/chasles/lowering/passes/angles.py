@@ -25,13 +25,13 @@ ONE = (((0, 0), Fraction(1)),)
 def respelled(program: Program, *, halved: bool) -> Program:
     """The same program with functions of one angle in lowest terms; in those of half the angle, if `halved`."""
     values = _values(program, halved=halved)
-    spelling = _Spelling(program, _units(program, halved=halved))
+    spelling = _Spelling(values, _units(program, halved=halved))
     for number, step in enumerate(program.steps):
         if values[number] is None or step.op is Op.CONSTANT:
-            operands = [spelling.of(k, values[k]) for k in step.operands]
+            operands = [spelling.of(k) for k in step.operands]
             spelling.place[number] = asked(spelling.builder, step, operands)
     entries = {entry for result in program.results for entry in result.entries}
-    place = {entry: spelling.of(entry, values[entry]) for entry in sorted(entries)}
+    place = {entry: spelling.of(entry) for entry in sorted(entries)}
     results = tuple(with_fields(r, entries=tuple(place[k] for k in r.entries)) for r in program.results)
     return with_fields(program, steps=spelling.builder.steps, results=results)
 
@@ -105,19 +105,21 @@ def _combined(op: Op, known: list[Value], arity: int) -> Value | None:
 class _Spelling:
     """The steps of functions of an angle, as they are asked for."""
 
-    def __init__(self, program: Program, units: dict[int, Fraction]) -> None:
+    def __init__(self, values: list[Value | None], units: dict[int, Fraction]) -> None:
         self.builder = Builder()
         self.place: dict[int, int] = {}
+        self._values = values
         self._units = units
 
-    def of(self, number: int, value: Value | None) -> int:
+    def of(self, number: int) -> int:
         """The new step that holds what a step of the program holds."""
+        value = self._values[number]
         if value is None or number in self.place:
             return self.place[number]
         angle, function = value
         if angle is None or function.is_constant:
             return self.builder.constant(function.above[0][1] if function.above else 0)
-        turned = self.builder.multiply(self.builder.constant(self._units[angle]), self.place[angle])
+        turned = self.builder.multiply(self.builder.constant(self._units[angle]), self.of(angle))
         return self._function(function, turned)
 
     def _function(self, function: Circular, angle: int) -> int:
