@@ -404,7 +404,7 @@ natural_rate_matrix_dot = Claim(
         - half * CPM(rate_of_axis.right),
         rate_of_axis.right.T,
     ),
-    says="The rate of N by axis, angle and angular velocity.",
+    says="The rate of N by axis, angle and angular velocity: (3.96a).",
     given=(natural_rate_matrix, *axis_angle_rates),
     kernel=Kernel(
         of=(e, phi, omega),
@@ -428,7 +428,7 @@ linear_rate_matrix_dot = Claim(
         -(half * omega.T @ bracket(one * tr(Q) - Q.T)),
     ),
     part=2,
-    says="The rate of L by axis, angle and angular velocity.",
+    says="The rate of L by axis, angle and angular velocity: (3.96b).",
     given=(linear_rate_matrix, linear_invariants_vector, *axis_angle_rates),
     kernel=Kernel(
         of=(e, phi, omega),
@@ -450,7 +450,7 @@ euler_rodrigues_rate_matrix_dot = Claim(
     "text 3.5 f",
     rate(H), half * column(_rate_of_r_0 * one - CPM(_rate_of_r), -_rate_of_r.T),
     part=3,
-    says="The rate of H by axis, angle and angular velocity.",
+    says="The rate of H by axis, angle and angular velocity: (3.96c).",
     given=(
         euler_rodrigues_rate_matrix,
         euler_rodrigues_parameters_vector,
@@ -467,7 +467,7 @@ natural_velocity_matrix_dot = Claim(
     "text 3.5 g",
     rate(N_tilde),
     row(dot(e, omega) * cos(phi) * one + CPM(half * sin(phi) * dot(e, omega) * e + _across), rate_of_axis.right),
-    says="The rate of the left inverse of N by axis, angle and angular velocity.",
+    says="The rate of the left inverse of N by axis, angle and angular velocity: (3.97a).",
     given=(natural_velocity_matrix, *axis_angle_rates),
     assuming=(phi_is_not_zero,),
     kernel=Kernel(of=(e, phi, omega)),
@@ -480,7 +480,7 @@ linear_velocity_matrix_dot = Claim(
     "text 3.5 g",
     rate(L_tilde), row(CPM(_rate_of_gibbs), -_rate_of_gibbs),
     part=2,
-    says="The rate of the left inverse of L by axis, angle and angular velocity.",
+    says="The rate of the left inverse of L by axis, angle and angular velocity: (3.97b).",
     given=(linear_velocity_matrix, *axis_angle_rates),
     kernel=Kernel(of=(e, phi, omega)),
 )
@@ -489,7 +489,7 @@ euler_rodrigues_velocity_matrix_dot = Claim(
     "text 3.5 g",
     rate(H_tilde), 2 * row(_rate_of_r_0 * one + CPM(_rate_of_r), -_rate_of_r),
     part=3,
-    says="The rate of the left inverse of H by axis, angle and angular velocity.",
+    says="The rate of the left inverse of H by axis, angle and angular velocity: (3.97c).",
     given=(
         euler_rodrigues_velocity_matrix,
         euler_rodrigues_parameters_vector,
