@@ -239,7 +239,7 @@ void chasles_acceleration_of_point_batchf(
 }
 
 /*
- * text 3.5 f The rate of N by axis, angle and angular velocity.
+ * text 3.5 f The rate of N by axis, angle and angular velocity: (3.96a).
  *   given       e[3]: unit vector along the axis of rotation, or along a line
  *               phi: angle of rotation
  *               omega[3]: angular velocity
@@ -405,7 +405,7 @@ void chasles_natural_rate_matrix_dot_batchf(
 }
 
 /*
- * text 3.5 f The rate of L by axis, angle and angular velocity.
+ * text 3.5 f The rate of L by axis, angle and angular velocity: (3.96b).
  *   given       e[3]: unit vector along the axis of rotation, or along a line
  *               phi: angle of rotation
  *               omega[3]: angular velocity
@@ -578,7 +578,7 @@ void chasles_linear_rate_matrix_dot_batchf(
 }
 
 /*
- * text 3.5 f The rate of H by axis, angle and angular velocity.
+ * text 3.5 f The rate of H by axis, angle and angular velocity: (3.96c).
  *   given       e[3]: unit vector along the axis of rotation, or along a line
  *               phi: angle of rotation
  *               omega[3]: angular velocity
@@ -704,7 +704,7 @@ void chasles_euler_rodrigues_rate_matrix_dot_batchf(
 }
 
 /*
- * text 3.5 g The rate of the left inverse of N by axis, angle and angular velocity.
+ * text 3.5 g The rate of the left inverse of N by axis, angle and angular velocity: (3.97a).
  *   given       e[3]: unit vector along the axis of rotation, or along a line
  *               phi: angle of rotation
  *               omega[3]: angular velocity
@@ -846,7 +846,7 @@ void chasles_natural_velocity_matrix_dot_batchf(
 }
 
 /*
- * text 3.5 g The rate of the left inverse of L by axis, angle and angular velocity.
+ * text 3.5 g The rate of the left inverse of L by axis, angle and angular velocity: (3.97b).
  *   given       e[3]: unit vector along the axis of rotation, or along a line
  *               phi: angle of rotation
  *               omega[3]: angular velocity
@@ -972,7 +972,7 @@ void chasles_linear_velocity_matrix_dot_batchf(
 }
 
 /*
- * text 3.5 g The rate of the left inverse of H by axis, angle and angular velocity.
+ * text 3.5 g The rate of the left inverse of H by axis, angle and angular velocity: (3.97c).
  *   given       e[3]: unit vector along the axis of rotation, or along a line
  *               phi: angle of rotation
  *               omega[3]: angular velocity
