@@ -672,7 +672,7 @@ instant_screw = Claim(
         form=column(
             column(
                 _direction,
-                rate(a) / norm(omega) + cross(a, _direction) - dot(_direction, rate(a) / norm(omega)) * _direction,
+                cross(cross(_direction, rate(a) / norm(omega)) + a, _direction),
             ),
             dot(_direction, rate(a) / norm(omega)),
         ),

@@ -181,7 +181,7 @@ wrench_axis = Claim(
         form=column(
             column(
                 _direction,
-                moment_A / norm(force) + cross(a, _direction) - dot(_direction, moment_A / norm(force)) * _direction,
+                cross(cross(_direction, moment_A / norm(force)) + a, _direction),
             ),
             dot(_direction, moment_A / norm(force)),
         ),
