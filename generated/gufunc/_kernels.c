@@ -1190,7 +1190,7 @@ static const char screw_of_motion_types[] = {
 /*
  * text 3.4.1 c The loops of instant_screw.
  *   verdict: holds under; assumes omega != 0
- *   35 operations; derivation sha256 e735bcfcb5b2e8f3a6b4a27e48fbf2b9c2a9717d5c99586d7d0101d47ff3619c
+ *   38 operations; derivation sha256 dcfbe1b42ac109be9bb08df3887a890056a782dca2f6125b033caba6bcc91f78
  */
 static void instant_screw_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2729,7 +2729,7 @@ static const char moving_frame_acceleration_types[] = {
 /*
  * text 3.7 d The loops of wrench_axis.
  *   verdict: holds under; assumes f != 0
- *   35 operations; derivation sha256 9b64b557e4ad12602d694f74b683a93a98179dfdf2499f7483a7145448b21bbd
+ *   38 operations; derivation sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
  */
 static void wrench_axis_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -3735,8 +3735,8 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     omega != 0\n"
             "  made of     an offered form, proved equal to the statement\n"
-            "  operations  35: 7 add, 6 subtract, 15 multiply, 6 divide, 1 square root\n"
-            "  derivation  sha256 e735bcfcb5b2e8f3a6b4a27e48fbf2b9c2a9717d5c99586d7d0101d47ff3619c\n"
+            "  operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root\n"
+            "  derivation  sha256 dcfbe1b42ac109be9bb08df3887a890056a782dca2f6125b033caba6bcc91f78\n"
             "  signature   (3),(3),(3)->(6),()\n"
             "",
         .loops = instant_screw_loops,
@@ -4311,8 +4311,8 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     f != 0\n"
             "  made of     an offered form, proved equal to the statement\n"
-            "  operations  35: 7 add, 6 subtract, 15 multiply, 6 divide, 1 square root\n"
-            "  derivation  sha256 9b64b557e4ad12602d694f74b683a93a98179dfdf2499f7483a7145448b21bbd\n"
+            "  operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root\n"
+            "  derivation  sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef\n"
             "  signature   (3),(3),(3)->(6),()\n"
             "",
         .loops = wrench_axis_loops,

@@ -966,8 +966,8 @@ def instant_screw(omega: Any, a_dot: Any, a: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     omega != 0
     made of     an offered form, proved equal to the statement
-    operations  35: 7 add, 6 subtract, 15 multiply, 6 divide, 1 square root
-    derivation  sha256 e735bcfcb5b2e8f3a6b4a27e48fbf2b9c2a9717d5c99586d7d0101d47ff3619c
+    operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root
+    derivation  sha256 dcfbe1b42ac109be9bb08df3887a890056a782dca2f6125b033caba6bcc91f78
     signature   (3),(3),(3)->(6),()
     """
     batch, omega, a_dot, a = prepared(
@@ -986,17 +986,11 @@ def instant_screw(omega: Any, a_dot: Any, a: Any, /, *, out: Any = None) -> Any:
     t7 = xp.where(t3, batch.number(0.0), a_dot[0]) / t2
     t8 = xp.where(t3, batch.number(0.0), a_dot[1]) / t2
     t9 = xp.where(t3, batch.number(0.0), a_dot[2]) / t2
-    t10 = t4 * t7 + t5 * t8 + t6 * t9
-    axis = batch.array(
-        (6,),
-        t4,
-        t5,
-        t6,
-        t7 + (a[1] * t6 - a[2] * t5) - t4 * t10,
-        t8 + (a[2] * t4 - a[0] * t6) - t5 * t10,
-        t9 + (a[0] * t5 - a[1] * t4) - t6 * t10,
-    )
-    pitch = batch.array((), t10)
+    t10 = a[0] + (t5 * t9 - t6 * t8)
+    t11 = a[1] + (t6 * t7 - t4 * t9)
+    t12 = a[2] + (t4 * t8 - t5 * t7)
+    axis = batch.array((6,), t4, t5, t6, t6 * t11 - t5 * t12, t4 * t12 - t6 * t10, t5 * t10 - t4 * t11)
+    pitch = batch.array((), t4 * t7 + t5 * t8 + t6 * t9)
     return delivered(out, axis, pitch)
 
 
@@ -2062,8 +2056,8 @@ def wrench_axis(f: Any, n_A: Any, a: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     f != 0
     made of     an offered form, proved equal to the statement
-    operations  35: 7 add, 6 subtract, 15 multiply, 6 divide, 1 square root
-    derivation  sha256 9b64b557e4ad12602d694f74b683a93a98179dfdf2499f7483a7145448b21bbd
+    operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root
+    derivation  sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
     signature   (3),(3),(3)->(6),()
     """
     batch, f, n_A, a = prepared("wrench_axis", ("f", f, (3,)), ("n_A", n_A, (3,)), ("a", a, (3,)))
@@ -2077,17 +2071,11 @@ def wrench_axis(f: Any, n_A: Any, a: Any, /, *, out: Any = None) -> Any:
     t7 = xp.where(t3, batch.number(0.0), n_A[0]) / t2
     t8 = xp.where(t3, batch.number(0.0), n_A[1]) / t2
     t9 = xp.where(t3, batch.number(0.0), n_A[2]) / t2
-    t10 = t4 * t7 + t5 * t8 + t6 * t9
-    axis = batch.array(
-        (6,),
-        t4,
-        t5,
-        t6,
-        t7 + (a[1] * t6 - a[2] * t5) - t4 * t10,
-        t8 + (a[2] * t4 - a[0] * t6) - t5 * t10,
-        t9 + (a[0] * t5 - a[1] * t4) - t6 * t10,
-    )
-    pitch = batch.array((), t10)
+    t10 = a[0] + (t5 * t9 - t6 * t8)
+    t11 = a[1] + (t6 * t7 - t4 * t9)
+    t12 = a[2] + (t4 * t8 - t5 * t7)
+    axis = batch.array((6,), t4, t5, t6, t6 * t11 - t5 * t12, t4 * t12 - t6 * t10, t5 * t10 - t4 * t11)
+    pitch = batch.array((), t4 * t7 + t5 * t8 + t6 * t9)
     return delivered(out, axis, pitch)
 
 

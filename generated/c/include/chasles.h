@@ -610,8 +610,8 @@ void chasles_screw_of_motion_batchf(
  *   verdict     holds under
  *   assumes     omega != 0
  *   made of     an offered form, proved equal to the statement
- *   operations  35: 7 add, 6 subtract, 15 multiply, 6 divide, 1 square root
- *   derivation  sha256 e735bcfcb5b2e8f3a6b4a27e48fbf2b9c2a9717d5c99586d7d0101d47ff3619c
+ *   operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root
+ *   derivation  sha256 dcfbe1b42ac109be9bb08df3887a890056a782dca2f6125b033caba6bcc91f78
  */
 void chasles_instant_screw(
     const double omega[3],
@@ -1570,8 +1570,8 @@ void chasles_moving_frame_acceleration_batchf(
  *   verdict     holds under
  *   assumes     f != 0
  *   made of     an offered form, proved equal to the statement
- *   operations  35: 7 add, 6 subtract, 15 multiply, 6 divide, 1 square root
- *   derivation  sha256 9b64b557e4ad12602d694f74b683a93a98179dfdf2499f7483a7145448b21bbd
+ *   operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root
+ *   derivation  sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
  */
 void chasles_wrench_axis(
     const double f[3],

@@ -1265,8 +1265,8 @@ void chasles_screw_of_motion_batchf(
  *   verdict     holds under
  *   assumes     omega != 0
  *   made of     an offered form, proved equal to the statement
- *   operations  35: 7 add, 6 subtract, 15 multiply, 6 divide, 1 square root
- *   derivation  sha256 e735bcfcb5b2e8f3a6b4a27e48fbf2b9c2a9717d5c99586d7d0101d47ff3619c
+ *   operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root
+ *   derivation  sha256 dcfbe1b42ac109be9bb08df3887a890056a782dca2f6125b033caba6bcc91f78
  */
 void chasles_instant_screw(
     const double omega[3],
@@ -1284,10 +1284,13 @@ void chasles_instant_screw(
     const double t4 = (t3 ? 0.0 : a_dot[0]) / t2;
     const double t5 = (t3 ? 0.0 : a_dot[1]) / t2;
     const double t6 = (t3 ? 0.0 : a_dot[2]) / t2;
+    const double t7 = a[0] + (axis1 * t6 - axis2 * t5);
+    const double t8 = a[1] + (axis2 * t4 - axis0 * t6);
+    const double t9 = a[2] + (axis0 * t5 - axis1 * t4);
+    const double axis3 = axis2 * t8 - axis1 * t9;
+    const double axis4 = axis0 * t9 - axis2 * t7;
+    const double axis5 = axis1 * t7 - axis0 * t8;
     const double pitch_value = axis0 * t4 + axis1 * t5 + axis2 * t6;
-    const double axis3 = t4 + (a[1] * axis2 - a[2] * axis1) - axis0 * pitch_value;
-    const double axis4 = t5 + (a[2] * axis0 - a[0] * axis2) - axis1 * pitch_value;
-    const double axis5 = t6 + (a[0] * axis1 - a[1] * axis0) - axis2 * pitch_value;
     axis[0] = axis0;
     axis[1] = axis1;
     axis[2] = axis2;
@@ -1300,7 +1303,7 @@ void chasles_instant_screw(
 /*
  * text 3.4.1 c chasles_instant_screw in single precision.
  *   verdict: holds under; assumes omega != 0
- *   35 operations; derivation sha256 e735bcfcb5b2e8f3a6b4a27e48fbf2b9c2a9717d5c99586d7d0101d47ff3619c
+ *   38 operations; derivation sha256 dcfbe1b42ac109be9bb08df3887a890056a782dca2f6125b033caba6bcc91f78
  */
 void chasles_instant_screwf(
     const float omega[3],
@@ -1318,10 +1321,13 @@ void chasles_instant_screwf(
     const float t4 = (t3 ? 0.0f : a_dot[0]) / t2;
     const float t5 = (t3 ? 0.0f : a_dot[1]) / t2;
     const float t6 = (t3 ? 0.0f : a_dot[2]) / t2;
+    const float t7 = a[0] + (axis1 * t6 - axis2 * t5);
+    const float t8 = a[1] + (axis2 * t4 - axis0 * t6);
+    const float t9 = a[2] + (axis0 * t5 - axis1 * t4);
+    const float axis3 = axis2 * t8 - axis1 * t9;
+    const float axis4 = axis0 * t9 - axis2 * t7;
+    const float axis5 = axis1 * t7 - axis0 * t8;
     const float pitch_value = axis0 * t4 + axis1 * t5 + axis2 * t6;
-    const float axis3 = t4 + (a[1] * axis2 - a[2] * axis1) - axis0 * pitch_value;
-    const float axis4 = t5 + (a[2] * axis0 - a[0] * axis2) - axis1 * pitch_value;
-    const float axis5 = t6 + (a[0] * axis1 - a[1] * axis0) - axis2 * pitch_value;
     axis[0] = axis0;
     axis[1] = axis1;
     axis[2] = axis2;
@@ -1334,7 +1340,7 @@ void chasles_instant_screwf(
 /*
  * text 3.4.1 c chasles_instant_screw for a batch.
  *   verdict: holds under; assumes omega != 0
- *   35 operations; derivation sha256 e735bcfcb5b2e8f3a6b4a27e48fbf2b9c2a9717d5c99586d7d0101d47ff3619c
+ *   38 operations; derivation sha256 dcfbe1b42ac109be9bb08df3887a890056a782dca2f6125b033caba6bcc91f78
  */
 void chasles_instant_screw_batch(
     size_t count,
@@ -1357,7 +1363,7 @@ void chasles_instant_screw_batch(
 /*
  * text 3.4.1 c chasles_instant_screwf for a batch.
  *   verdict: holds under; assumes omega != 0
- *   35 operations; derivation sha256 e735bcfcb5b2e8f3a6b4a27e48fbf2b9c2a9717d5c99586d7d0101d47ff3619c
+ *   38 operations; derivation sha256 dcfbe1b42ac109be9bb08df3887a890056a782dca2f6125b033caba6bcc91f78
  */
 void chasles_instant_screw_batchf(
     size_t count,

@@ -15,8 +15,8 @@
  *   verdict     holds under
  *   assumes     f != 0
  *   made of     an offered form, proved equal to the statement
- *   operations  35: 7 add, 6 subtract, 15 multiply, 6 divide, 1 square root
- *   derivation  sha256 9b64b557e4ad12602d694f74b683a93a98179dfdf2499f7483a7145448b21bbd
+ *   operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root
+ *   derivation  sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
  */
 void chasles_wrench_axis(
     const double f[3],
@@ -34,10 +34,13 @@ void chasles_wrench_axis(
     const double t4 = (t3 ? 0.0 : n_A[0]) / t2;
     const double t5 = (t3 ? 0.0 : n_A[1]) / t2;
     const double t6 = (t3 ? 0.0 : n_A[2]) / t2;
+    const double t7 = a[0] + (axis1 * t6 - axis2 * t5);
+    const double t8 = a[1] + (axis2 * t4 - axis0 * t6);
+    const double t9 = a[2] + (axis0 * t5 - axis1 * t4);
+    const double axis3 = axis2 * t8 - axis1 * t9;
+    const double axis4 = axis0 * t9 - axis2 * t7;
+    const double axis5 = axis1 * t7 - axis0 * t8;
     const double pitch_value = axis0 * t4 + axis1 * t5 + axis2 * t6;
-    const double axis3 = t4 + (a[1] * axis2 - a[2] * axis1) - axis0 * pitch_value;
-    const double axis4 = t5 + (a[2] * axis0 - a[0] * axis2) - axis1 * pitch_value;
-    const double axis5 = t6 + (a[0] * axis1 - a[1] * axis0) - axis2 * pitch_value;
     axis[0] = axis0;
     axis[1] = axis1;
     axis[2] = axis2;
@@ -50,7 +53,7 @@ void chasles_wrench_axis(
 /*
  * text 3.7 d chasles_wrench_axis in single precision.
  *   verdict: holds under; assumes f != 0
- *   35 operations; derivation sha256 9b64b557e4ad12602d694f74b683a93a98179dfdf2499f7483a7145448b21bbd
+ *   38 operations; derivation sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
  */
 void chasles_wrench_axisf(
     const float f[3],
@@ -68,10 +71,13 @@ void chasles_wrench_axisf(
     const float t4 = (t3 ? 0.0f : n_A[0]) / t2;
     const float t5 = (t3 ? 0.0f : n_A[1]) / t2;
     const float t6 = (t3 ? 0.0f : n_A[2]) / t2;
+    const float t7 = a[0] + (axis1 * t6 - axis2 * t5);
+    const float t8 = a[1] + (axis2 * t4 - axis0 * t6);
+    const float t9 = a[2] + (axis0 * t5 - axis1 * t4);
+    const float axis3 = axis2 * t8 - axis1 * t9;
+    const float axis4 = axis0 * t9 - axis2 * t7;
+    const float axis5 = axis1 * t7 - axis0 * t8;
     const float pitch_value = axis0 * t4 + axis1 * t5 + axis2 * t6;
-    const float axis3 = t4 + (a[1] * axis2 - a[2] * axis1) - axis0 * pitch_value;
-    const float axis4 = t5 + (a[2] * axis0 - a[0] * axis2) - axis1 * pitch_value;
-    const float axis5 = t6 + (a[0] * axis1 - a[1] * axis0) - axis2 * pitch_value;
     axis[0] = axis0;
     axis[1] = axis1;
     axis[2] = axis2;
@@ -84,7 +90,7 @@ void chasles_wrench_axisf(
 /*
  * text 3.7 d chasles_wrench_axis for a batch.
  *   verdict: holds under; assumes f != 0
- *   35 operations; derivation sha256 9b64b557e4ad12602d694f74b683a93a98179dfdf2499f7483a7145448b21bbd
+ *   38 operations; derivation sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
  */
 void chasles_wrench_axis_batch(
     size_t count,
@@ -107,7 +113,7 @@ void chasles_wrench_axis_batch(
 /*
  * text 3.7 d chasles_wrench_axisf for a batch.
  *   verdict: holds under; assumes f != 0
- *   35 operations; derivation sha256 9b64b557e4ad12602d694f74b683a93a98179dfdf2499f7483a7145448b21bbd
+ *   38 operations; derivation sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
  */
 void chasles_wrench_axis_batchf(
     size_t count,
