@@ -25,6 +25,7 @@ from chasles.vocabulary import (
     bracket,
     column,
     cos,
+    cot,
     cross,
     det,
     dot,
@@ -332,7 +333,10 @@ screw_axis_point = Claim(
         screw_axis_moves_along_itself,
     ),
     assuming=(phi_is_not_zero,),
-    kernel=Kernel(of=(e, phi, a, a_)),
+    kernel=Kernel(
+        of=(e, phi, a, a_),
+        form=half * (paren(one - e @ e.T) @ paren(a + a_) + cot(phi / 2) * cross(e, a_ - a)),
+    ),
 )
 
 mozzi_chasles = Theorem(

@@ -45,6 +45,7 @@ from chasles.vocabulary import (
     bracket,
     column,
     cos,
+    cot,
     cross,
     dot,
     matrix,
@@ -549,6 +550,17 @@ rotation_from_euler_rodrigues = Claim(
     kernel=Kernel(of=(q, q_0), expected=(unit_column(q, q_0),)),
 )
 
+rotation_from_half_angle = Claim(
+    "text 3.4.2 f",
+    Q,
+    (cos(phi / 2) ** 2 - sin(phi / 2) ** 2) * one
+    + 2 * sin(phi / 2) ** 2 * e @ e.T
+    + 2 * sin(phi / 2) * cos(phi / 2) * E,
+    part=3,
+    says="The rotation from its axis and half its angle.",
+    given=(rotation_from_axis_angle,),
+)
+
 linear_invariants = Claim(
     "text 3.4.2 g",
     column(q, q_0), column(vect(Q), (tr(Q) - 1) / 2),
@@ -580,7 +592,7 @@ _one_is_not_zero = Cover(
 
 natural_invariants = Inverse(
     "text 3.4.2 h",
-    of=rotation_from_axis_angle,
+    of=rotation_from_half_angle,
     says="The natural invariants from the rotation.",
     assuming=(Q_is_a_rotation,),
     branches=tuple(
@@ -589,8 +601,8 @@ natural_invariants = Inverse(
             where=length,
             values=(
                 (e, along / norm(along)),
-                (cos(phi), (beside**2 - dot(along, along)) / length**2),
-                (sin(phi), 2 * beside * norm(along) / length**2),
+                (cos(phi / 2), beside / length),
+                (sin(phi / 2), norm(along) / length),
             ),
             assuming=(Q_is_a_rotation, nonzero(norm(along), r"\phi \neq 0")),
         )
@@ -599,7 +611,7 @@ natural_invariants = Inverse(
     covers=(_one_is_not_zero,),
     gives=(e, phi),
     largest=True,
-    sign=(sin(phi), e),
+    sign=(cos(phi / 2), e),
     kernel=Kernel(of=(Q,), results=("e", "phi")),
 )
 
@@ -621,7 +633,7 @@ euler_rodrigues_parameters = Inverse(
 
 screw_of_motion = Inverse(
     "text 3.4.2 j",
-    of=rotation_from_axis_angle,
+    of=rotation_from_half_angle,
     says="The screw of a motion: Plücker array of its axis, translation along it, angle.",
     assuming=(Q_is_a_rotation,),
     given=(screw_axis_point,),
@@ -629,9 +641,19 @@ screw_of_motion = Inverse(
     covers=natural_invariants.covers,
     gives=(column(e, cross(p_0, e)), dot(e, a_ - a), phi),
     largest=True,
-    sign=(sin(phi), e),
-    kernel=Kernel(of=(Q, a, a_), results=("axis", "d_0", "phi")),
+    sign=(cos(phi / 2), e),
+    kernel=Kernel(
+        of=(Q, a, a_),
+        results=("axis", "d_0", "phi"),
+        form=column(
+            column(e, half * (cross(a + a_, e) + cot(phi / 2) * cross(bracket(cross(e, a_ - a)), e))),
+            dot(e, a_ - a),
+            phi,
+        ),
+    ),
 )
+
+_direction = omega / norm(omega)
 
 instant_screw = Claim(
     "text 3.4.1 c",
@@ -645,7 +667,17 @@ instant_screw = Claim(
         minimum_velocity_by_landmark,
         instant_screw_point,
     ),
-    kernel=Kernel(of=(omega, rate(a), a), results=("axis", "pitch")),
+    kernel=Kernel(
+        of=(omega, rate(a), a),
+        results=("axis", "pitch"),
+        form=column(
+            column(
+                _direction,
+                cross(cross(_direction, rate(a) / norm(omega)) + a, _direction),
+            ),
+            dot(_direction, rate(a) / norm(omega)),
+        ),
+    ),
 )
 
 phi_is_not_pi = nonzero(1 + cos(phi), r"\phi \neq \pi")

@@ -23,7 +23,8 @@ def divisor_2(phi: Any) -> Any:
     """It vanishes where this is broken: phi != 0."""
     batch, phi = prepared("divisor_2", ("phi", phi, ()))
     xp = batch.xp
-    return batch.array((), 1.0 - xp.cos(phi))
+    t1 = xp.sin(0.5 * phi)
+    return batch.array((), 2.0 * (t1 * t1))
 
 
 def divisor_3(p_1: Any, p_2: Any) -> Any:
@@ -53,7 +54,8 @@ def divisor_6(phi: Any) -> Any:
     """It vanishes where this is broken: phi != pi."""
     batch, phi = prepared("divisor_6", ("phi", phi, ()))
     xp = batch.xp
-    return batch.array((), 1.0 + xp.cos(phi))
+    t1 = xp.cos(0.5 * phi)
+    return batch.array((), 2.0 * (t1 * t1))
 
 
 def divisor_7(f: Any) -> Any:
@@ -283,6 +285,83 @@ KERNELS: dict[str, tuple[Any, Any]] = {
     "acceleration_of_point": (
         (("omega", (3,)), ("omega_dot", (3,)), ("a_ddot", (3,)), ("a", (3,)), ("p", (3,))),
         (),
+    ),
+    "natural_rate_matrix_dot": (
+        (("e", (3,)), ("phi", ()), ("omega", (3,))),
+        (
+            ("unit", "|e| = 1", ("e",), None),
+            ("nonzero", "phi != 0", ("phi",), divisor_2),
+        ),
+    ),
+    "linear_rate_matrix_dot": (
+        (("e", (3,)), ("phi", ()), ("omega", (3,))),
+        (
+            ("unit", "|e| = 1", ("e",), None),
+        ),
+    ),
+    "euler_rodrigues_rate_matrix_dot": (
+        (("e", (3,)), ("phi", ()), ("omega", (3,))),
+        (
+            ("unit", "|e| = 1", ("e",), None),
+        ),
+    ),
+    "natural_velocity_matrix_dot": (
+        (("e", (3,)), ("phi", ()), ("omega", (3,))),
+        (
+            ("nonzero", "phi != 0", ("phi",), divisor_2),
+            ("unit", "|e| = 1", ("e",), None),
+        ),
+    ),
+    "linear_velocity_matrix_dot": (
+        (("e", (3,)), ("phi", ()), ("omega", (3,))),
+        (
+            ("unit", "|e| = 1", ("e",), None),
+            ("nonzero", "phi != pi", ("phi",), divisor_6),
+        ),
+    ),
+    "euler_rodrigues_velocity_matrix_dot": (
+        (("e", (3,)), ("phi", ()), ("omega", (3,))),
+        (
+            ("unit", "|e| = 1", ("e",), None),
+        ),
+    ),
+    "pose_acceleration_natural": (
+        (("e", (3,)), ("phi", ()), ("t", (6,)), ("t_dot", (6,))),
+        (
+            ("unit", "|e| = 1", ("e",), None),
+            ("nonzero", "phi != 0", ("phi",), divisor_2),
+        ),
+    ),
+    "pose_acceleration_linear": (
+        (("e", (3,)), ("phi", ()), ("t", (6,)), ("t_dot", (6,))),
+        (
+            ("unit", "|e| = 1", ("e",), None),
+        ),
+    ),
+    "pose_acceleration_euler_rodrigues": (
+        (("e", (3,)), ("phi", ()), ("t", (6,)), ("t_dot", (6,))),
+        (
+            ("unit", "|e| = 1", ("e",), None),
+        ),
+    ),
+    "twist_rate_from_pose_natural": (
+        (("e", (3,)), ("phi", ()), ("s_dot", (7,)), ("s_ddot", (7,))),
+        (
+            ("unit", "|e| = 1", ("e",), None),
+        ),
+    ),
+    "twist_rate_from_pose_linear": (
+        (("e", (3,)), ("phi", ()), ("s_dot", (7,)), ("s_ddot", (7,))),
+        (
+            ("unit", "|e| = 1", ("e",), None),
+            ("nonzero", "phi != pi", ("phi",), divisor_6),
+        ),
+    ),
+    "twist_rate_from_pose_euler_rodrigues": (
+        (("e", (3,)), ("phi", ()), ("s_dot", (7,)), ("s_ddot", (7,))),
+        (
+            ("unit", "|e| = 1", ("e",), None),
+        ),
     ),
     "moving_frame_velocity": (
         (("o_dot", (3,)), ("Q", (3, 3)), ("omega", (3,)), ("rho", (3,)), ("rho_dot", (3,))),

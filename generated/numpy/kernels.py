@@ -48,6 +48,18 @@ __all__ = (
     "twist_transfer",
     "angular_acceleration_matrix",
     "acceleration_of_point",
+    "natural_rate_matrix_dot",
+    "linear_rate_matrix_dot",
+    "euler_rodrigues_rate_matrix_dot",
+    "natural_velocity_matrix_dot",
+    "linear_velocity_matrix_dot",
+    "euler_rodrigues_velocity_matrix_dot",
+    "pose_acceleration_natural",
+    "pose_acceleration_linear",
+    "pose_acceleration_euler_rodrigues",
+    "twist_rate_from_pose_natural",
+    "twist_rate_from_pose_linear",
+    "twist_rate_from_pose_euler_rodrigues",
     "moving_frame_velocity",
     "moving_frame_acceleration",
     "wrench_axis",
@@ -237,17 +249,16 @@ def normal_matrix_inverse(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     phi != 0
                 |e| = 1
-    operations  19: 3 add, 2 subtract, 11 multiply, 2 divide, 1 cosine
+    operations  17: 3 add, 1 subtract, 11 multiply, 1 divide, 1 sine
     derivation  sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c
     signature   (3),()->(3,3)
     """
     batch, e, phi = prepared("normal_matrix_inverse", ("e", e, (3,)), ("phi", phi, ()))
     xp = batch.xp
-    cos_phi = xp.cos(phi)
-    t1 = 2.0 * (1.0 - cos_phi)
-    t2 = t1 == 0.0
-    t3 = xp.where(t2, batch.number(0.0), batch.number(1.0)) / t1
-    t4 = xp.where(t2, batch.number(0.0), 1.0 - 2.0 * cos_phi) / t1
+    t1 = xp.sin(0.5 * phi)
+    t2 = xp.where(t1 == 0.0, batch.number(0.0), batch.number(0.5)) / t1
+    t3 = t2 * t2
+    t4 = 1.0 - t3
     t5 = e[0] * t4
     t6 = e[1] * t4
     t7 = e[1] * t5
@@ -278,8 +289,9 @@ def screw_axis_point(e: Any, phi: Any, a: Any, a_prime: Any, /, *, out: Any = No
     verdict     holds under
     assumes     phi != 0
                 |e| = 1
-    operations  64: 18 add, 10 subtract, 31 multiply, 3 divide, 1 sine, 1 cosine
-    derivation  sha256 c77504d94d7a13ece4ecef946d02406d1c264a3db4d6453b06dc936d482e7f90
+    made of     an offered form, proved equal to the statement
+    operations  39: 5 add, 12 subtract, 19 multiply, 1 divide, 1 sine, 1 cosine
+    derivation  sha256 fd931c592a794abc154e30cb8754cc954c9fa9f827a0928a1e82185b1b2a8b81
     signature   (3),(),(3),(3)->(3)
     """
     batch, e, phi, a, a_prime = prepared(
@@ -290,36 +302,22 @@ def screw_axis_point(e: Any, phi: Any, a: Any, a_prime: Any, /, *, out: Any = No
         ("a_prime", a_prime, (3,)),
     )
     xp = batch.xp
-    cos_phi = xp.cos(phi)
-    t1 = 1.0 - cos_phi
-    t2 = 2.0 * t1
-    sin_phi = xp.sin(phi)
-    t3 = e[0] * t1
-    t4 = e[1] * t1
-    t5 = e[1] * t3
-    t6 = e[2] * t3
-    t7 = e[2] * t4
-    t8 = cos_phi + e[0] * t3
-    t9 = cos_phi + e[1] * t4
-    t10 = cos_phi + e[2] * (e[2] * t1)
-    t11 = e[0] * sin_phi
-    t12 = e[1] * sin_phi
-    t13 = e[2] * sin_phi
-    t14 = t5 - t13
-    t15 = t6 + t12
-    t16 = t5 + t13
-    t17 = t7 - t11
-    t18 = t6 - t12
-    t19 = t7 + t11
-    t20 = a[0] * t8 + a[1] * t14 + a[2] * t15 - a_prime[0]
-    t21 = a[0] * t16 + a[1] * t9 + a[2] * t17 - a_prime[1]
-    t22 = a[0] * t18 + a[1] * t19 + a[2] * t10 - a_prime[2]
-    t23 = t2 == 0.0
+    t1 = a[0] + a_prime[0]
+    t2 = a[1] + a_prime[1]
+    t3 = a[2] + a_prime[2]
+    t4 = e[0] * t1 + e[1] * t2 + e[2] * t3
+    t5 = a_prime[0] - a[0]
+    t6 = a_prime[1] - a[1]
+    t7 = a_prime[2] - a[2]
+    half_phi = 0.5 * phi
+    sin_half_phi = xp.sin(half_phi)
+    t8 = xp.where(sin_half_phi == 0.0, batch.number(0.0), xp.cos(half_phi))
+    t9 = t8 / sin_half_phi
     p_0 = batch.array(
         (3,),
-        xp.where(t23, batch.number(0.0), t8 * t20 + t16 * t21 + t18 * t22 - t20) / t2,
-        xp.where(t23, batch.number(0.0), t14 * t20 + t9 * t21 + t19 * t22 - t21) / t2,
-        xp.where(t23, batch.number(0.0), t15 * t20 + t17 * t21 + t10 * t22 - t22) / t2,
+        0.5 * ((e[1] * t7 - e[2] * t6) * t9 - (e[0] * t4 - t1)),
+        0.5 * ((e[2] * t5 - e[0] * t7) * t9 - (e[1] * t4 - t2)),
+        0.5 * ((e[0] * t6 - e[1] * t5) * t9 - (e[2] * t4 - t3)),
     )
     return delivered(out, p_0)
 
@@ -568,33 +566,38 @@ def natural_rate_matrix(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     |e| = 1
                 phi != 0
-    operations  26: 3 add, 7 subtract, 13 multiply, 1 divide, 1 sine, 1 cosine
+    operations  26: 6 add, 3 subtract, 14 multiply, 1 divide, 1 sine, 1 cosine
     derivation  sha256 ae8848864c3fe36678c44ede0fea89f8af655c143bdb95acf6bb13cd98cc80e0
     signature   (3),()->(4,3)
     """
     batch, e, phi = prepared("natural_rate_matrix", ("e", e, (3,)), ("phi", phi, ()))
     xp = batch.xp
-    t1 = 2.0 * (1.0 - xp.cos(phi))
-    t2 = xp.where(t1 == 0.0, batch.number(0.0), xp.sin(phi)) / t1
-    t3 = e[0] * t2
-    t4 = e[1] * t2
-    t5 = e[1] * t3
-    t6 = e[2] * t3
-    t7 = e[2] * t4
-    t8 = 0.5 * e[0]
-    t9 = 0.5 * e[1]
-    t10 = 0.5 * e[2]
+    t1 = 0.5 * e[0]
+    t2 = 0.5 * e[1]
+    t3 = 0.5 * e[2]
+    half_phi = 0.5 * phi
+    sin_half_phi = xp.sin(half_phi)
+    t4 = xp.where(sin_half_phi == 0.0, batch.number(0.0), xp.cos(half_phi))
+    t5 = 0.5 * (t4 / sin_half_phi)
+    t6 = e[1] * t5
+    t7 = e[2] * t5
+    t8 = e[0] * (e[0] * t5)
+    t9 = e[0] * t6
+    t10 = e[0] * t7
+    t11 = e[1] * t6
+    t12 = e[1] * t7
+    t13 = e[2] * t7
     N = batch.array(
         (4, 3),
-        t2 - e[0] * t3,
-        t10 - t5,
-        -(t6 + t9),
-        -(t5 + t10),
-        t2 - e[1] * t4,
-        t8 - t7,
-        t9 - t6,
-        -(t7 + t8),
-        t2 - e[2] * (e[2] * t2),
+        t11 + t13,
+        t3 - t9,
+        -(t2 + t10),
+        -(t3 + t9),
+        t8 + t13,
+        t1 - t12,
+        t2 - t10,
+        -(t1 + t12),
+        t8 + t11,
         e[0],
         e[1],
         e[2],
@@ -609,37 +612,36 @@ def linear_rate_matrix(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     returns     L (4, 3): linear invariants' rates from the angular velocity
     verdict     defined
     assumes     |e| = 1
-    operations  39: 6 add, 8 subtract, 23 multiply, 1 sine, 1 cosine
+    operations  30: 4 add, 7 subtract, 17 multiply, 1 sine, 1 cosine
     derivation  sha256 dc969a2458fb1ccbe6cf9ba4bd5c14c48137796a5e63b6fdffe960bc3f43a806
     signature   (3),()->(4,3)
     """
     batch, e, phi = prepared("linear_rate_matrix", ("e", e, (3,)), ("phi", phi, ()))
     xp = batch.xp
-    cos_phi = xp.cos(phi)
-    t1 = 1.0 - cos_phi
-    sin_phi = xp.sin(phi)
-    t2 = 0.5 * (t1 * (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) + 3.0 * cos_phi - cos_phi)
-    half_t1 = 0.5 * t1
-    half_sin_phi = 0.5 * sin_phi
-    t3 = e[0] * half_t1
-    t4 = e[1] * half_t1
+    t1 = 0.5 * xp.cos(phi)
+    t2 = 0.5 - t1
+    t3 = e[0] * t2
+    t4 = e[1] * t2
     t5 = e[1] * t3
     t6 = e[2] * t3
     t7 = e[2] * t4
-    t8 = e[0] * half_sin_phi
-    t9 = e[1] * half_sin_phi
-    t10 = e[2] * half_sin_phi
+    t8 = 0.5 + t1
+    sin_phi = xp.sin(phi)
+    half_sin_phi = 0.5 * sin_phi
+    t9 = e[0] * half_sin_phi
+    t10 = e[1] * half_sin_phi
+    t11 = e[2] * half_sin_phi
     L = batch.array(
         (4, 3),
-        t2 - e[0] * t3,
-        t10 - t5,
-        -(t6 + t9),
-        -(t5 + t10),
-        t2 - e[1] * t4,
-        t8 - t7,
-        t9 - t6,
-        -(t7 + t8),
-        t2 - e[2] * (e[2] * half_t1),
+        t8 - e[0] * t3,
+        t11 - t5,
+        -(t6 + t10),
+        -(t5 + t11),
+        t8 - e[1] * t4,
+        t9 - t7,
+        t10 - t6,
+        -(t7 + t9),
+        t8 - e[2] * (e[2] * t2),
         -(e[0] * sin_phi),
         -(e[1] * sin_phi),
         -(e[2] * sin_phi),
@@ -775,8 +777,8 @@ def natural_invariants(Q: Any, /, *, out: Any = None) -> Any:
                 phi: angle of rotation
     verdict     holds under
     assumes     Q is a rotation
-    operations  67: 21 add, 10 subtract, 25 multiply, 5 divide, 5 square root, 1 arctangent2
-    derivation  sha256 e2544e2132153f729f39a22cc349020d92305353358bcab2b3b0107e1737c41e
+    operations  53: 21 add, 6 subtract, 18 multiply, 5 divide, 2 square root, 1 arctangent2
+    derivation  sha256 f6db87ef99fe37db2f0d351213905d1725fdcbd16df90dfcc90d2309919696bc
     signature   (3,3)->(3),()
     """
     batch, Q = prepared("natural_invariants", ("Q", Q, (3, 3)))
@@ -816,40 +818,37 @@ def natural_invariants(Q: Any, /, *, out: Any = None) -> Any:
     t33 = xp.where(t29, t23, xp.where(t28, t23, t1))
     t34 = t17 + (t15 + t26)
     t35 = 1.0 + t3
-    t36 = t35 * t35
-    t37 = t34 + t36
-    t38 = t37 < t18
-    t39 = t37 < t16
-    t40 = t37 < t27
-    t41 = xp.where(t40, t31, xp.where(t39, t31, xp.where(t38, t31, t34)))
-    t42 = xp.sqrt(t41)
-    t43 = t41 == 0.0
-    t44 = xp.where(t40, t30, xp.where(t39, t30, xp.where(t38, t30, t12)))
-    t45 = xp.where(t43, batch.number(0.0), t44) / t42
-    t46 = xp.where(t40, t32, xp.where(t39, t32, xp.where(t38, t32, t13)))
-    t47 = xp.where(t43, batch.number(0.0), t46) / t42
-    t48 = xp.where(t40, t33, xp.where(t39, t33, xp.where(t38, t33, t14)))
-    t49 = xp.where(t43, batch.number(0.0), t48) / t42
-    t50 = xp.where(t19, t17 - t7, t15 - t11)
-    t51 = xp.where(t19, t18, t16)
-    t52 = xp.where(t29, t50, xp.where(t28, t50, t26 - t25))
-    t53 = xp.where(t29, t51, xp.where(t28, t51, t27))
-    t54 = xp.where(t40, t53, xp.where(t39, t53, xp.where(t38, t53, t37)))
-    t55 = t54 == 0.0
-    t56 = xp.where(t40, t52, xp.where(t39, t52, xp.where(t38, t52, t36 - t34)))
-    t57 = xp.where(t19, xp.sqrt(t7) * (2.0 * t14), xp.sqrt(t11) * (2.0 * t13))
-    t58 = xp.where(t29, t57, xp.where(t28, t57, xp.sqrt(t25) * (2.0 * t12)))
-    t59 = xp.where(t39, t58, xp.where(t38, t58, xp.sqrt(t34) * (2.0 * t35)))
-    t60 = xp.where(t55, batch.number(0.0), xp.where(t40, t58, t59)) / t54
-    t61 = xp.where(t49 < 0.0, batch.number(-1.0), batch.number(1.0))
-    t62 = xp.where(0.0 < t47, batch.number(1.0), t61)
-    t63 = xp.where(t47 < 0.0, batch.number(-1.0), t62)
-    t64 = xp.where(0.0 < t45, batch.number(1.0), t63)
-    t65 = xp.where(t45 < 0.0, batch.number(-1.0), t64)
-    t66 = xp.where(0.0 < t60, batch.number(1.0), t65)
-    t67 = xp.where(t60 < 0.0, batch.number(-1.0), t66)
-    e = batch.array((3,), t45 * t67, t47 * t67, t49 * t67)
-    phi = batch.array((), xp.atan2(t60 * t67, xp.where(t55, batch.number(0.0), t56) / t54))
+    t36 = t34 + t35 * t35
+    t37 = t36 < t18
+    t38 = t36 < t16
+    t39 = t36 < t27
+    t40 = xp.where(t39, t31, xp.where(t38, t31, xp.where(t37, t31, t34)))
+    t41 = xp.sqrt(t40)
+    t42 = t40 == 0.0
+    t43 = xp.where(t39, t30, xp.where(t38, t30, xp.where(t37, t30, t12)))
+    t44 = xp.where(t42, batch.number(0.0), t43) / t41
+    t45 = xp.where(t39, t32, xp.where(t38, t32, xp.where(t37, t32, t13)))
+    t46 = xp.where(t42, batch.number(0.0), t45) / t41
+    t47 = xp.where(t39, t33, xp.where(t38, t33, xp.where(t37, t33, t14)))
+    t48 = xp.where(t42, batch.number(0.0), t47) / t41
+    t49 = xp.where(t19, t14, t13)
+    t50 = xp.where(t19, t18, t16)
+    t51 = xp.where(t29, t49, xp.where(t28, t49, t12))
+    t52 = xp.where(t29, t50, xp.where(t28, t50, t27))
+    t53 = xp.where(t39, t52, xp.where(t38, t52, xp.where(t37, t52, t36)))
+    t54 = xp.sqrt(t53)
+    t55 = t53 == 0.0
+    t56 = xp.where(t39, t51, xp.where(t38, t51, xp.where(t37, t51, t35)))
+    t57 = xp.where(t55, batch.number(0.0), t56) / t54
+    t58 = xp.where(t48 < 0.0, batch.number(-1.0), batch.number(1.0))
+    t59 = xp.where(0.0 < t46, batch.number(1.0), t58)
+    t60 = xp.where(t46 < 0.0, batch.number(-1.0), t59)
+    t61 = xp.where(0.0 < t44, batch.number(1.0), t60)
+    t62 = xp.where(t44 < 0.0, batch.number(-1.0), t61)
+    t63 = xp.where(0.0 < t57, batch.number(1.0), t62)
+    t64 = xp.where(t57 < 0.0, batch.number(-1.0), t63)
+    e = batch.array((3,), t44 * t64, t46 * t64, t48 * t64)
+    phi = batch.array((), 2.0 * xp.atan2(xp.where(t55, batch.number(0.0), t41) / t54, t57 * t64))
     return delivered(out, e, phi)
 
 
@@ -936,8 +935,9 @@ def screw_of_motion(Q: Any, a: Any, a_prime: Any, /, *, out: Any = None) -> Any:
                 phi: angle of rotation
     verdict     holds under
     assumes     Q is a rotation
-    operations  125: 35 add, 23 subtract, 53 multiply, 8 divide, 5 square root, 1 arctangent2
-    derivation  sha256 8df6ed9271b64d7ceff75168107b77afc4243c5f9d18c1bbc3e692bd8c92df54
+    made of     an offered form, proved equal to the statement
+    operations  101: 29 add, 18 subtract, 45 multiply, 6 divide, 2 square root, 1 arctangent2
+    derivation  sha256 5be5bc60ede989c44ecefe4964d4e3944980162a66d38ce9b77bc14e52d347b9
     signature   (3,3),(3),(3)->(6),(),()
     """
     batch, Q, a, a_prime = prepared(
@@ -982,65 +982,61 @@ def screw_of_motion(Q: Any, a: Any, a_prime: Any, /, *, out: Any = None) -> Any:
     t33 = xp.where(t29, t23, xp.where(t28, t23, t1))
     t34 = t17 + (t15 + t26)
     t35 = 1.0 + t3
-    t36 = t35 * t35
-    t37 = t34 + t36
-    t38 = t37 < t18
-    t39 = t37 < t16
-    t40 = t37 < t27
-    t41 = xp.where(t40, t31, xp.where(t39, t31, xp.where(t38, t31, t34)))
-    t42 = xp.sqrt(t41)
-    t43 = t41 == 0.0
-    t44 = xp.where(t40, t30, xp.where(t39, t30, xp.where(t38, t30, t12)))
-    t45 = xp.where(t43, batch.number(0.0), t44) / t42
-    t46 = xp.where(t40, t32, xp.where(t39, t32, xp.where(t38, t32, t13)))
-    t47 = xp.where(t43, batch.number(0.0), t46) / t42
-    t48 = xp.where(t40, t33, xp.where(t39, t33, xp.where(t38, t33, t14)))
-    t49 = xp.where(t43, batch.number(0.0), t48) / t42
-    t50 = xp.where(t19, t17 - t7, t15 - t11)
-    t51 = xp.where(t19, t18, t16)
-    t52 = xp.where(t29, t50, xp.where(t28, t50, t26 - t25))
-    t53 = xp.where(t29, t51, xp.where(t28, t51, t27))
-    t54 = xp.where(t40, t53, xp.where(t39, t53, xp.where(t38, t53, t37)))
-    t55 = t54 == 0.0
-    t56 = xp.where(t40, t52, xp.where(t39, t52, xp.where(t38, t52, t36 - t34)))
+    t36 = t34 + t35 * t35
+    t37 = t36 < t18
+    t38 = t36 < t16
+    t39 = t36 < t27
+    t40 = xp.where(t39, t31, xp.where(t38, t31, xp.where(t37, t31, t34)))
+    t41 = xp.sqrt(t40)
+    t42 = t40 == 0.0
+    t43 = xp.where(t39, t30, xp.where(t38, t30, xp.where(t37, t30, t12)))
+    t44 = xp.where(t42, batch.number(0.0), t43) / t41
+    t45 = xp.where(t39, t32, xp.where(t38, t32, xp.where(t37, t32, t13)))
+    t46 = xp.where(t42, batch.number(0.0), t45) / t41
+    t47 = xp.where(t39, t33, xp.where(t38, t33, xp.where(t37, t33, t14)))
+    t48 = xp.where(t42, batch.number(0.0), t47) / t41
+    t49 = xp.where(t19, t14, t13)
+    t50 = xp.where(t19, t18, t16)
+    t51 = xp.where(t29, t49, xp.where(t28, t49, t12))
+    t52 = xp.where(t29, t50, xp.where(t28, t50, t27))
+    t53 = xp.where(t39, t52, xp.where(t38, t52, xp.where(t37, t52, t36)))
+    t54 = xp.sqrt(t53)
+    t55 = t53 == 0.0
+    t56 = xp.where(t39, t51, xp.where(t38, t51, xp.where(t37, t51, t35)))
     t57 = xp.where(t55, batch.number(0.0), t56) / t54
-    t58 = xp.where(t19, xp.sqrt(t7) * (2.0 * t14), xp.sqrt(t11) * (2.0 * t13))
-    t59 = xp.where(t29, t58, xp.where(t28, t58, xp.sqrt(t25) * (2.0 * t12)))
-    t60 = xp.where(t39, t59, xp.where(t38, t59, xp.sqrt(t34) * (2.0 * t35)))
-    t61 = xp.where(t55, batch.number(0.0), xp.where(t40, t59, t60)) / t54
-    t62 = xp.where(t49 < 0.0, batch.number(-1.0), batch.number(1.0))
-    t63 = xp.where(0.0 < t47, batch.number(1.0), t62)
-    t64 = xp.where(t47 < 0.0, batch.number(-1.0), t63)
-    t65 = xp.where(0.0 < t45, batch.number(1.0), t64)
-    t66 = xp.where(t45 < 0.0, batch.number(-1.0), t65)
-    t67 = xp.where(0.0 < t61, batch.number(1.0), t66)
-    t68 = xp.where(t61 < 0.0, batch.number(-1.0), t67)
-    t69 = t45 * t68
-    t70 = t47 * t68
-    t71 = t49 * t68
-    t72 = 2.0 * (1.0 - t57)
-    t73 = Q[0][0] * a[0] + Q[0][1] * a[1] + Q[0][2] * a[2] - a_prime[0]
-    t74 = Q[1][0] * a[0] + Q[1][1] * a[1] + Q[1][2] * a[2] - a_prime[1]
-    t75 = Q[2][0] * a[0] + Q[2][1] * a[1] + Q[2][2] * a[2] - a_prime[2]
-    t76 = t72 == 0.0
-    t77 = Q[0][0] * t73 + Q[1][0] * t74 + Q[2][0] * t75 - t73
-    t78 = xp.where(t76, batch.number(0.0), t77) / t72
-    t79 = Q[0][1] * t73 + Q[1][1] * t74 + Q[2][1] * t75 - t74
-    t80 = xp.where(t76, batch.number(0.0), t79) / t72
-    t81 = Q[0][2] * t73 + Q[1][2] * t74 + Q[2][2] * t75 - t75
-    t82 = xp.where(t76, batch.number(0.0), t81) / t72
-    t83 = t69 * (a_prime[0] - a[0]) + t70 * (a_prime[1] - a[1])
+    t58 = xp.where(t55, batch.number(0.0), t41) / t54
+    t59 = xp.where(t48 < 0.0, batch.number(-1.0), batch.number(1.0))
+    t60 = xp.where(0.0 < t46, batch.number(1.0), t59)
+    t61 = xp.where(t46 < 0.0, batch.number(-1.0), t60)
+    t62 = xp.where(0.0 < t44, batch.number(1.0), t61)
+    t63 = xp.where(t44 < 0.0, batch.number(-1.0), t62)
+    t64 = xp.where(0.0 < t57, batch.number(1.0), t63)
+    t65 = xp.where(t57 < 0.0, batch.number(-1.0), t64)
+    t66 = t44 * t65
+    t67 = t46 * t65
+    t68 = t48 * t65
+    t69 = a[0] + a_prime[0]
+    t70 = a[1] + a_prime[1]
+    t71 = a[2] + a_prime[2]
+    t72 = a_prime[0] - a[0]
+    t73 = a_prime[1] - a[1]
+    t74 = a_prime[2] - a[2]
+    t75 = t67 * t74 - t68 * t73
+    t76 = t68 * t72 - t66 * t74
+    t77 = t66 * t73 - t67 * t72
+    t78 = t57 * t65
+    t79 = xp.where(t58 == 0.0, batch.number(0.0), t78) / t58
     axis = batch.array(
         (6,),
-        t69,
-        t70,
-        t71,
-        t71 * t80 - t70 * t82,
-        t69 * t82 - t71 * t78,
-        t70 * t78 - t69 * t80,
+        t66,
+        t67,
+        t68,
+        0.5 * (t68 * t70 - t67 * t71 + (t68 * t76 - t67 * t77) * t79),
+        0.5 * (t66 * t71 - t68 * t69 + (t66 * t77 - t68 * t75) * t79),
+        0.5 * (t67 * t69 - t66 * t70 + (t67 * t75 - t66 * t76) * t79),
     )
-    d_0 = batch.array((), t83 + t71 * (a_prime[2] - a[2]))
-    phi = batch.array((), xp.atan2(t61 * t68, t57))
+    d_0 = batch.array((), t66 * t72 + t67 * t73 + t68 * t74)
+    phi = batch.array((), 2.0 * xp.atan2(t58, t78))
     return delivered(out, axis, d_0, phi)
 
 
@@ -1053,8 +1049,9 @@ def instant_screw(omega: Any, a_dot: Any, a: Any, /, *, out: Any = None) -> Any:
                 pitch: pitch of the instant screw, in metres per radian
     verdict     holds under
     assumes     omega != 0
-    operations  48: 4 add, 12 subtract, 24 multiply, 7 divide, 1 square root
-    derivation  sha256 ffff026ce6030fc871086030213029706592796ae44d57bb00d9ec2cb093ae46
+    made of     an offered form, proved equal to the statement
+    operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root
+    derivation  sha256 9598a1865cb19c5ccd2eed55d55180fed3cbd74f42a42a3309e82ecfc3b6e7f7
     signature   (3),(3),(3)->(6),()
     """
     batch, omega, a_dot, a = prepared(
@@ -1070,15 +1067,14 @@ def instant_screw(omega: Any, a_dot: Any, a: Any, /, *, out: Any = None) -> Any:
     t4 = xp.where(t3, batch.number(0.0), omega[0]) / t2
     t5 = xp.where(t3, batch.number(0.0), omega[1]) / t2
     t6 = xp.where(t3, batch.number(0.0), omega[2]) / t2
-    t7 = a_dot[0] - (omega[1] * a[2] - omega[2] * a[1])
-    t8 = a_dot[1] - (omega[2] * a[0] - omega[0] * a[2])
-    t9 = a_dot[2] - (omega[0] * a[1] - omega[1] * a[0])
-    t10 = xp.where(t3, batch.number(0.0), omega[1] * t9 - omega[2] * t8) / t1
-    t11 = xp.where(t3, batch.number(0.0), omega[2] * t7 - omega[0] * t9) / t1
-    t12 = xp.where(t3, batch.number(0.0), omega[0] * t8 - omega[1] * t7) / t1
-    t13 = omega[0] * a_dot[0] + omega[1] * a_dot[1] + omega[2] * a_dot[2]
+    t7 = xp.where(t3, batch.number(0.0), a_dot[0]) / t2
+    t8 = xp.where(t3, batch.number(0.0), a_dot[1]) / t2
+    t9 = xp.where(t3, batch.number(0.0), a_dot[2]) / t2
+    t10 = a[0] + (t5 * t9 - t6 * t8)
+    t11 = a[1] + (t6 * t7 - t4 * t9)
+    t12 = a[2] + (t4 * t8 - t5 * t7)
     axis = batch.array((6,), t4, t5, t6, t6 * t11 - t5 * t12, t4 * t12 - t6 * t10, t5 * t10 - t4 * t11)
-    pitch = batch.array((), xp.where(t3, batch.number(0.0), t13) / t1)
+    pitch = batch.array((), t4 * t7 + t5 * t8 + t6 * t9)
     return delivered(out, axis, pitch)
 
 
@@ -1126,14 +1122,16 @@ def linear_velocity_matrix(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     verdict     ill-formed as printed, defined as read
     assumes     |e| = 1
                 phi != pi
-    operations  7: 1 add, 3 multiply, 1 divide, 1 sine, 1 cosine
+    operations  7: 4 multiply, 1 divide, 1 sine, 1 cosine
     derivation  sha256 89a180463935f0c42617efa0988e0354bd46d74d20a13999139be0c69246d5f3
     signature   (3),()->(3,4)
     """
     batch, e, phi = prepared("linear_velocity_matrix", ("e", e, (3,)), ("phi", phi, ()))
     xp = batch.xp
-    t1 = 1.0 + xp.cos(phi)
-    t2 = xp.where(t1 == 0.0, batch.number(0.0), xp.sin(phi)) / t1
+    half_phi = 0.5 * phi
+    cos_half_phi = xp.cos(half_phi)
+    t1 = xp.where(cos_half_phi == 0.0, batch.number(0.0), xp.sin(half_phi))
+    t2 = t1 / cos_half_phi
     t3 = e[0] * t2
     t4 = e[1] * t2
     t5 = e[2] * t2
@@ -1173,22 +1171,23 @@ def pose_rate_natural(e: Any, phi: Any, t: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     |e| = 1
                 phi != 0
-    operations  35: 2 add, 10 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine
+    operations  34: 5 add, 6 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine
     derivation  sha256 e2dfaa3aa3fac1f79b45222f3204af5a75f395308f6b3f9290346729c641eaf1
     signature   (3),(),(6)->(7)
     """
     batch, e, phi, t = prepared("pose_rate_natural", ("e", e, (3,)), ("phi", phi, ()), ("t", t, (6,)))
     xp = batch.xp
-    t1 = 2.0 * (1.0 - xp.cos(phi))
-    t2 = xp.where(t1 == 0.0, batch.number(0.0), xp.sin(phi)) / t1
-    t3 = e[0] * t[0] + e[1] * t[1] + e[2] * t[2]
-    t4 = t2 * t3
+    t1 = e[0] * t[0] + e[1] * t[1] + e[2] * t[2]
+    half_phi = 0.5 * phi
+    sin_half_phi = xp.sin(half_phi)
+    t2 = xp.where(sin_half_phi == 0.0, batch.number(0.0), xp.cos(half_phi))
+    t3 = 0.5 * (t2 / sin_half_phi)
     s_dot = batch.array(
         (7,),
-        t[0] * t2 - e[0] * t4 - 0.5 * (e[1] * t[2] - e[2] * t[1]),
-        t[1] * t2 - e[1] * t4 - 0.5 * (e[2] * t[0] - e[0] * t[2]),
-        t[2] * t2 - e[2] * t4 - 0.5 * (e[0] * t[1] - e[1] * t[0]),
-        t3,
+        -(0.5 * (e[1] * t[2] - e[2] * t[1]) + (e[0] * t1 - t[0]) * t3),
+        -(0.5 * (e[2] * t[0] - e[0] * t[2]) + (e[1] * t1 - t[1]) * t3),
+        -(0.5 * (e[0] * t[1] - e[1] * t[0]) + (e[2] * t1 - t[2]) * t3),
+        t1,
         t[3],
         t[4],
         t[5],
@@ -1204,23 +1203,22 @@ def pose_rate_linear(e: Any, phi: Any, t: Any, /, *, out: Any = None) -> Any:
     returns     s_dot (7): time derivative of: pose array
     verdict     holds under
     assumes     |e| = 1
-    operations  53: 7 add, 11 subtract, 33 multiply, 1 sine, 1 cosine
+    operations  44: 5 add, 10 subtract, 27 multiply, 1 sine, 1 cosine
     derivation  sha256 30ffb709cd3b1987574a6cb20949774164c18855b55a74fc172537bd3a7138a3
     signature   (3),(),(6)->(7)
     """
     batch, e, phi, t = prepared("pose_rate_linear", ("e", e, (3,)), ("phi", phi, ()), ("t", t, (6,)))
     xp = batch.xp
-    cos_phi = xp.cos(phi)
-    t1 = 1.0 - cos_phi
+    t1 = 0.5 * xp.cos(phi)
+    t2 = 0.5 + t1
+    t3 = (e[0] * t[0] + e[1] * t[1] + e[2] * t[2]) * (0.5 - t1)
     sin_phi = xp.sin(phi)
-    t2 = 0.5 * (t1 * (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) + 3.0 * cos_phi - cos_phi)
     half_sin_phi = 0.5 * sin_phi
-    t3 = 0.5 * t1 * (e[0] * t[0] + e[1] * t[1] + e[2] * t[2])
     s_dot = batch.array(
         (7,),
-        t[0] * t2 - e[0] * t3 - half_sin_phi * (e[1] * t[2] - e[2] * t[1]),
-        t[1] * t2 - e[1] * t3 - half_sin_phi * (e[2] * t[0] - e[0] * t[2]),
-        t[2] * t2 - e[2] * t3 - half_sin_phi * (e[0] * t[1] - e[1] * t[0]),
+        t[0] * t2 - e[0] * t3 - (e[1] * t[2] - e[2] * t[1]) * half_sin_phi,
+        t[1] * t2 - e[1] * t3 - (e[2] * t[0] - e[0] * t[2]) * half_sin_phi,
+        t[2] * t2 - e[2] * t3 - (e[0] * t[1] - e[1] * t[0]) * half_sin_phi,
         -(t[0] * (e[0] * sin_phi) + t[1] * (e[1] * sin_phi) + t[2] * (e[2] * sin_phi)),
         t[3],
         t[4],
@@ -1309,7 +1307,7 @@ def twist_from_pose_rate_linear(e: Any, phi: Any, s_dot: Any, /, *, out: Any = N
     verdict     holds under
     assumes     |e| = 1
                 phi != pi
-    operations  25: 4 add, 6 subtract, 12 multiply, 1 divide, 1 sine, 1 cosine
+    operations  25: 3 add, 6 subtract, 13 multiply, 1 divide, 1 sine, 1 cosine
     derivation  sha256 649387c3a4635aed7b72ec7a0c9cd67fa1407b285288b83838890827853ca799
     signature   (3),(),(7)->(6)
     """
@@ -1320,8 +1318,10 @@ def twist_from_pose_rate_linear(e: Any, phi: Any, s_dot: Any, /, *, out: Any = N
         ("s_dot", s_dot, (7,)),
     )
     xp = batch.xp
-    t1 = 1.0 + xp.cos(phi)
-    t2 = xp.where(t1 == 0.0, batch.number(0.0), xp.sin(phi)) / t1
+    half_phi = 0.5 * phi
+    cos_half_phi = xp.cos(half_phi)
+    t1 = xp.where(cos_half_phi == 0.0, batch.number(0.0), xp.sin(half_phi))
+    t2 = t1 / cos_half_phi
     t3 = e[0] * t2
     t4 = e[1] * t2
     t5 = e[2] * t2
@@ -1418,23 +1418,23 @@ def angular_acceleration_matrix(omega: Any, omega_dot: Any, /, *, out: Any = Non
         ("omega", omega, (3,)),
         ("omega_dot", omega_dot, (3,)),
     )
-    t1 = omega[2] * omega[2]
-    t2 = omega[1] * omega[1]
-    t3 = omega[0] * omega[1]
-    t4 = omega[0] * omega[2]
-    t5 = omega[0] * omega[0]
-    t6 = omega[1] * omega[2]
+    t1 = omega[0] * omega[0]
+    t2 = omega[0] * omega[1]
+    t3 = omega[0] * omega[2]
+    t4 = omega[1] * omega[1]
+    t5 = omega[1] * omega[2]
+    t6 = omega[2] * omega[2]
     W = batch.array(
         (3, 3),
-        -(t1 + t2),
-        t3 - omega_dot[2],
-        omega_dot[1] + t4,
-        omega_dot[2] + t3,
-        -(t1 + t5),
-        t6 - omega_dot[0],
-        t4 - omega_dot[1],
-        omega_dot[0] + t6,
-        -(t2 + t5),
+        -(t4 + t6),
+        t2 - omega_dot[2],
+        omega_dot[1] + t3,
+        omega_dot[2] + t2,
+        -(t1 + t6),
+        t5 - omega_dot[0],
+        t3 - omega_dot[1],
+        omega_dot[0] + t5,
+        -(t1 + t4),
     )
     return delivered(out, W)
 
@@ -1477,6 +1477,568 @@ def acceleration_of_point(omega: Any, omega_dot: Any, a_ddot: Any, a: Any, p: An
         t9 + (omega[0] * t5 - omega[1] * t4),
     )
     return delivered(out, p_ddot)
+
+
+def natural_rate_matrix_dot(e: Any, phi: Any, omega: Any, /, *, out: Any = None) -> Any:
+    """text 3.5 f The rate of N by axis, angle and angular velocity: (3.96a).
+    given       e (3): unit vector along the axis of rotation, or along a line
+                phi: angle of rotation
+                omega (3): angular velocity
+    returns     N_dot (4, 3): time derivative of: natural invariants' rates from the angular velocity
+    verdict     holds under
+    assumes     |e| = 1
+                phi != 0
+    made of     an offered form, proved equal to the statement
+    operations  70: 15 add, 12 subtract, 40 multiply, 1 divide, 1 sine, 1 cosine
+    derivation  sha256 c61d5578f7455d9deb930e9132cffeae9f18b18b83cb0ba9b49a6c83cd285a96
+    signature   (3),(),(3)->(4,3)
+    """
+    batch, e, phi, omega = prepared(
+        "natural_rate_matrix_dot",
+        ("e", e, (3,)),
+        ("phi", phi, ()),
+        ("omega", omega, (3,)),
+    )
+    xp = batch.xp
+    half_phi = 0.5 * phi
+    sin_half_phi = xp.sin(half_phi)
+    t1 = xp.where(sin_half_phi == 0.0, batch.number(0.0), xp.cos(half_phi))
+    t2 = t1 / sin_half_phi
+    half_t2 = 0.5 * t2
+    t3 = e[0] * omega[0] + e[1] * omega[1] + e[2] * omega[2]
+    t4 = (half_t2 * half_t2 + 0.25) * t3
+    t5 = 0.5 * e[0]
+    t6 = 0.5 * e[1]
+    t7 = 0.5 * e[2]
+    t8 = half_t2 * (e[0] * t3 - omega[0]) + (omega[2] * t6 - omega[1] * t7)
+    t9 = half_t2 * (e[1] * t3 - omega[1]) + (omega[0] * t7 - omega[2] * t5)
+    t10 = half_t2 * (e[2] * t3 - omega[2]) + (omega[1] * t5 - omega[0] * t6)
+    t11 = e[0] * t4 + t2 * t8
+    t12 = e[1] * t4 + t2 * t9
+    t13 = e[2] * t4 + t2 * t10
+    half_t8 = 0.5 * t8
+    half_t9 = 0.5 * t9
+    half_t10 = 0.5 * t10
+    t14 = t5 * t12 + t6 * t11
+    t15 = t5 * t13 + t7 * t11
+    t16 = t6 * t13 + t7 * t12
+    N_dot = batch.array(
+        (4, 3),
+        e[0] * t11 - t4,
+        t14 - half_t10,
+        half_t9 + t15,
+        half_t10 + t14,
+        e[1] * t12 - t4,
+        t16 - half_t8,
+        t15 - half_t9,
+        half_t8 + t16,
+        e[2] * t13 - t4,
+        -t8,
+        -t9,
+        -t10,
+    )
+    return delivered(out, N_dot)
+
+
+def linear_rate_matrix_dot(e: Any, phi: Any, omega: Any, /, *, out: Any = None) -> Any:
+    """text 3.5 f The rate of L by axis, angle and angular velocity: (3.96b).
+    given       e (3): unit vector along the axis of rotation, or along a line
+                phi: angle of rotation
+                omega (3): angular velocity
+    returns     L_dot (4, 3): time derivative of: linear invariants' rates from the angular velocity
+    verdict     holds under
+    assumes     |e| = 1
+    made of     an offered form, proved equal to the statement
+    operations  73: 12 add, 16 subtract, 43 multiply, 1 sine, 1 cosine
+    derivation  sha256 e58c3cd056fca600a3d8fabc77cc08383708b30fcd3f10997c5760ad3d813719
+    signature   (3),(),(3)->(4,3)
+    """
+    batch, e, phi, omega = prepared(
+        "linear_rate_matrix_dot",
+        ("e", e, (3,)),
+        ("phi", phi, ()),
+        ("omega", omega, (3,)),
+    )
+    xp = batch.xp
+    t1 = e[0] * omega[0] + e[1] * omega[1] + e[2] * omega[2]
+    t2 = 0.5 * xp.sin(phi)
+    t3 = t1 * t2
+    t4 = e[1] * omega[2] - e[2] * omega[1]
+    t5 = e[2] * omega[0] - e[0] * omega[2]
+    t6 = e[0] * omega[1] - e[1] * omega[0]
+    t7 = 0.5 * xp.cos(phi)
+    t8 = 0.5 - t7
+    t9 = omega[0] * t2 - t4 * t8
+    t10 = omega[1] * t2 - t5 * t8
+    t11 = omega[2] * t2 - t6 * t8
+    t12 = 0.5 + t7
+    t13 = t1 * t8
+    t14 = omega[0] * t12 - e[0] * t13 - t2 * t4
+    t15 = omega[1] * t12 - e[1] * t13 - t2 * t5
+    t16 = omega[2] * t12 - e[2] * t13 - t2 * t6
+    half_t14 = 0.5 * t14
+    half_t15 = 0.5 * t15
+    half_t16 = 0.5 * t16
+    t17 = 0.5 * e[0]
+    t18 = 0.5 * e[1]
+    t19 = 0.5 * e[2]
+    t20 = t10 * t17 + t9 * t18
+    t21 = t11 * t17 + t9 * t19
+    t22 = t11 * t18 + t10 * t19
+    L_dot = batch.array(
+        (4, 3),
+        -(t3 + e[0] * t9),
+        half_t16 - t20,
+        -(half_t15 + t21),
+        -(half_t16 + t20),
+        -(t3 + e[1] * t10),
+        half_t14 - t22,
+        half_t15 - t21,
+        -(half_t14 + t22),
+        -(t3 + e[2] * t11),
+        -t14,
+        -t15,
+        -t16,
+    )
+    return delivered(out, L_dot)
+
+
+def euler_rodrigues_rate_matrix_dot(e: Any, phi: Any, omega: Any, /, *, out: Any = None) -> Any:
+    """text 3.5 f The rate of H by axis, angle and angular velocity: (3.96c).
+    given       e (3): unit vector along the axis of rotation, or along a line
+                phi: angle of rotation
+                omega (3): angular velocity
+    returns     H_dot (4, 3): time derivative of: Euler-Rodrigues parameters' rates from the angular
+                  velocity
+    verdict     holds under
+    assumes     |e| = 1
+    made of     an offered form, proved equal to the statement
+    operations  28: 2 add, 6 subtract, 18 multiply, 1 sine, 1 cosine
+    derivation  sha256 cbbc7c4a0ec6ff7289faa80a566dfa4879a785dc3e1fcb665d781015958b3b92
+    signature   (3),(),(3)->(4,3)
+    """
+    batch, e, phi, omega = prepared(
+        "euler_rodrigues_rate_matrix_dot",
+        ("e", e, (3,)),
+        ("phi", phi, ()),
+        ("omega", omega, (3,)),
+    )
+    xp = batch.xp
+    half_phi = 0.5 * phi
+    t1 = 0.25 * xp.sin(half_phi)
+    t2 = e[0] * t1
+    t3 = e[1] * t1
+    t4 = e[2] * t1
+    t5 = -(omega[0] * t2 + omega[1] * t3 + omega[2] * t4)
+    t6 = 0.25 * xp.cos(half_phi)
+    t7 = omega[0] * t6 - (omega[2] * t3 - omega[1] * t4)
+    t8 = omega[1] * t6 - (omega[0] * t4 - omega[2] * t2)
+    t9 = omega[2] * t6 - (omega[1] * t2 - omega[0] * t3)
+    H_dot = batch.array((4, 3), t5, t9, -t8, -t9, t5, t7, t8, -t7, t5, -t7, -t8, -t9)
+    return delivered(out, H_dot)
+
+
+def natural_velocity_matrix_dot(e: Any, phi: Any, omega: Any, /, *, out: Any = None) -> Any:
+    """text 3.5 g The rate of the left inverse of N by axis, angle and angular velocity: (3.97a).
+    given       e (3): unit vector along the axis of rotation, or along a line
+                phi: angle of rotation
+                omega (3): angular velocity
+    returns     N_tilde_dot (3, 4): time derivative of: angular velocity from the natural invariants'
+                  rates
+    verdict     holds under
+    assumes     phi != 0
+                |e| = 1
+    operations  55: 8 add, 10 subtract, 34 multiply, 1 divide, 1 sine, 1 cosine
+    derivation  sha256 71e01d77b3ea46f745a9336a2825937c48ecfb5c8f22e156a02b1d41218c2c74
+    signature   (3),(),(3)->(3,4)
+    """
+    batch, e, phi, omega = prepared(
+        "natural_velocity_matrix_dot",
+        ("e", e, (3,)),
+        ("phi", phi, ()),
+        ("omega", omega, (3,)),
+    )
+    xp = batch.xp
+    t1 = e[0] * omega[0] + e[1] * omega[1] + e[2] * omega[2]
+    half_phi = 0.5 * phi
+    sin_half_phi = xp.sin(half_phi)
+    t2 = sin_half_phi * sin_half_phi
+    t3 = t1 * (1.0 - 2.0 * t2)
+    cos_half_phi = xp.cos(half_phi)
+    t4 = sin_half_phi * cos_half_phi
+    t5 = t1 * t4
+    t6 = e[1] * omega[2] - e[2] * omega[1]
+    t7 = e[2] * omega[0] - e[0] * omega[2]
+    t8 = e[0] * omega[1] - e[1] * omega[0]
+    t9 = e[0] * t5 + (omega[0] * t4 - t2 * t6)
+    t10 = e[1] * t5 + (omega[1] * t4 - t2 * t7)
+    t11 = e[2] * t5 + (omega[2] * t4 - t2 * t8)
+    t12 = xp.where(sin_half_phi == 0.0, batch.number(0.0), cos_half_phi) / sin_half_phi
+    half_t12 = 0.5 * t12
+    N_tilde_dot = batch.array(
+        (3, 4),
+        t3,
+        -t11,
+        t10,
+        -((e[0] * t1 - omega[0]) * half_t12 + 0.5 * t6),
+        t11,
+        t3,
+        -t9,
+        -((e[1] * t1 - omega[1]) * half_t12 + 0.5 * t7),
+        -t10,
+        t9,
+        t3,
+        -((e[2] * t1 - omega[2]) * half_t12 + 0.5 * t8),
+    )
+    return delivered(out, N_tilde_dot)
+
+
+def linear_velocity_matrix_dot(e: Any, phi: Any, omega: Any, /, *, out: Any = None) -> Any:
+    """text 3.5 g The rate of the left inverse of L by axis, angle and angular velocity: (3.97b).
+    given       e (3): unit vector along the axis of rotation, or along a line
+                phi: angle of rotation
+                omega (3): angular velocity
+    returns     L_tilde_dot (3, 4): time derivative of: angular velocity from the linear invariants'
+                  rates
+    verdict     holds under
+    assumes     |e| = 1
+                phi != pi
+    operations  34: 5 add, 6 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine
+    derivation  sha256 b5286c2c91a7b4cfdc8d341b90ed08a2a37fc92a9f25530860458e82f6eaacf3
+    signature   (3),(),(3)->(3,4)
+    """
+    batch, e, phi, omega = prepared(
+        "linear_velocity_matrix_dot",
+        ("e", e, (3,)),
+        ("phi", phi, ()),
+        ("omega", omega, (3,)),
+    )
+    xp = batch.xp
+    half_phi = 0.5 * phi
+    cos_half_phi = xp.cos(half_phi)
+    t1 = xp.where(cos_half_phi == 0.0, batch.number(0.0), xp.sin(half_phi))
+    t2 = t1 / cos_half_phi
+    t3 = e[0] * t2
+    t4 = e[1] * t2
+    t5 = e[2] * t2
+    t6 = t2 * (omega[0] * t3 + omega[1] * t4 + omega[2] * t5)
+    t7 = 0.5 * (omega[0] + e[0] * t6 - (omega[2] * t4 - omega[1] * t5))
+    t8 = 0.5 * (omega[1] + e[1] * t6 - (omega[0] * t5 - omega[2] * t3))
+    t9 = 0.5 * (omega[2] + e[2] * t6 - (omega[1] * t3 - omega[0] * t4))
+    L_tilde_dot = batch.array((3, 4), 0.0, -t9, t8, -t7, t9, 0.0, -t7, -t8, -t8, t7, 0.0, -t9)
+    return delivered(out, L_tilde_dot)
+
+
+def euler_rodrigues_velocity_matrix_dot(e: Any, phi: Any, omega: Any, /, *, out: Any = None) -> Any:
+    """text 3.5 g The rate of the left inverse of H by axis, angle and angular velocity: (3.97c).
+    given       e (3): unit vector along the axis of rotation, or along a line
+                phi: angle of rotation
+                omega (3): angular velocity
+    returns     H_tilde_dot (3, 4): time derivative of: angular velocity from the Euler-Rodrigues
+                  parameters' rates
+    verdict     holds under
+    assumes     |e| = 1
+    operations  26: 2 add, 6 subtract, 16 multiply, 1 sine, 1 cosine
+    derivation  sha256 c80e798e741899e2d32fd6b3e16a5b786d0f82ee47987a537c4755eed1b60850
+    signature   (3),(),(3)->(3,4)
+    """
+    batch, e, phi, omega = prepared(
+        "euler_rodrigues_velocity_matrix_dot",
+        ("e", e, (3,)),
+        ("phi", phi, ()),
+        ("omega", omega, (3,)),
+    )
+    xp = batch.xp
+    half_phi = 0.5 * phi
+    sin_half_phi = xp.sin(half_phi)
+    t1 = e[0] * sin_half_phi
+    t2 = e[1] * sin_half_phi
+    t3 = e[2] * sin_half_phi
+    cos_half_phi = xp.cos(half_phi)
+    t4 = omega[0] * cos_half_phi - (omega[2] * t2 - omega[1] * t3)
+    t5 = omega[1] * cos_half_phi - (omega[0] * t3 - omega[2] * t1)
+    t6 = omega[2] * cos_half_phi - (omega[1] * t1 - omega[0] * t2)
+    t7 = -(omega[0] * t1 + omega[1] * t2 + omega[2] * t3)
+    H_tilde_dot = batch.array((3, 4), t7, -t6, t5, -t4, t6, t7, -t4, -t5, -t5, t4, t7, -t6)
+    return delivered(out, H_tilde_dot)
+
+
+def pose_acceleration_natural(e: Any, phi: Any, t: Any, t_dot: Any, /, *, out: Any = None) -> Any:
+    """text 3.5 h The second rate of the pose from the twist and its rate, with the natural invariants.
+    given       e (3): unit vector along the axis of rotation, or along a line
+                phi: angle of rotation
+                t (6): twist: angular velocity, velocity of a landmark point
+                t_dot (6): time derivative of: twist: angular velocity, velocity of a landmark point
+    returns     s_ddot (7): second time derivative of: pose array
+    verdict     holds under
+    assumes     |e| = 1
+                phi != 0
+    made of     an offered form, proved equal to the statement
+    operations  96: 19 add, 19 subtract, 55 multiply, 1 divide, 1 sine, 1 cosine
+    derivation  sha256 d4b56350899a19bcc149b55d1279747465f4ffc9ff92ea858cdd2e564e99ca62
+    signature   (3),(),(6),(6)->(7)
+    """
+    batch, e, phi, t, t_dot = prepared(
+        "pose_acceleration_natural",
+        ("e", e, (3,)),
+        ("phi", phi, ()),
+        ("t", t, (6,)),
+        ("t_dot", t_dot, (6,)),
+    )
+    xp = batch.xp
+    t1 = e[0] * t[0] + e[1] * t[1] + e[2] * t[2]
+    t2 = e[0] * t1 - t[0]
+    t3 = e[1] * t1 - t[1]
+    t4 = e[2] * t1 - t[2]
+    half_phi = 0.5 * phi
+    sin_half_phi = xp.sin(half_phi)
+    t5 = xp.where(sin_half_phi == 0.0, batch.number(0.0), xp.cos(half_phi))
+    t6 = 0.5 * (t5 / sin_half_phi)
+    t7 = t2 * t6 + 0.5 * (e[1] * t[2] - e[2] * t[1])
+    t8 = t3 * t6 + 0.5 * (e[2] * t[0] - e[0] * t[2])
+    t9 = t4 * t6 + 0.5 * (e[0] * t[1] - e[1] * t[0])
+    t10 = e[0] * t_dot[0] + e[1] * t_dot[1] + e[2] * t_dot[2]
+    t11 = t10 - (t[0] * t7 + t[1] * t8 + t[2] * t9)
+    t12 = t1 * (t6 * t6 + 0.25)
+    t13 = 0.5 * (e[1] * t_dot[2] - e[2] * t_dot[1] + (t[1] * t9 - t[2] * t8))
+    t14 = 0.5 * (e[2] * t_dot[0] - e[0] * t_dot[2] + (t[2] * t7 - t[0] * t9))
+    t15 = 0.5 * (e[0] * t_dot[1] - e[1] * t_dot[0] + (t[0] * t8 - t[1] * t7))
+    s_ddot = batch.array(
+        (7,),
+        t6 * (t_dot[0] - e[0] * t11 + t1 * t7) + t2 * t12 - t13,
+        t6 * (t_dot[1] - e[1] * t11 + t1 * t8) + t3 * t12 - t14,
+        t6 * (t_dot[2] - e[2] * t11 + t1 * t9) + t4 * t12 - t15,
+        t11,
+        t_dot[3],
+        t_dot[4],
+        t_dot[5],
+    )
+    return delivered(out, s_ddot)
+
+
+def pose_acceleration_linear(e: Any, phi: Any, t: Any, t_dot: Any, /, *, out: Any = None) -> Any:
+    """text 3.5 h The second rate of the pose from the twist and its rate, with the linear invariants.
+    given       e (3): unit vector along the axis of rotation, or along a line
+                phi: angle of rotation
+                t (6): twist: angular velocity, velocity of a landmark point
+                t_dot (6): time derivative of: twist: angular velocity, velocity of a landmark point
+    returns     s_ddot (7): second time derivative of: pose array
+    verdict     holds under
+    assumes     |e| = 1
+    made of     an offered form, proved equal to the statement
+    operations  76: 11 add, 18 subtract, 45 multiply, 1 sine, 1 cosine
+    derivation  sha256 1588dcded7d741e99e263e63960b704faab031996a2d165fbbe2b322357ed2e9
+    signature   (3),(),(6),(6)->(7)
+    """
+    batch, e, phi, t, t_dot = prepared(
+        "pose_acceleration_linear",
+        ("e", e, (3,)),
+        ("phi", phi, ()),
+        ("t", t, (6,)),
+        ("t_dot", t_dot, (6,)),
+    )
+    xp = batch.xp
+    t1 = 0.5 * xp.cos(phi)
+    t2 = 0.5 + t1
+    sin_phi = xp.sin(phi)
+    half_sin_phi = 0.5 * sin_phi
+    t3 = e[0] * t[0] + e[1] * t[1] + e[2] * t[2]
+    t4 = half_sin_phi * t3
+    t5 = 0.5 - t1
+    t6 = t3 * t5
+    t7 = t_dot[0] * t2 - (e[1] * t_dot[2] - e[2] * t_dot[1]) * half_sin_phi - t[0] * t4
+    t8 = t_dot[1] * t2 - (e[2] * t_dot[0] - e[0] * t_dot[2]) * half_sin_phi - t[1] * t4
+    t9 = t_dot[2] * t2 - (e[0] * t_dot[1] - e[1] * t_dot[0]) * half_sin_phi - t[2] * t4
+    t10 = e[0] * t_dot[0] + e[1] * t_dot[1] + e[2] * t_dot[2]
+    t11 = t[0] * t[0] + t[1] * t[1] + t[2] * t[2]
+    t12 = t5 * t10 + half_sin_phi * t11
+    s_ddot = batch.array(
+        (7,),
+        t7 + (e[1] * t[2] - e[2] * t[1]) * t6 - e[0] * t12,
+        t8 + (e[2] * t[0] - e[0] * t[2]) * t6 - e[1] * t12,
+        t9 + (e[0] * t[1] - e[1] * t[0]) * t6 - e[2] * t12,
+        t3 * t6 - sin_phi * t10 - t2 * t11,
+        t_dot[3],
+        t_dot[4],
+        t_dot[5],
+    )
+    return delivered(out, s_ddot)
+
+
+def pose_acceleration_euler_rodrigues(e: Any, phi: Any, t: Any, t_dot: Any, /, *, out: Any = None) -> Any:
+    """text 3.5 h The second rate of the pose from the twist and its rate, with the Euler-Rodrigues
+    parameters.
+    given       e (3): unit vector along the axis of rotation, or along a line
+                phi: angle of rotation
+                t (6): twist: angular velocity, velocity of a landmark point
+                t_dot (6): time derivative of: twist: angular velocity, velocity of a landmark point
+    returns     s_ddot (7): second time derivative of: pose array
+    verdict     holds under
+    assumes     |e| = 1
+    made of     an offered form, proved equal to the statement
+    operations  45: 5 add, 9 subtract, 29 multiply, 1 sine, 1 cosine
+    derivation  sha256 0f21a42c6c8b20a3978874f3add6fcde6371416fd40cc41c5da50d8f4cd6babd
+    signature   (3),(),(6),(6)->(7)
+    """
+    batch, e, phi, t, t_dot = prepared(
+        "pose_acceleration_euler_rodrigues",
+        ("e", e, (3,)),
+        ("phi", phi, ()),
+        ("t", t, (6,)),
+        ("t_dot", t_dot, (6,)),
+    )
+    xp = batch.xp
+    half_phi = 0.5 * phi
+    cos_half_phi = xp.cos(half_phi)
+    sin_half_phi = xp.sin(half_phi)
+    t1 = e[0] * sin_half_phi
+    t2 = e[1] * sin_half_phi
+    t3 = e[2] * sin_half_phi
+    t4 = 0.25 * (t[0] * t[0] + t[1] * t[1] + t[2] * t[2])
+    t5 = sin_half_phi * t4
+    s_ddot = batch.array(
+        (7,),
+        0.5 * (t_dot[0] * cos_half_phi - (t_dot[2] * t2 - t_dot[1] * t3)) - e[0] * t5,
+        0.5 * (t_dot[1] * cos_half_phi - (t_dot[0] * t3 - t_dot[2] * t1)) - e[1] * t5,
+        0.5 * (t_dot[2] * cos_half_phi - (t_dot[1] * t1 - t_dot[0] * t2)) - e[2] * t5,
+        -(0.5 * (t_dot[0] * t1 + t_dot[1] * t2 + t_dot[2] * t3) + cos_half_phi * t4),
+        t_dot[3],
+        t_dot[4],
+        t_dot[5],
+    )
+    return delivered(out, s_ddot)
+
+
+def twist_rate_from_pose_natural(e: Any, phi: Any, s_dot: Any, s_ddot: Any, /, *, out: Any = None) -> Any:
+    """text 3.5 i The rate of the twist from the rates of the pose, with the natural invariants.
+    given       e (3): unit vector along the axis of rotation, or along a line
+                phi: angle of rotation
+                s_dot (7): time derivative of: pose array
+                s_ddot (7): second time derivative of: pose array
+    returns     t_dot (6): time derivative of: twist: angular velocity, velocity of a landmark point
+    verdict     holds under
+    assumes     |e| = 1
+    made of     an offered form, proved equal to the statement
+    operations  51: 13 add, 7 subtract, 29 multiply, 1 sine, 1 cosine
+    derivation  sha256 46142537f8f2d352235601f0fe20d7417a8415c4299de5fde88c9772c1d5b072
+    signature   (3),(),(7),(7)->(6)
+    """
+    batch, e, phi, s_dot, s_ddot = prepared(
+        "twist_rate_from_pose_natural",
+        ("e", e, (3,)),
+        ("phi", phi, ()),
+        ("s_dot", s_dot, (7,)),
+        ("s_ddot", s_ddot, (7,)),
+    )
+    xp = batch.xp
+    sin_phi = xp.sin(phi)
+    cos_phi = xp.cos(phi)
+    t1 = 1.0 - cos_phi
+    t2 = s_ddot[0] * sin_phi + t1 * (e[1] * s_ddot[2] - e[2] * s_ddot[1])
+    t3 = s_ddot[1] * sin_phi + t1 * (e[2] * s_ddot[0] - e[0] * s_ddot[2])
+    t4 = s_ddot[2] * sin_phi + t1 * (e[0] * s_ddot[1] - e[1] * s_ddot[0])
+    t5 = s_dot[3] * (1.0 + cos_phi)
+    t6 = s_dot[3] * sin_phi
+    t7 = s_dot[0] * t5 + (e[1] * s_dot[2] - e[2] * s_dot[1]) * t6
+    t8 = s_dot[1] * t5 + (e[2] * s_dot[0] - e[0] * s_dot[2]) * t6
+    t9 = s_dot[2] * t5 + (e[0] * s_dot[1] - e[1] * s_dot[0]) * t6
+    t_dot = batch.array(
+        (6,),
+        t2 + e[0] * s_ddot[3] + t7,
+        t3 + e[1] * s_ddot[3] + t8,
+        t4 + e[2] * s_ddot[3] + t9,
+        s_ddot[4],
+        s_ddot[5],
+        s_ddot[6],
+    )
+    return delivered(out, t_dot)
+
+
+def twist_rate_from_pose_linear(e: Any, phi: Any, s_dot: Any, s_ddot: Any, /, *, out: Any = None) -> Any:
+    """text 3.5 i The rate of the twist from the rates of the pose, with the linear invariants.
+    given       e (3): unit vector along the axis of rotation, or along a line
+                phi: angle of rotation
+                s_dot (7): time derivative of: pose array
+                s_ddot (7): second time derivative of: pose array
+    returns     t_dot (6): time derivative of: twist: angular velocity, velocity of a landmark point
+    verdict     holds under
+    assumes     |e| = 1
+                phi != pi
+    made of     an offered form, proved equal to the statement
+    operations  52: 6 add, 15 subtract, 27 multiply, 2 divide, 1 sine, 1 cosine
+    derivation  sha256 e60a5e59bbc9bfff80fda29a99e2165c18777756e0d5ef482d146ef9b36646a2
+    signature   (3),(),(7),(7)->(6)
+    """
+    batch, e, phi, s_dot, s_ddot = prepared(
+        "twist_rate_from_pose_linear",
+        ("e", e, (3,)),
+        ("phi", phi, ()),
+        ("s_dot", s_dot, (7,)),
+        ("s_ddot", s_ddot, (7,)),
+    )
+    xp = batch.xp
+    half_phi = 0.5 * phi
+    cos_half_phi = xp.cos(half_phi)
+    t1 = xp.where(cos_half_phi == 0.0, batch.number(0.0), xp.sin(half_phi))
+    t2 = t1 / cos_half_phi
+    t3 = e[0] * t2
+    t4 = e[1] * t2
+    t5 = e[2] * t2
+    t6 = 2.0 * (cos_half_phi * cos_half_phi)
+    t7 = xp.where(t6 == 0.0, batch.number(0.0), s_dot[3]) / t6
+    t8 = (s_dot[0] - s_dot[1] * t5 + s_dot[2] * t4 - s_dot[3] * t3) * t7
+    t9 = (s_dot[1] + s_dot[0] * t5 - s_dot[2] * t3 - s_dot[3] * t4) * t7
+    t10 = (s_dot[2] + (s_dot[1] * t3 - s_dot[0] * t4) - s_dot[3] * t5) * t7
+    t_dot = batch.array(
+        (6,),
+        s_ddot[0] - s_ddot[1] * t5 + s_ddot[2] * t4 - s_ddot[3] * t3 - t8,
+        s_ddot[1] + s_ddot[0] * t5 - s_ddot[2] * t3 - s_ddot[3] * t4 - t9,
+        s_ddot[2] + (s_ddot[1] * t3 - s_ddot[0] * t4) - s_ddot[3] * t5 - t10,
+        s_ddot[4],
+        s_ddot[5],
+        s_ddot[6],
+    )
+    return delivered(out, t_dot)
+
+
+def twist_rate_from_pose_euler_rodrigues(e: Any, phi: Any, s_dot: Any, s_ddot: Any, /, *, out: Any = None) -> Any:
+    """text 3.5 i The rate of the twist from the rates of the pose, with the Euler-Rodrigues parameters.
+    given       e (3): unit vector along the axis of rotation, or along a line
+                phi: angle of rotation
+                s_dot (7): time derivative of: pose array
+                s_ddot (7): second time derivative of: pose array
+    returns     t_dot (6): time derivative of: twist: angular velocity, velocity of a landmark point
+    verdict     holds under
+    assumes     |e| = 1
+    made of     an offered form, proved equal to the statement
+    operations  29: 3 add, 6 subtract, 18 multiply, 1 sine, 1 cosine
+    derivation  sha256 8f9dc9af1023fade3eb622411945883078b1f62098c7b9178f68aed0ef63d94d
+    signature   (3),(),(7),(7)->(6)
+    """
+    batch, e, phi, s_dot, s_ddot = prepared(
+        "twist_rate_from_pose_euler_rodrigues",
+        ("e", e, (3,)),
+        ("phi", phi, ()),
+        ("s_dot", s_dot, (7,)),
+        ("s_ddot", s_ddot, (7,)),
+    )
+    xp = batch.xp
+    half_phi = 0.5 * phi
+    t1 = 2.0 * xp.cos(half_phi)
+    t2 = 2.0 * xp.sin(half_phi)
+    t3 = e[0] * t2
+    t4 = e[1] * t2
+    t5 = e[2] * t2
+    t_dot = batch.array(
+        (6,),
+        s_ddot[0] * t1 - s_ddot[1] * t5 + s_ddot[2] * t4 - s_ddot[3] * t3,
+        s_ddot[0] * t5 + s_ddot[1] * t1 - s_ddot[2] * t3 - s_ddot[3] * t4,
+        s_ddot[1] * t3 - s_ddot[0] * t4 + s_ddot[2] * t1 - s_ddot[3] * t5,
+        s_ddot[4],
+        s_ddot[5],
+        s_ddot[6],
+    )
+    return delivered(out, t_dot)
 
 
 def moving_frame_velocity(o_dot: Any, Q: Any, omega: Any, rho: Any, rho_dot: Any, /, *, out: Any = None) -> Any:
@@ -1531,8 +2093,9 @@ def moving_frame_acceleration(o_ddot: Any, Q: Any, omega: Any, omega_dot: Any, r
     verdict     holds
     assumes     nothing
     expects     Q is a rotation
-    operations  96: 30 add, 12 subtract, 54 multiply
-    derivation  sha256 66da4387ad5ab81e53838f8c4723070d54bb0b3618d2713ac2cce73a080128c2
+    made of     an offered form, proved equal to the statement
+    operations  87: 30 add, 9 subtract, 48 multiply
+    derivation  sha256 985f244a1c015e00a6d544a9a346e7446722d3d1972e549159bc1a6a90456d40
     signature   (3),(3,3),(3),(3),(3),(3),(3)->(3)
     """
     batch, o_ddot, Q, omega, omega_dot, rho, rho_dot, rho_ddot = prepared(
@@ -1548,23 +2111,23 @@ def moving_frame_acceleration(o_ddot: Any, Q: Any, omega: Any, omega_dot: Any, r
     t1 = Q[0][0] * rho[0] + Q[0][1] * rho[1] + Q[0][2] * rho[2]
     t2 = Q[1][0] * rho[0] + Q[1][1] * rho[1] + Q[1][2] * rho[2]
     t3 = Q[2][0] * rho[0] + Q[2][1] * rho[1] + Q[2][2] * rho[2]
-    t4 = omega[1] * t3 - omega[2] * t2
-    t5 = omega[2] * t1 - omega[0] * t3
-    t6 = omega[0] * t2 - omega[1] * t1
-    t7 = omega_dot[1] * t3 - omega_dot[2] * t2 + (omega[1] * t6 - omega[2] * t5)
-    t8 = omega_dot[2] * t1 - omega_dot[0] * t3 + (omega[2] * t4 - omega[0] * t6)
-    t9 = omega_dot[0] * t2 - omega_dot[1] * t1 + (omega[0] * t5 - omega[1] * t4)
-    t10 = Q[0][0] * rho_dot[0] + Q[0][1] * rho_dot[1] + Q[0][2] * rho_dot[2]
-    t11 = Q[1][0] * rho_dot[0] + Q[1][1] * rho_dot[1] + Q[1][2] * rho_dot[2]
-    t12 = Q[2][0] * rho_dot[0] + Q[2][1] * rho_dot[1] + Q[2][2] * rho_dot[2]
+    t4 = 2.0 * (Q[0][0] * rho_dot[0] + Q[0][1] * rho_dot[1] + Q[0][2] * rho_dot[2])
+    t5 = omega[1] * t3 - omega[2] * t2 + t4
+    t6 = 2.0 * (Q[1][0] * rho_dot[0] + Q[1][1] * rho_dot[1] + Q[1][2] * rho_dot[2])
+    t7 = omega[2] * t1 - omega[0] * t3 + t6
+    t8 = 2.0 * (Q[2][0] * rho_dot[0] + Q[2][1] * rho_dot[1] + Q[2][2] * rho_dot[2])
+    t9 = omega[0] * t2 - omega[1] * t1 + t8
+    t10 = o_ddot[0] + (omega_dot[1] * t3 - omega_dot[2] * t2)
+    t11 = o_ddot[1] + (omega_dot[2] * t1 - omega_dot[0] * t3)
+    t12 = o_ddot[2] + (omega_dot[0] * t2 - omega_dot[1] * t1)
     t13 = Q[0][0] * rho_ddot[0] + Q[0][1] * rho_ddot[1] + Q[0][2] * rho_ddot[2]
     t14 = Q[1][0] * rho_ddot[0] + Q[1][1] * rho_ddot[1] + Q[1][2] * rho_ddot[2]
     t15 = Q[2][0] * rho_ddot[0] + Q[2][1] * rho_ddot[1] + Q[2][2] * rho_ddot[2]
     p_ddot = batch.array(
         (3,),
-        o_ddot[0] + t7 + 2.0 * (omega[1] * t12 - omega[2] * t11) + t13,
-        o_ddot[1] + t8 + 2.0 * (omega[2] * t10 - omega[0] * t12) + t14,
-        o_ddot[2] + t9 + 2.0 * (omega[0] * t11 - omega[1] * t10) + t15,
+        t10 + (omega[1] * t9 - omega[2] * t7) + t13,
+        t11 + (omega[2] * t5 - omega[0] * t9) + t14,
+        t12 + (omega[0] * t7 - omega[1] * t5) + t15,
     )
     return delivered(out, p_ddot)
 
@@ -1578,8 +2141,9 @@ def wrench_axis(f: Any, n_A: Any, a: Any, /, *, out: Any = None) -> Any:
                 pitch: pitch of the wrench, in metres per radian
     verdict     holds under
     assumes     f != 0
-    operations  49: 4 add, 12 subtract, 27 multiply, 5 divide, 1 square root
-    derivation  sha256 f6f930d9678b859aa30368ca18000d5606fc5b8fa517c3baf582f66a110dcdc4
+    made of     an offered form, proved equal to the statement
+    operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root
+    derivation  sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
     signature   (3),(3),(3)->(6),()
     """
     batch, f, n_A, a = prepared("wrench_axis", ("f", f, (3,)), ("n_A", n_A, (3,)), ("a", a, (3,)))
@@ -1590,19 +2154,14 @@ def wrench_axis(f: Any, n_A: Any, a: Any, /, *, out: Any = None) -> Any:
     t4 = xp.where(t3, batch.number(0.0), f[0]) / t2
     t5 = xp.where(t3, batch.number(0.0), f[1]) / t2
     t6 = xp.where(t3, batch.number(0.0), f[2]) / t2
-    t7 = xp.where(t3, batch.number(0.0), batch.number(1.0)) / t1
-    t8 = f[0] * t7
-    t9 = f[1] * t7
-    t10 = f[2] * t7
-    t11 = n_A[0] - (f[1] * a[2] - f[2] * a[1])
-    t12 = n_A[1] - (f[2] * a[0] - f[0] * a[2])
-    t13 = n_A[2] - (f[0] * a[1] - f[1] * a[0])
-    t14 = t9 * t13 - t10 * t12
-    t15 = t10 * t11 - t8 * t13
-    t16 = t8 * t12 - t9 * t11
-    t17 = xp.where(t3, batch.number(0.0), f[0] * n_A[0] + f[1] * n_A[1] + f[2] * n_A[2])
-    axis = batch.array((6,), t4, t5, t6, t6 * t15 - t5 * t16, t4 * t16 - t6 * t14, t5 * t14 - t4 * t15)
-    pitch = batch.array((), t17 / t1)
+    t7 = xp.where(t3, batch.number(0.0), n_A[0]) / t2
+    t8 = xp.where(t3, batch.number(0.0), n_A[1]) / t2
+    t9 = xp.where(t3, batch.number(0.0), n_A[2]) / t2
+    t10 = a[0] + (t5 * t9 - t6 * t8)
+    t11 = a[1] + (t6 * t7 - t4 * t9)
+    t12 = a[2] + (t4 * t8 - t5 * t7)
+    axis = batch.array((6,), t4, t5, t6, t6 * t11 - t5 * t12, t4 * t12 - t6 * t10, t5 * t10 - t4 * t11)
+    pitch = batch.array((), t4 * t7 + t5 * t8 + t6 * t9)
     return delivered(out, axis, pitch)
 
 
@@ -1678,7 +2237,7 @@ def inertia_about_point(I_C: Any, m: Any, c: Any, a: Any, /, *, out: Any = None)
     verdict     holds under
     assumes     m > 0
     expects     I_C is symmetric
-    operations  30: 5 add, 12 subtract, 13 multiply
+    operations  24: 6 add, 9 subtract, 9 multiply
     derivation  sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
     signature   (3,3),(),(3),(3)->(3,3)
     """
@@ -1692,23 +2251,25 @@ def inertia_about_point(I_C: Any, m: Any, c: Any, a: Any, /, *, out: Any = None)
     t1 = a[0] - c[0]
     t2 = a[1] - c[1]
     t3 = a[2] - c[2]
-    t4 = m * (t1 * t1 + t2 * t2 + t3 * t3)
-    t5 = m * t1
-    t6 = m * t2
-    t7 = t2 * t5
-    t8 = t3 * t5
-    t9 = t3 * t6
+    t4 = m * t2
+    t5 = m * t3
+    t6 = t1 * (m * t1)
+    t7 = t1 * t4
+    t8 = t1 * t5
+    t9 = t2 * t4
+    t10 = t2 * t5
+    t11 = t3 * t5
     I_A = batch.array(
         (3, 3),
-        I_C[0][0] + t4 - t1 * t5,
+        I_C[0][0] + (t9 + t11),
         I_C[0][1] - t7,
         I_C[0][2] - t8,
         I_C[1][0] - t7,
-        I_C[1][1] + t4 - t2 * t6,
-        I_C[1][2] - t9,
+        I_C[1][1] + (t6 + t11),
+        I_C[1][2] - t10,
         I_C[2][0] - t8,
-        I_C[2][1] - t9,
-        I_C[2][2] + t4 - t3 * (m * t3),
+        I_C[2][1] - t10,
+        I_C[2][2] + (t6 + t9),
     )
     return delivered(out, I_A)
 
@@ -1724,7 +2285,7 @@ def inertia_about_point_sym6(I_C: Any, m: Any, c: Any, a: Any, /, *, out: Any = 
     verdict     holds under
     assumes     m > 0
     expects     I_C is symmetric
-    operations  27: 5 add, 9 subtract, 13 multiply
+    operations  21: 6 add, 6 subtract, 9 multiply
     derivation  sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
     signature   (6),(),(3),(3)->(6)
     """
@@ -1738,17 +2299,19 @@ def inertia_about_point_sym6(I_C: Any, m: Any, c: Any, a: Any, /, *, out: Any = 
     t1 = a[0] - c[0]
     t2 = a[1] - c[1]
     t3 = a[2] - c[2]
-    t4 = m * (t1 * t1 + t2 * t2 + t3 * t3)
-    t5 = m * t1
-    t6 = m * t2
+    t4 = m * t2
+    t5 = m * t3
+    t6 = t1 * (m * t1)
+    t7 = t2 * t4
+    t8 = t3 * t5
     I_A = batch.array(
         (6,),
-        I_C[0] + t4 - t1 * t5,
-        I_C[1] - t2 * t5,
-        I_C[2] - t3 * t5,
-        I_C[3] + t4 - t2 * t6,
-        I_C[4] - t3 * t6,
-        I_C[5] + t4 - t3 * (m * t3),
+        I_C[0] + (t7 + t8),
+        I_C[1] - t1 * t4,
+        I_C[2] - t1 * t5,
+        I_C[3] + (t6 + t8),
+        I_C[4] - t2 * t5,
+        I_C[5] + (t6 + t7),
     )
     return delivered(out, I_A)
 
@@ -2052,7 +2615,7 @@ def inertia_dyad(I_C: Any, m: Any, c: Any, a: Any, /, *, out: Any = None) -> Any
     assumes     nothing
     expects     I_C is symmetric
                 m > 0
-    operations  30: 6 add, 9 subtract, 15 multiply
+    operations  24: 6 add, 9 subtract, 9 multiply
     derivation  sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
     signature   (3,3),(),(3),(3)->(6,6)
     """
@@ -2066,49 +2629,49 @@ def inertia_dyad(I_C: Any, m: Any, c: Any, a: Any, /, *, out: Any = None) -> Any
     t1 = a[0] - c[0]
     t2 = a[1] - c[1]
     t3 = a[2] - c[2]
-    t4 = t3 * t3
-    t5 = t2 * t2
-    t6 = t1 * t1
-    t7 = m * (t1 * t2)
-    t8 = m * (t1 * t3)
-    t9 = m * (t2 * t3)
-    t10 = m * t1
-    t11 = m * t2
-    t12 = m * t3
+    t4 = m * t1
+    t5 = m * t2
+    t6 = m * t3
+    t7 = t1 * t4
+    t8 = t1 * t5
+    t9 = t1 * t6
+    t10 = t2 * t5
+    t11 = t2 * t6
+    t12 = t3 * t6
     M_A = batch.array(
         (6, 6),
-        I_C[0][0] + m * (t4 + t5),
-        I_C[0][1] - t7,
-        I_C[0][2] - t8,
+        I_C[0][0] + (t10 + t12),
+        I_C[0][1] - t8,
+        I_C[0][2] - t9,
         0.0,
-        t12,
-        -t11,
-        I_C[1][0] - t7,
-        I_C[1][1] + m * (t4 + t6),
-        I_C[1][2] - t9,
-        -t12,
+        t6,
+        -t5,
+        I_C[1][0] - t8,
+        I_C[1][1] + (t7 + t12),
+        I_C[1][2] - t11,
+        -t6,
         0.0,
-        t10,
-        I_C[2][0] - t8,
-        I_C[2][1] - t9,
-        I_C[2][2] + m * (t5 + t6),
-        t11,
-        -t10,
+        t4,
+        I_C[2][0] - t9,
+        I_C[2][1] - t11,
+        I_C[2][2] + (t7 + t10),
+        t5,
+        -t4,
         0.0,
         0.0,
-        -t12,
-        t11,
+        -t6,
+        t5,
         m,
         0.0,
         0.0,
-        t12,
+        t6,
         0.0,
-        -t10,
+        -t4,
         0.0,
         m,
         0.0,
-        -t11,
-        t10,
+        -t5,
+        t4,
         0.0,
         0.0,
         0.0,
@@ -2129,7 +2692,7 @@ def inertia_dyad_sym6(I_C: Any, m: Any, c: Any, a: Any, /, *, out: Any = None) -
     assumes     nothing
     expects     I_C is symmetric
                 m > 0
-    operations  27: 6 add, 6 subtract, 15 multiply
+    operations  21: 6 add, 6 subtract, 9 multiply
     derivation  sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
     signature   (6),(),(3),(3)->(6,6)
     """
@@ -2143,49 +2706,49 @@ def inertia_dyad_sym6(I_C: Any, m: Any, c: Any, a: Any, /, *, out: Any = None) -
     t1 = a[0] - c[0]
     t2 = a[1] - c[1]
     t3 = a[2] - c[2]
-    t4 = t3 * t3
-    t5 = t2 * t2
-    t6 = t1 * t1
-    t7 = I_C[1] - m * (t1 * t2)
-    t8 = I_C[2] - m * (t1 * t3)
-    t9 = I_C[4] - m * (t2 * t3)
-    t10 = m * t1
-    t11 = m * t2
-    t12 = m * t3
+    t4 = m * t1
+    t5 = m * t2
+    t6 = m * t3
+    t7 = t1 * t4
+    t8 = t2 * t5
+    t9 = t3 * t6
+    t10 = I_C[1] - t1 * t5
+    t11 = I_C[2] - t1 * t6
+    t12 = I_C[4] - t2 * t6
     M_A = batch.array(
         (6, 6),
-        I_C[0] + m * (t4 + t5),
-        t7,
-        t8,
-        0.0,
-        t12,
-        -t11,
-        t7,
-        I_C[3] + m * (t4 + t6),
-        t9,
-        -t12,
-        0.0,
+        I_C[0] + (t8 + t9),
         t10,
-        t8,
-        t9,
-        I_C[5] + m * (t5 + t6),
         t11,
-        -t10,
+        0.0,
+        t6,
+        -t5,
+        t10,
+        I_C[3] + (t7 + t9),
+        t12,
+        -t6,
+        0.0,
+        t4,
+        t11,
+        t12,
+        I_C[5] + (t7 + t8),
+        t5,
+        -t4,
         0.0,
         0.0,
-        -t12,
-        t11,
+        -t6,
+        t5,
         m,
         0.0,
         0.0,
-        t12,
+        t6,
         0.0,
-        -t10,
+        -t4,
         0.0,
         m,
         0.0,
-        -t11,
-        t10,
+        -t5,
+        t4,
         0.0,
         0.0,
         0.0,

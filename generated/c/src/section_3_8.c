@@ -15,7 +15,7 @@
  *   verdict     holds under
  *   assumes     m > 0
  *   expects     I_C is symmetric
- *   operations  30: 5 add, 12 subtract, 13 multiply
+ *   operations  24: 6 add, 9 subtract, 9 multiply
  *   derivation  sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
  */
 void chasles_inertia_about_point(
@@ -28,21 +28,23 @@ void chasles_inertia_about_point(
     const double t1 = a[0] - c[0];
     const double t2 = a[1] - c[1];
     const double t3 = a[2] - c[2];
-    const double t4 = m * (t1 * t1 + t2 * t2 + t3 * t3);
-    const double t5 = m * t1;
-    const double t6 = m * t2;
-    const double t7 = t2 * t5;
-    const double t8 = t3 * t5;
-    const double t9 = t3 * t6;
-    const double I_A0 = I_C[0] + t4 - t1 * t5;
+    const double t4 = m * t2;
+    const double t5 = m * t3;
+    const double t6 = t1 * (m * t1);
+    const double t7 = t1 * t4;
+    const double t8 = t1 * t5;
+    const double t9 = t2 * t4;
+    const double t10 = t2 * t5;
+    const double t11 = t3 * t5;
+    const double I_A0 = I_C[0] + (t9 + t11);
     const double I_A1 = I_C[1] - t7;
     const double I_A2 = I_C[2] - t8;
     const double I_A3 = I_C[3] - t7;
-    const double I_A4 = I_C[4] + t4 - t2 * t6;
-    const double I_A5 = I_C[5] - t9;
+    const double I_A4 = I_C[4] + (t6 + t11);
+    const double I_A5 = I_C[5] - t10;
     const double I_A6 = I_C[6] - t8;
-    const double I_A7 = I_C[7] - t9;
-    const double I_A8 = I_C[8] + t4 - t3 * (m * t3);
+    const double I_A7 = I_C[7] - t10;
+    const double I_A8 = I_C[8] + (t6 + t9);
     I_A[0] = I_A0;
     I_A[1] = I_A1;
     I_A[2] = I_A2;
@@ -57,7 +59,7 @@ void chasles_inertia_about_point(
 /*
  * (3.133a) chasles_inertia_about_point in single precision.
  *   verdict: holds under; assumes m > 0
- *   30 operations; derivation sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
+ *   24 operations; derivation sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
  */
 void chasles_inertia_about_pointf(
     const float I_C[9],
@@ -69,21 +71,23 @@ void chasles_inertia_about_pointf(
     const float t1 = a[0] - c[0];
     const float t2 = a[1] - c[1];
     const float t3 = a[2] - c[2];
-    const float t4 = m * (t1 * t1 + t2 * t2 + t3 * t3);
-    const float t5 = m * t1;
-    const float t6 = m * t2;
-    const float t7 = t2 * t5;
-    const float t8 = t3 * t5;
-    const float t9 = t3 * t6;
-    const float I_A0 = I_C[0] + t4 - t1 * t5;
+    const float t4 = m * t2;
+    const float t5 = m * t3;
+    const float t6 = t1 * (m * t1);
+    const float t7 = t1 * t4;
+    const float t8 = t1 * t5;
+    const float t9 = t2 * t4;
+    const float t10 = t2 * t5;
+    const float t11 = t3 * t5;
+    const float I_A0 = I_C[0] + (t9 + t11);
     const float I_A1 = I_C[1] - t7;
     const float I_A2 = I_C[2] - t8;
     const float I_A3 = I_C[3] - t7;
-    const float I_A4 = I_C[4] + t4 - t2 * t6;
-    const float I_A5 = I_C[5] - t9;
+    const float I_A4 = I_C[4] + (t6 + t11);
+    const float I_A5 = I_C[5] - t10;
     const float I_A6 = I_C[6] - t8;
-    const float I_A7 = I_C[7] - t9;
-    const float I_A8 = I_C[8] + t4 - t3 * (m * t3);
+    const float I_A7 = I_C[7] - t10;
+    const float I_A8 = I_C[8] + (t6 + t9);
     I_A[0] = I_A0;
     I_A[1] = I_A1;
     I_A[2] = I_A2;
@@ -98,7 +102,7 @@ void chasles_inertia_about_pointf(
 /*
  * (3.133a) chasles_inertia_about_point for a batch.
  *   verdict: holds under; assumes m > 0
- *   30 operations; derivation sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
+ *   24 operations; derivation sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
  */
 void chasles_inertia_about_point_batch(
     size_t count,
@@ -121,7 +125,7 @@ void chasles_inertia_about_point_batch(
 /*
  * (3.133a) chasles_inertia_about_pointf for a batch.
  *   verdict: holds under; assumes m > 0
- *   30 operations; derivation sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
+ *   24 operations; derivation sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
  */
 void chasles_inertia_about_point_batchf(
     size_t count,
@@ -152,7 +156,7 @@ void chasles_inertia_about_point_batchf(
  *   verdict     holds under
  *   assumes     m > 0
  *   expects     I_C is symmetric
- *   operations  27: 5 add, 9 subtract, 13 multiply
+ *   operations  21: 6 add, 6 subtract, 9 multiply
  *   derivation  sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
  */
 void chasles_inertia_about_point_sym6(
@@ -165,15 +169,17 @@ void chasles_inertia_about_point_sym6(
     const double t1 = a[0] - c[0];
     const double t2 = a[1] - c[1];
     const double t3 = a[2] - c[2];
-    const double t4 = m * (t1 * t1 + t2 * t2 + t3 * t3);
-    const double t5 = m * t1;
-    const double t6 = m * t2;
-    const double I_A0 = I_C[0] + t4 - t1 * t5;
-    const double I_A1 = I_C[1] - t2 * t5;
-    const double I_A2 = I_C[2] - t3 * t5;
-    const double I_A3 = I_C[3] + t4 - t2 * t6;
-    const double I_A4 = I_C[4] - t3 * t6;
-    const double I_A5 = I_C[5] + t4 - t3 * (m * t3);
+    const double t4 = m * t2;
+    const double t5 = m * t3;
+    const double t6 = t1 * (m * t1);
+    const double t7 = t2 * t4;
+    const double t8 = t3 * t5;
+    const double I_A0 = I_C[0] + (t7 + t8);
+    const double I_A1 = I_C[1] - t1 * t4;
+    const double I_A2 = I_C[2] - t1 * t5;
+    const double I_A3 = I_C[3] + (t6 + t8);
+    const double I_A4 = I_C[4] - t2 * t5;
+    const double I_A5 = I_C[5] + (t6 + t7);
     I_A[0] = I_A0;
     I_A[1] = I_A1;
     I_A[2] = I_A2;
@@ -185,7 +191,7 @@ void chasles_inertia_about_point_sym6(
 /*
  * (3.133a) chasles_inertia_about_point_sym6 in single precision.
  *   verdict: holds under; assumes m > 0
- *   27 operations; derivation sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
+ *   21 operations; derivation sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
  */
 void chasles_inertia_about_point_sym6f(
     const float I_C[6],
@@ -197,15 +203,17 @@ void chasles_inertia_about_point_sym6f(
     const float t1 = a[0] - c[0];
     const float t2 = a[1] - c[1];
     const float t3 = a[2] - c[2];
-    const float t4 = m * (t1 * t1 + t2 * t2 + t3 * t3);
-    const float t5 = m * t1;
-    const float t6 = m * t2;
-    const float I_A0 = I_C[0] + t4 - t1 * t5;
-    const float I_A1 = I_C[1] - t2 * t5;
-    const float I_A2 = I_C[2] - t3 * t5;
-    const float I_A3 = I_C[3] + t4 - t2 * t6;
-    const float I_A4 = I_C[4] - t3 * t6;
-    const float I_A5 = I_C[5] + t4 - t3 * (m * t3);
+    const float t4 = m * t2;
+    const float t5 = m * t3;
+    const float t6 = t1 * (m * t1);
+    const float t7 = t2 * t4;
+    const float t8 = t3 * t5;
+    const float I_A0 = I_C[0] + (t7 + t8);
+    const float I_A1 = I_C[1] - t1 * t4;
+    const float I_A2 = I_C[2] - t1 * t5;
+    const float I_A3 = I_C[3] + (t6 + t8);
+    const float I_A4 = I_C[4] - t2 * t5;
+    const float I_A5 = I_C[5] + (t6 + t7);
     I_A[0] = I_A0;
     I_A[1] = I_A1;
     I_A[2] = I_A2;
@@ -217,7 +225,7 @@ void chasles_inertia_about_point_sym6f(
 /*
  * (3.133a) chasles_inertia_about_point_sym6 for a batch.
  *   verdict: holds under; assumes m > 0
- *   27 operations; derivation sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
+ *   21 operations; derivation sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
  */
 void chasles_inertia_about_point_sym6_batch(
     size_t count,
@@ -240,7 +248,7 @@ void chasles_inertia_about_point_sym6_batch(
 /*
  * (3.133a) chasles_inertia_about_point_sym6f for a batch.
  *   verdict: holds under; assumes m > 0
- *   27 operations; derivation sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
+ *   21 operations; derivation sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
  */
 void chasles_inertia_about_point_sym6_batchf(
     size_t count,
@@ -1097,7 +1105,7 @@ void chasles_newton_euler_twist_rate_sym6_batchf(
  *   assumes     nothing
  *   expects     I_C is symmetric
  *               m > 0
- *   operations  30: 6 add, 9 subtract, 15 multiply
+ *   operations  24: 6 add, 9 subtract, 9 multiply
  *   derivation  sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
  */
 void chasles_inertia_dyad(
@@ -1111,27 +1119,27 @@ void chasles_inertia_dyad(
     const double t1 = a[0] - c[0];
     const double t2 = a[1] - c[1];
     const double t3 = a[2] - c[2];
-    const double t4 = t3 * t3;
-    const double t5 = t2 * t2;
-    const double t6 = t1 * t1;
-    const double t7 = M_A21 * (t1 * t2);
-    const double t8 = M_A21 * (t1 * t3);
-    const double t9 = M_A21 * (t2 * t3);
-    const double M_A0 = I_C[0] + M_A21 * (t4 + t5);
-    const double M_A1 = I_C[1] - t7;
-    const double M_A2 = I_C[2] - t8;
-    const double M_A6 = I_C[3] - t7;
-    const double M_A7 = I_C[4] + M_A21 * (t4 + t6);
-    const double M_A8 = I_C[5] - t9;
-    const double M_A12 = I_C[6] - t8;
-    const double M_A13 = I_C[7] - t9;
-    const double M_A14 = I_C[8] + M_A21 * (t5 + t6);
     const double M_A11 = M_A21 * t1;
     const double M_A16 = -M_A11;
     const double M_A15 = M_A21 * t2;
     const double M_A5 = -M_A15;
     const double M_A4 = M_A21 * t3;
     const double M_A9 = -M_A4;
+    const double t4 = t1 * M_A11;
+    const double t5 = t1 * M_A15;
+    const double t6 = t1 * M_A4;
+    const double t7 = t2 * M_A15;
+    const double t8 = t2 * M_A4;
+    const double t9 = t3 * M_A4;
+    const double M_A0 = I_C[0] + (t7 + t9);
+    const double M_A1 = I_C[1] - t5;
+    const double M_A2 = I_C[2] - t6;
+    const double M_A6 = I_C[3] - t5;
+    const double M_A7 = I_C[4] + (t4 + t9);
+    const double M_A8 = I_C[5] - t8;
+    const double M_A12 = I_C[6] - t6;
+    const double M_A13 = I_C[7] - t8;
+    const double M_A14 = I_C[8] + (t4 + t7);
     M_A[0] = M_A0;
     M_A[1] = M_A1;
     M_A[2] = M_A2;
@@ -1173,7 +1181,7 @@ void chasles_inertia_dyad(
 /*
  * (3.147) chasles_inertia_dyad in single precision.
  *   verdict: holds; assumes nothing
- *   30 operations; derivation sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
+ *   24 operations; derivation sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
  */
 void chasles_inertia_dyadf(
     const float I_C[9],
@@ -1186,27 +1194,27 @@ void chasles_inertia_dyadf(
     const float t1 = a[0] - c[0];
     const float t2 = a[1] - c[1];
     const float t3 = a[2] - c[2];
-    const float t4 = t3 * t3;
-    const float t5 = t2 * t2;
-    const float t6 = t1 * t1;
-    const float t7 = M_A21 * (t1 * t2);
-    const float t8 = M_A21 * (t1 * t3);
-    const float t9 = M_A21 * (t2 * t3);
-    const float M_A0 = I_C[0] + M_A21 * (t4 + t5);
-    const float M_A1 = I_C[1] - t7;
-    const float M_A2 = I_C[2] - t8;
-    const float M_A6 = I_C[3] - t7;
-    const float M_A7 = I_C[4] + M_A21 * (t4 + t6);
-    const float M_A8 = I_C[5] - t9;
-    const float M_A12 = I_C[6] - t8;
-    const float M_A13 = I_C[7] - t9;
-    const float M_A14 = I_C[8] + M_A21 * (t5 + t6);
     const float M_A11 = M_A21 * t1;
     const float M_A16 = -M_A11;
     const float M_A15 = M_A21 * t2;
     const float M_A5 = -M_A15;
     const float M_A4 = M_A21 * t3;
     const float M_A9 = -M_A4;
+    const float t4 = t1 * M_A11;
+    const float t5 = t1 * M_A15;
+    const float t6 = t1 * M_A4;
+    const float t7 = t2 * M_A15;
+    const float t8 = t2 * M_A4;
+    const float t9 = t3 * M_A4;
+    const float M_A0 = I_C[0] + (t7 + t9);
+    const float M_A1 = I_C[1] - t5;
+    const float M_A2 = I_C[2] - t6;
+    const float M_A6 = I_C[3] - t5;
+    const float M_A7 = I_C[4] + (t4 + t9);
+    const float M_A8 = I_C[5] - t8;
+    const float M_A12 = I_C[6] - t6;
+    const float M_A13 = I_C[7] - t8;
+    const float M_A14 = I_C[8] + (t4 + t7);
     M_A[0] = M_A0;
     M_A[1] = M_A1;
     M_A[2] = M_A2;
@@ -1248,7 +1256,7 @@ void chasles_inertia_dyadf(
 /*
  * (3.147) chasles_inertia_dyad for a batch.
  *   verdict: holds; assumes nothing
- *   30 operations; derivation sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
+ *   24 operations; derivation sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
  */
 void chasles_inertia_dyad_batch(
     size_t count,
@@ -1271,7 +1279,7 @@ void chasles_inertia_dyad_batch(
 /*
  * (3.147) chasles_inertia_dyadf for a batch.
  *   verdict: holds; assumes nothing
- *   30 operations; derivation sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
+ *   24 operations; derivation sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
  */
 void chasles_inertia_dyad_batchf(
     size_t count,
@@ -1303,7 +1311,7 @@ void chasles_inertia_dyad_batchf(
  *   assumes     nothing
  *   expects     I_C is symmetric
  *               m > 0
- *   operations  27: 6 add, 6 subtract, 15 multiply
+ *   operations  21: 6 add, 6 subtract, 9 multiply
  *   derivation  sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
  */
 void chasles_inertia_dyad_sym6(
@@ -1317,21 +1325,21 @@ void chasles_inertia_dyad_sym6(
     const double t1 = a[0] - c[0];
     const double t2 = a[1] - c[1];
     const double t3 = a[2] - c[2];
-    const double t4 = t3 * t3;
-    const double t5 = t2 * t2;
-    const double t6 = t1 * t1;
-    const double M_A0 = I_C[0] + M_A21 * (t4 + t5);
-    const double M_A1 = I_C[1] - M_A21 * (t1 * t2);
-    const double M_A2 = I_C[2] - M_A21 * (t1 * t3);
-    const double M_A7 = I_C[3] + M_A21 * (t4 + t6);
-    const double M_A8 = I_C[4] - M_A21 * (t2 * t3);
-    const double M_A14 = I_C[5] + M_A21 * (t5 + t6);
     const double M_A11 = M_A21 * t1;
     const double M_A16 = -M_A11;
     const double M_A15 = M_A21 * t2;
     const double M_A5 = -M_A15;
     const double M_A4 = M_A21 * t3;
     const double M_A9 = -M_A4;
+    const double t4 = t1 * M_A11;
+    const double t5 = t2 * M_A15;
+    const double t6 = t3 * M_A4;
+    const double M_A0 = I_C[0] + (t5 + t6);
+    const double M_A1 = I_C[1] - t1 * M_A15;
+    const double M_A2 = I_C[2] - t1 * M_A4;
+    const double M_A7 = I_C[3] + (t4 + t6);
+    const double M_A8 = I_C[4] - t2 * M_A4;
+    const double M_A14 = I_C[5] + (t4 + t5);
     M_A[0] = M_A0;
     M_A[1] = M_A1;
     M_A[2] = M_A2;
@@ -1373,7 +1381,7 @@ void chasles_inertia_dyad_sym6(
 /*
  * (3.147) chasles_inertia_dyad_sym6 in single precision.
  *   verdict: holds; assumes nothing
- *   27 operations; derivation sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
+ *   21 operations; derivation sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
  */
 void chasles_inertia_dyad_sym6f(
     const float I_C[6],
@@ -1386,21 +1394,21 @@ void chasles_inertia_dyad_sym6f(
     const float t1 = a[0] - c[0];
     const float t2 = a[1] - c[1];
     const float t3 = a[2] - c[2];
-    const float t4 = t3 * t3;
-    const float t5 = t2 * t2;
-    const float t6 = t1 * t1;
-    const float M_A0 = I_C[0] + M_A21 * (t4 + t5);
-    const float M_A1 = I_C[1] - M_A21 * (t1 * t2);
-    const float M_A2 = I_C[2] - M_A21 * (t1 * t3);
-    const float M_A7 = I_C[3] + M_A21 * (t4 + t6);
-    const float M_A8 = I_C[4] - M_A21 * (t2 * t3);
-    const float M_A14 = I_C[5] + M_A21 * (t5 + t6);
     const float M_A11 = M_A21 * t1;
     const float M_A16 = -M_A11;
     const float M_A15 = M_A21 * t2;
     const float M_A5 = -M_A15;
     const float M_A4 = M_A21 * t3;
     const float M_A9 = -M_A4;
+    const float t4 = t1 * M_A11;
+    const float t5 = t2 * M_A15;
+    const float t6 = t3 * M_A4;
+    const float M_A0 = I_C[0] + (t5 + t6);
+    const float M_A1 = I_C[1] - t1 * M_A15;
+    const float M_A2 = I_C[2] - t1 * M_A4;
+    const float M_A7 = I_C[3] + (t4 + t6);
+    const float M_A8 = I_C[4] - t2 * M_A4;
+    const float M_A14 = I_C[5] + (t4 + t5);
     M_A[0] = M_A0;
     M_A[1] = M_A1;
     M_A[2] = M_A2;
@@ -1442,7 +1450,7 @@ void chasles_inertia_dyad_sym6f(
 /*
  * (3.147) chasles_inertia_dyad_sym6 for a batch.
  *   verdict: holds; assumes nothing
- *   27 operations; derivation sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
+ *   21 operations; derivation sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
  */
 void chasles_inertia_dyad_sym6_batch(
     size_t count,
@@ -1465,7 +1473,7 @@ void chasles_inertia_dyad_sym6_batch(
 /*
  * (3.147) chasles_inertia_dyad_sym6f for a batch.
  *   verdict: holds; assumes nothing
- *   27 operations; derivation sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
+ *   21 operations; derivation sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
  */
 void chasles_inertia_dyad_sym6_batchf(
     size_t count,

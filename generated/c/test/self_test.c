@@ -2836,6 +2836,1144 @@ static void acceleration_of_point_vector_2f(void)
     comparef("chasles_acceleration_of_pointf, vector 2: p_ddot", 3, p_ddot, p_ddot_expected, 8.0 * FLT_EPSILON);
 }
 
+static void natural_rate_matrix_dot_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double omega[3] = {0.5, -0.75, 2.0};
+    const double N_dot_expected[12] = {
+        -0.27898333998546877378,
+        1.3285658949579282903,
+        0.65915111030575008976,
+        0.11287837795795391998,
+        0.3474685349435766037,
+        -0.26109036019476721496,
+        -0.15595437650672267869,
+        0.54007370018023598875,
+        -1.5290265432901329947,
+        -0.80116406037500320371,
+        -0.81510548681247276845,
+        1.2156875169999743703,
+    };
+    double N_dot[12];
+    chasles_natural_rate_matrix_dot(e, phi[0], omega, N_dot);
+    compare("chasles_natural_rate_matrix_dot, vector 1: N_dot", 12, N_dot, N_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void natural_rate_matrix_dot_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double omega[3] = {-1.5, 0.25, 1.75};
+    const double N_dot_expected[12] = {
+        -0.54725963438198936691,
+        0.031497275736667510054,
+        0.041996367648890013405,
+        0.31776365867341318079,
+        -0.49729379054360429733,
+        -0.23348899696259902241,
+        0.42368487823121757438,
+        0.67308046498814900485,
+        -0.049965843838385069586,
+        -0.90656946195074802725,
+        0.38168851058232756098,
+        -0.28626638293674567073,
+    };
+    double N_dot[12];
+    chasles_natural_rate_matrix_dot(e, phi[0], omega, N_dot);
+    compare("chasles_natural_rate_matrix_dot, vector 2: N_dot", 12, N_dot, N_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void natural_rate_matrix_dot_vector_3(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {0.0};
+    const double omega[3] = {0.0, 0.0, 0.0};
+    const double N_dot_expected[12] = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+    double N_dot[12];
+    chasles_natural_rate_matrix_dot(e, phi[0], omega, N_dot);
+    compare("chasles_natural_rate_matrix_dot, vector 3: N_dot", 12, N_dot, N_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void natural_rate_matrix_dot_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float omega[3] = {0.5f, -0.75f, 2.0f};
+    const double N_dot_expected[12] = {
+        -0.27898333998546877378,
+        1.3285658949579282903,
+        0.65915111030575008976,
+        0.11287837795795391998,
+        0.3474685349435766037,
+        -0.26109036019476721496,
+        -0.15595437650672267869,
+        0.54007370018023598875,
+        -1.5290265432901329947,
+        -0.80116406037500320371,
+        -0.81510548681247276845,
+        1.2156875169999743703,
+    };
+    float N_dot[12];
+    chasles_natural_rate_matrix_dotf(e, phi[0], omega, N_dot);
+    comparef("chasles_natural_rate_matrix_dotf, vector 1: N_dot", 12, N_dot, N_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void natural_rate_matrix_dot_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float omega[3] = {-1.5f, 0.25f, 1.75f};
+    const double N_dot_expected[12] = {
+        -0.54725963438198936691,
+        0.031497275736667510054,
+        0.041996367648890013405,
+        0.31776365867341318079,
+        -0.49729379054360429733,
+        -0.23348899696259902241,
+        0.42368487823121757438,
+        0.67308046498814900485,
+        -0.049965843838385069586,
+        -0.90656946195074802725,
+        0.38168851058232756098,
+        -0.28626638293674567073,
+    };
+    float N_dot[12];
+    chasles_natural_rate_matrix_dotf(e, phi[0], omega, N_dot);
+    comparef("chasles_natural_rate_matrix_dotf, vector 2: N_dot", 12, N_dot, N_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void natural_rate_matrix_dot_vector_3f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {0.0f};
+    const float omega[3] = {0.0f, 0.0f, 0.0f};
+    const double N_dot_expected[12] = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+    float N_dot[12];
+    chasles_natural_rate_matrix_dotf(e, phi[0], omega, N_dot);
+    comparef("chasles_natural_rate_matrix_dotf, vector 3: N_dot", 12, N_dot, N_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void linear_rate_matrix_dot_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double omega[3] = {0.5, -0.75, 2.0};
+    const double L_dot_expected[12] = {
+        -0.34436730535597960615,
+        0.85235955168427498002,
+        0.22033179131592171588,
+        -0.51152411215479588643,
+        -0.31332144790608892409,
+        -0.62990111537209934704,
+        -0.34297587055795010946,
+        0.02528380137249273884,
+        -1.2402804854491038985,
+        0.65518491674459208588,
+        0.56330766187387182534,
+        -1.3638836638390708664,
+    };
+    double L_dot[12];
+    chasles_linear_rate_matrix_dot(e, phi[0], omega, L_dot);
+    compare("chasles_linear_rate_matrix_dot, vector 1: L_dot", 12, L_dot, L_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void linear_rate_matrix_dot_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double omega[3] = {-1.5, 0.25, 1.75};
+    const double L_dot_expected[12] = {
+        -0.70470550578990331393,
+        -0.0030110386592282799385,
+        0.53350827899442120995,
+        0.77331232405030635155,
+        -1.2827156739588007004,
+        -0.84502150321575444559,
+        0.49356010152701621886,
+        -0.020680224225196515298,
+        -0.83140084341090924139,
+        0.8243412789905579303,
+        0.039948177467404991091,
+        0.77632336270953463149,
+    };
+    double L_dot[12];
+    chasles_linear_rate_matrix_dot(e, phi[0], omega, L_dot);
+    compare("chasles_linear_rate_matrix_dot, vector 2: L_dot", 12, L_dot, L_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void linear_rate_matrix_dot_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float omega[3] = {0.5f, -0.75f, 2.0f};
+    const double L_dot_expected[12] = {
+        -0.34436730535597960615,
+        0.85235955168427498002,
+        0.22033179131592171588,
+        -0.51152411215479588643,
+        -0.31332144790608892409,
+        -0.62990111537209934704,
+        -0.34297587055795010946,
+        0.02528380137249273884,
+        -1.2402804854491038985,
+        0.65518491674459208588,
+        0.56330766187387182534,
+        -1.3638836638390708664,
+    };
+    float L_dot[12];
+    chasles_linear_rate_matrix_dotf(e, phi[0], omega, L_dot);
+    comparef("chasles_linear_rate_matrix_dotf, vector 1: L_dot", 12, L_dot, L_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void linear_rate_matrix_dot_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float omega[3] = {-1.5f, 0.25f, 1.75f};
+    const double L_dot_expected[12] = {
+        -0.70470550578990331393,
+        -0.0030110386592282799385,
+        0.53350827899442120995,
+        0.77331232405030635155,
+        -1.2827156739588007004,
+        -0.84502150321575444559,
+        0.49356010152701621886,
+        -0.020680224225196515298,
+        -0.83140084341090924139,
+        0.8243412789905579303,
+        0.039948177467404991091,
+        0.77632336270953463149,
+    };
+    float L_dot[12];
+    chasles_linear_rate_matrix_dotf(e, phi[0], omega, L_dot);
+    comparef("chasles_linear_rate_matrix_dotf, vector 2: L_dot", 12, L_dot, L_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rodrigues_rate_matrix_dot_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double omega[3] = {0.5, -0.75, 2.0};
+    const double H_dot_expected[12] = {
+        -0.1462743182351155387,
+        0.490808245389759682,
+        0.10329747882885651043,
+        -0.490808245389759682,
+        -0.1462743182351155387,
+        -0.16679919349289291651,
+        -0.10329747882885651043,
+        0.16679919349289291651,
+        -0.1462743182351155387,
+        0.16679919349289291651,
+        0.10329747882885651043,
+        -0.490808245389759682,
+    };
+    double H_dot[12];
+    chasles_euler_rodrigues_rate_matrix_dot(e, phi[0], omega, H_dot);
+    compare("chasles_euler_rodrigues_rate_matrix_dot, vector 1: H_dot", 12, H_dot, H_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rodrigues_rate_matrix_dot_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double omega[3] = {-1.5, 0.25, 1.75};
+    const double H_dot_expected[12] = {
+        -0.32607000661305989633,
+        0.047051287235534412366,
+        -0.28621018955912768433,
+        -0.047051287235534412366,
+        -0.32607000661305989633,
+        -0.38142594897223040169,
+        0.28621018955912768433,
+        0.38142594897223040169,
+        -0.32607000661305989633,
+        0.38142594897223040169,
+        -0.28621018955912768433,
+        -0.047051287235534412366,
+    };
+    double H_dot[12];
+    chasles_euler_rodrigues_rate_matrix_dot(e, phi[0], omega, H_dot);
+    compare("chasles_euler_rodrigues_rate_matrix_dot, vector 2: H_dot", 12, H_dot, H_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rodrigues_rate_matrix_dot_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float omega[3] = {0.5f, -0.75f, 2.0f};
+    const double H_dot_expected[12] = {
+        -0.1462743182351155387,
+        0.490808245389759682,
+        0.10329747882885651043,
+        -0.490808245389759682,
+        -0.1462743182351155387,
+        -0.16679919349289291651,
+        -0.10329747882885651043,
+        0.16679919349289291651,
+        -0.1462743182351155387,
+        0.16679919349289291651,
+        0.10329747882885651043,
+        -0.490808245389759682,
+    };
+    float H_dot[12];
+    chasles_euler_rodrigues_rate_matrix_dotf(e, phi[0], omega, H_dot);
+    comparef("chasles_euler_rodrigues_rate_matrix_dotf, vector 1: H_dot", 12, H_dot, H_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rodrigues_rate_matrix_dot_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float omega[3] = {-1.5f, 0.25f, 1.75f};
+    const double H_dot_expected[12] = {
+        -0.32607000661305989633,
+        0.047051287235534412366,
+        -0.28621018955912768433,
+        -0.047051287235534412366,
+        -0.32607000661305989633,
+        -0.38142594897223040169,
+        0.28621018955912768433,
+        0.38142594897223040169,
+        -0.32607000661305989633,
+        0.38142594897223040169,
+        -0.28621018955912768433,
+        -0.047051287235534412366,
+    };
+    float H_dot[12];
+    chasles_euler_rodrigues_rate_matrix_dotf(e, phi[0], omega, H_dot);
+    comparef("chasles_euler_rodrigues_rate_matrix_dotf, vector 2: H_dot", 12, H_dot, H_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void natural_velocity_matrix_dot_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double omega[3] = {0.5, -0.75, 2.0};
+    const double N_tilde_dot_expected[12] = {
+        0.31532236239526866545,
+        -1.4650104701088282584,
+        0.074571913794305796828,
+        -0.80116406037500320371,
+        1.4650104701088282584,
+        0.31532236239526866545,
+        0.23221090973950946736,
+        -0.81510548681247276845,
+        -0.074571913794305796828,
+        -0.23221090973950946736,
+        0.31532236239526866545,
+        1.2156875169999743703,
+    };
+    double N_tilde_dot[12];
+    chasles_natural_velocity_matrix_dot(e, phi[0], omega, N_tilde_dot);
+    compare("chasles_natural_velocity_matrix_dot, vector 1: N_tilde_dot", 12, N_tilde_dot, N_tilde_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void natural_velocity_matrix_dot_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double omega[3] = {-1.5, 0.25, 1.75};
+    const double N_tilde_dot_expected[12] = {
+        -0.64502759664807069985,
+        -0.72213357665818006047,
+        1.3861735837554376325,
+        -0.90656946195074802725,
+        0.72213357665818006047,
+        -0.64502759664807069985,
+        1.283835475651796786,
+        0.38168851058232756098,
+        -1.3861735837554376325,
+        -1.283835475651796786,
+        -0.64502759664807069985,
+        -0.28626638293674567073,
+    };
+    double N_tilde_dot[12];
+    chasles_natural_velocity_matrix_dot(e, phi[0], omega, N_tilde_dot);
+    compare("chasles_natural_velocity_matrix_dot, vector 2: N_tilde_dot", 12, N_tilde_dot, N_tilde_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void natural_velocity_matrix_dot_vector_3(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {0.0};
+    const double omega[3] = {0.0, 0.0, 0.0};
+    const double N_tilde_dot_expected[12] = {
+        0.0,
+        0.0,
+        0.0,
+        NAN,
+        0.0,
+        0.0,
+        0.0,
+        NAN,
+        0.0,
+        0.0,
+        0.0,
+        NAN,
+    };
+    double N_tilde_dot[12];
+    chasles_natural_velocity_matrix_dot(e, phi[0], omega, N_tilde_dot);
+    compare("chasles_natural_velocity_matrix_dot, vector 3: N_tilde_dot", 12, N_tilde_dot, N_tilde_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void natural_velocity_matrix_dot_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float omega[3] = {0.5f, -0.75f, 2.0f};
+    const double N_tilde_dot_expected[12] = {
+        0.31532236239526866545,
+        -1.4650104701088282584,
+        0.074571913794305796828,
+        -0.80116406037500320371,
+        1.4650104701088282584,
+        0.31532236239526866545,
+        0.23221090973950946736,
+        -0.81510548681247276845,
+        -0.074571913794305796828,
+        -0.23221090973950946736,
+        0.31532236239526866545,
+        1.2156875169999743703,
+    };
+    float N_tilde_dot[12];
+    chasles_natural_velocity_matrix_dotf(e, phi[0], omega, N_tilde_dot);
+    comparef("chasles_natural_velocity_matrix_dotf, vector 1: N_tilde_dot", 12, N_tilde_dot, N_tilde_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void natural_velocity_matrix_dot_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float omega[3] = {-1.5f, 0.25f, 1.75f};
+    const double N_tilde_dot_expected[12] = {
+        -0.64502759664807069985,
+        -0.72213357665818006047,
+        1.3861735837554376325,
+        -0.90656946195074802725,
+        0.72213357665818006047,
+        -0.64502759664807069985,
+        1.283835475651796786,
+        0.38168851058232756098,
+        -1.3861735837554376325,
+        -1.283835475651796786,
+        -0.64502759664807069985,
+        -0.28626638293674567073,
+    };
+    float N_tilde_dot[12];
+    chasles_natural_velocity_matrix_dotf(e, phi[0], omega, N_tilde_dot);
+    comparef("chasles_natural_velocity_matrix_dotf, vector 2: N_tilde_dot", 12, N_tilde_dot, N_tilde_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void natural_velocity_matrix_dot_vector_3f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {0.0f};
+    const float omega[3] = {0.0f, 0.0f, 0.0f};
+    const double N_tilde_dot_expected[12] = {
+        0.0,
+        0.0,
+        0.0,
+        NAN,
+        0.0,
+        0.0,
+        0.0,
+        NAN,
+        0.0,
+        0.0,
+        0.0,
+        NAN,
+    };
+    float N_tilde_dot[12];
+    chasles_natural_velocity_matrix_dotf(e, phi[0], omega, N_tilde_dot);
+    comparef("chasles_natural_velocity_matrix_dotf, vector 3: N_tilde_dot", 12, N_tilde_dot, N_tilde_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void linear_velocity_matrix_dot_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double omega[3] = {0.5, -0.75, 2.0};
+    const double L_tilde_dot_expected[12] = {
+        0.0,
+        -1.3839462281529997365,
+        -0.081239326970863315975,
+        0.32460410447633607798,
+        1.3839462281529997365,
+        0.0,
+        0.32460410447633607798,
+        0.081239326970863315975,
+        0.081239326970863315975,
+        -0.32460410447633607798,
+        0.0,
+        -1.3839462281529997365,
+    };
+    double L_tilde_dot[12];
+    chasles_linear_velocity_matrix_dot(e, phi[0], omega, L_tilde_dot);
+    compare("chasles_linear_velocity_matrix_dot, vector 1: L_tilde_dot", 12, L_tilde_dot, L_tilde_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void linear_velocity_matrix_dot_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double omega[3] = {-1.5, 0.25, 1.75};
+    const double L_tilde_dot_expected[12] = {
+        0.0,
+        -1.6779881928104450481,
+        2.1873108864718046271,
+        1.411898282978333448,
+        1.6779881928104450481,
+        0.0,
+        1.411898282978333448,
+        -2.1873108864718046271,
+        -2.1873108864718046271,
+        -1.411898282978333448,
+        0.0,
+        -1.6779881928104450481,
+    };
+    double L_tilde_dot[12];
+    chasles_linear_velocity_matrix_dot(e, phi[0], omega, L_tilde_dot);
+    compare("chasles_linear_velocity_matrix_dot, vector 2: L_tilde_dot", 12, L_tilde_dot, L_tilde_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void linear_velocity_matrix_dot_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float omega[3] = {0.5f, -0.75f, 2.0f};
+    const double L_tilde_dot_expected[12] = {
+        0.0,
+        -1.3839462281529997365,
+        -0.081239326970863315975,
+        0.32460410447633607798,
+        1.3839462281529997365,
+        0.0,
+        0.32460410447633607798,
+        0.081239326970863315975,
+        0.081239326970863315975,
+        -0.32460410447633607798,
+        0.0,
+        -1.3839462281529997365,
+    };
+    float L_tilde_dot[12];
+    chasles_linear_velocity_matrix_dotf(e, phi[0], omega, L_tilde_dot);
+    comparef("chasles_linear_velocity_matrix_dotf, vector 1: L_tilde_dot", 12, L_tilde_dot, L_tilde_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void linear_velocity_matrix_dot_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float omega[3] = {-1.5f, 0.25f, 1.75f};
+    const double L_tilde_dot_expected[12] = {
+        0.0,
+        -1.6779881928104450481,
+        2.1873108864718046271,
+        1.411898282978333448,
+        1.6779881928104450481,
+        0.0,
+        1.411898282978333448,
+        -2.1873108864718046271,
+        -2.1873108864718046271,
+        -1.411898282978333448,
+        0.0,
+        -1.6779881928104450481,
+    };
+    float L_tilde_dot[12];
+    chasles_linear_velocity_matrix_dotf(e, phi[0], omega, L_tilde_dot);
+    comparef("chasles_linear_velocity_matrix_dotf, vector 2: L_tilde_dot", 12, L_tilde_dot, L_tilde_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rodrigues_velocity_matrix_dot_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double omega[3] = {0.5, -0.75, 2.0};
+    const double H_tilde_dot_expected[12] = {
+        -0.58509727294046215481,
+        -1.963232981559038728,
+        -0.41318991531542604171,
+        0.66719677397157166605,
+        1.963232981559038728,
+        -0.58509727294046215481,
+        0.66719677397157166605,
+        0.41318991531542604171,
+        0.41318991531542604171,
+        -0.66719677397157166605,
+        -0.58509727294046215481,
+        -1.963232981559038728,
+    };
+    double H_tilde_dot[12];
+    chasles_euler_rodrigues_velocity_matrix_dot(e, phi[0], omega, H_tilde_dot);
+    compare("chasles_euler_rodrigues_velocity_matrix_dot, vector 1: H_tilde_dot", 12, H_tilde_dot, H_tilde_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rodrigues_velocity_matrix_dot_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double omega[3] = {-1.5, 0.25, 1.75};
+    const double H_tilde_dot_expected[12] = {
+        -1.3042800264522395853,
+        -0.18820514894213764946,
+        1.1448407582365107373,
+        1.5257037958889216068,
+        0.18820514894213764946,
+        -1.3042800264522395853,
+        1.5257037958889216068,
+        -1.1448407582365107373,
+        -1.1448407582365107373,
+        -1.5257037958889216068,
+        -1.3042800264522395853,
+        -0.18820514894213764946,
+    };
+    double H_tilde_dot[12];
+    chasles_euler_rodrigues_velocity_matrix_dot(e, phi[0], omega, H_tilde_dot);
+    compare("chasles_euler_rodrigues_velocity_matrix_dot, vector 2: H_tilde_dot", 12, H_tilde_dot, H_tilde_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rodrigues_velocity_matrix_dot_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float omega[3] = {0.5f, -0.75f, 2.0f};
+    const double H_tilde_dot_expected[12] = {
+        -0.58509727294046215481,
+        -1.963232981559038728,
+        -0.41318991531542604171,
+        0.66719677397157166605,
+        1.963232981559038728,
+        -0.58509727294046215481,
+        0.66719677397157166605,
+        0.41318991531542604171,
+        0.41318991531542604171,
+        -0.66719677397157166605,
+        -0.58509727294046215481,
+        -1.963232981559038728,
+    };
+    float H_tilde_dot[12];
+    chasles_euler_rodrigues_velocity_matrix_dotf(e, phi[0], omega, H_tilde_dot);
+    comparef("chasles_euler_rodrigues_velocity_matrix_dotf, vector 1: H_tilde_dot", 12, H_tilde_dot, H_tilde_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rodrigues_velocity_matrix_dot_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float omega[3] = {-1.5f, 0.25f, 1.75f};
+    const double H_tilde_dot_expected[12] = {
+        -1.3042800264522395853,
+        -0.18820514894213764946,
+        1.1448407582365107373,
+        1.5257037958889216068,
+        0.18820514894213764946,
+        -1.3042800264522395853,
+        1.5257037958889216068,
+        -1.1448407582365107373,
+        -1.1448407582365107373,
+        -1.5257037958889216068,
+        -1.3042800264522395853,
+        -0.18820514894213764946,
+    };
+    float H_tilde_dot[12];
+    chasles_euler_rodrigues_velocity_matrix_dotf(e, phi[0], omega, H_tilde_dot);
+    comparef("chasles_euler_rodrigues_velocity_matrix_dotf, vector 2: H_tilde_dot", 12, H_tilde_dot, H_tilde_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void pose_acceleration_natural_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double t[6] = {0.5, -0.75, 2.0, -1.5, 0.25, 1.75};
+    const double t_dot[6] = {-0.5, 0.75, -1.25, 1.5, 1.25, 0.5};
+    const double s_ddot_expected[7] = {
+        0.61804758348365931567,
+        -0.01724265838909408017,
+        -4.4680165512396200332,
+        2.1421221189218017151,
+        1.5,
+        1.25,
+        0.5,
+    };
+    double s_ddot[7];
+    chasles_pose_acceleration_natural(e, phi[0], t, t_dot, s_ddot);
+    compare("chasles_pose_acceleration_natural, vector 1: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void pose_acceleration_natural_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double t[6] = {-1.5, 0.25, 1.75, -0.5, 0.75, -1.25};
+    const double t_dot[6] = {1.5, 1.25, 0.5, -0.75, 2.0, -1.5};
+    const double s_ddot_expected[7] = {
+        1.7338268758434564786,
+        -1.4297887478689565379,
+        -0.23953687716317242977,
+        2.1043101504323990073,
+        -0.75,
+        2.0,
+        -1.5,
+    };
+    double s_ddot[7];
+    chasles_pose_acceleration_natural(e, phi[0], t, t_dot, s_ddot);
+    compare("chasles_pose_acceleration_natural, vector 2: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void pose_acceleration_natural_vector_3(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {0.0};
+    const double t[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    const double t_dot[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    const double s_ddot_expected[7] = {NAN, NAN, NAN, NAN, 0.0, 0.0, 0.0};
+    double s_ddot[7];
+    chasles_pose_acceleration_natural(e, phi[0], t, t_dot, s_ddot);
+    compare("chasles_pose_acceleration_natural, vector 3: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void pose_acceleration_natural_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float t[6] = {0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f};
+    const float t_dot[6] = {-0.5f, 0.75f, -1.25f, 1.5f, 1.25f, 0.5f};
+    const double s_ddot_expected[7] = {
+        0.61804758348365931567,
+        -0.01724265838909408017,
+        -4.4680165512396200332,
+        2.1421221189218017151,
+        1.5,
+        1.25,
+        0.5,
+    };
+    float s_ddot[7];
+    chasles_pose_acceleration_naturalf(e, phi[0], t, t_dot, s_ddot);
+    comparef("chasles_pose_acceleration_naturalf, vector 1: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void pose_acceleration_natural_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float t[6] = {-1.5f, 0.25f, 1.75f, -0.5f, 0.75f, -1.25f};
+    const float t_dot[6] = {1.5f, 1.25f, 0.5f, -0.75f, 2.0f, -1.5f};
+    const double s_ddot_expected[7] = {
+        1.7338268758434564786,
+        -1.4297887478689565379,
+        -0.23953687716317242977,
+        2.1043101504323990073,
+        -0.75,
+        2.0,
+        -1.5,
+    };
+    float s_ddot[7];
+    chasles_pose_acceleration_naturalf(e, phi[0], t, t_dot, s_ddot);
+    comparef("chasles_pose_acceleration_naturalf, vector 2: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void pose_acceleration_natural_vector_3f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {0.0f};
+    const float t[6] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+    const float t_dot[6] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+    const double s_ddot_expected[7] = {NAN, NAN, NAN, NAN, 0.0, 0.0, 0.0};
+    float s_ddot[7];
+    chasles_pose_acceleration_naturalf(e, phi[0], t, t_dot, s_ddot);
+    comparef("chasles_pose_acceleration_naturalf, vector 3: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void pose_acceleration_linear_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double t[6] = {0.5, -0.75, 2.0, -1.5, 0.25, 1.75};
+    const double t_dot[6] = {-0.5, 0.75, -1.25, 1.5, 1.25, 0.5};
+    const double s_ddot_expected[7] = {
+        -0.0099074417040513519229,
+        -0.71275540119949839786,
+        -3.6557624747481860784,
+        -2.3481633060334564518,
+        1.5,
+        1.25,
+        0.5,
+    };
+    double s_ddot[7];
+    chasles_pose_acceleration_linear(e, phi[0], t, t_dot, s_ddot);
+    compare("chasles_pose_acceleration_linear, vector 1: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void pose_acceleration_linear_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double t[6] = {-1.5, 0.25, 1.75, -0.5, 0.75, -1.25};
+    const double t_dot[6] = {1.5, 1.25, 0.5, -0.75, 2.0, -1.5};
+    const double s_ddot_expected[7] = {
+        2.7460889592389168215,
+        -3.6286759227388671148,
+        -2.2967420961928289614,
+        -0.91365103022683399227,
+        -0.75,
+        2.0,
+        -1.5,
+    };
+    double s_ddot[7];
+    chasles_pose_acceleration_linear(e, phi[0], t, t_dot, s_ddot);
+    compare("chasles_pose_acceleration_linear, vector 2: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void pose_acceleration_linear_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float t[6] = {0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f};
+    const float t_dot[6] = {-0.5f, 0.75f, -1.25f, 1.5f, 1.25f, 0.5f};
+    const double s_ddot_expected[7] = {
+        -0.0099074417040513519229,
+        -0.71275540119949839786,
+        -3.6557624747481860784,
+        -2.3481633060334564518,
+        1.5,
+        1.25,
+        0.5,
+    };
+    float s_ddot[7];
+    chasles_pose_acceleration_linearf(e, phi[0], t, t_dot, s_ddot);
+    comparef("chasles_pose_acceleration_linearf, vector 1: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void pose_acceleration_linear_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float t[6] = {-1.5f, 0.25f, 1.75f, -0.5f, 0.75f, -1.25f};
+    const float t_dot[6] = {1.5f, 1.25f, 0.5f, -0.75f, 2.0f, -1.5f};
+    const double s_ddot_expected[7] = {
+        2.7460889592389168215,
+        -3.6286759227388671148,
+        -2.2967420961928289614,
+        -0.91365103022683399227,
+        -0.75,
+        2.0,
+        -1.5,
+    };
+    float s_ddot[7];
+    chasles_pose_acceleration_linearf(e, phi[0], t, t_dot, s_ddot);
+    comparef("chasles_pose_acceleration_linearf, vector 2: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void pose_acceleration_euler_rodrigues_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double t[6] = {0.5, -0.75, 2.0, -1.5, 0.25, 1.75};
+    const double t_dot[6] = {-0.5, 0.75, -1.25, 1.5, 1.25, 0.5};
+    const double s_ddot_expected[7] = {
+        -0.047324316751494215677,
+        -0.1895646542290582298,
+        -1.1468020919693916707,
+        -0.82941568491959974987,
+        1.5,
+        1.25,
+        0.5,
+    };
+    double s_ddot[7];
+    chasles_pose_acceleration_euler_rodrigues(e, phi[0], t, t_dot, s_ddot);
+    compare("chasles_pose_acceleration_euler_rodrigues, vector 1: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void pose_acceleration_euler_rodrigues_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double t[6] = {-1.5, 0.25, 1.75, -0.5, 0.75, -1.25};
+    const double t_dot[6] = {1.5, 1.25, 0.5, -0.75, 2.0, -1.5};
+    const double s_ddot_expected[7] = {
+        0.69974157408386856538,
+        -0.8456296312185171391,
+        -0.39084378903790038731,
+        -1.2098770397748532366,
+        -0.75,
+        2.0,
+        -1.5,
+    };
+    double s_ddot[7];
+    chasles_pose_acceleration_euler_rodrigues(e, phi[0], t, t_dot, s_ddot);
+    compare("chasles_pose_acceleration_euler_rodrigues, vector 2: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void pose_acceleration_euler_rodrigues_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float t[6] = {0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f};
+    const float t_dot[6] = {-0.5f, 0.75f, -1.25f, 1.5f, 1.25f, 0.5f};
+    const double s_ddot_expected[7] = {
+        -0.047324316751494215677,
+        -0.1895646542290582298,
+        -1.1468020919693916707,
+        -0.82941568491959974987,
+        1.5,
+        1.25,
+        0.5,
+    };
+    float s_ddot[7];
+    chasles_pose_acceleration_euler_rodriguesf(e, phi[0], t, t_dot, s_ddot);
+    comparef("chasles_pose_acceleration_euler_rodriguesf, vector 1: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void pose_acceleration_euler_rodrigues_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float t[6] = {-1.5f, 0.25f, 1.75f, -0.5f, 0.75f, -1.25f};
+    const float t_dot[6] = {1.5f, 1.25f, 0.5f, -0.75f, 2.0f, -1.5f};
+    const double s_ddot_expected[7] = {
+        0.69974157408386856538,
+        -0.8456296312185171391,
+        -0.39084378903790038731,
+        -1.2098770397748532366,
+        -0.75,
+        2.0,
+        -1.5,
+    };
+    float s_ddot[7];
+    chasles_pose_acceleration_euler_rodriguesf(e, phi[0], t, t_dot, s_ddot);
+    comparef("chasles_pose_acceleration_euler_rodriguesf, vector 2: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void twist_rate_from_pose_natural_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double s_dot[7] = {0.5, -0.75, 2.0, -1.5, 0.25, 1.75, -0.5};
+    const double s_ddot[7] = {0.75, -1.25, 1.5, 1.25, 0.5, -0.75, 2.0};
+    const double t_dot_expected[6] = {
+        -1.2125520082322831478,
+        1.6013325265113209212,
+        -1.4864164506872924606,
+        0.5,
+        -0.75,
+        2.0,
+    };
+    double t_dot[6];
+    chasles_twist_rate_from_pose_natural(e, phi[0], s_dot, s_ddot, t_dot);
+    compare("chasles_twist_rate_from_pose_natural, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void twist_rate_from_pose_natural_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double s_dot[7] = {-1.5, 0.25, 1.75, -0.5, 0.75, -1.25, 1.5};
+    const double s_ddot[7] = {1.25, 0.5, -0.75, 2.0, -1.5, 0.25, 1.75};
+    const double t_dot_expected[6] = {
+        -0.015664561344240420494,
+        3.5433923606237850503,
+        -1.0641385576224252361,
+        -1.5,
+        0.25,
+        1.75,
+    };
+    double t_dot[6];
+    chasles_twist_rate_from_pose_natural(e, phi[0], s_dot, s_ddot, t_dot);
+    compare("chasles_twist_rate_from_pose_natural, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void twist_rate_from_pose_natural_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float s_dot[7] = {0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f, -0.5f};
+    const float s_ddot[7] = {0.75f, -1.25f, 1.5f, 1.25f, 0.5f, -0.75f, 2.0f};
+    const double t_dot_expected[6] = {
+        -1.2125520082322831478,
+        1.6013325265113209212,
+        -1.4864164506872924606,
+        0.5,
+        -0.75,
+        2.0,
+    };
+    float t_dot[6];
+    chasles_twist_rate_from_pose_naturalf(e, phi[0], s_dot, s_ddot, t_dot);
+    comparef("chasles_twist_rate_from_pose_naturalf, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void twist_rate_from_pose_natural_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float s_dot[7] = {-1.5f, 0.25f, 1.75f, -0.5f, 0.75f, -1.25f, 1.5f};
+    const float s_ddot[7] = {1.25f, 0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f};
+    const double t_dot_expected[6] = {
+        -0.015664561344240420494,
+        3.5433923606237850503,
+        -1.0641385576224252361,
+        -1.5,
+        0.25,
+        1.75,
+    };
+    float t_dot[6];
+    chasles_twist_rate_from_pose_naturalf(e, phi[0], s_dot, s_ddot, t_dot);
+    comparef("chasles_twist_rate_from_pose_naturalf, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void twist_rate_from_pose_linear_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double s_dot[7] = {0.5, -0.75, 2.0, -1.5, 0.25, 1.75, -0.5};
+    const double s_ddot[7] = {0.75, -1.25, 1.5, 1.25, 0.5, -0.75, 2.0};
+    const double t_dot_expected[6] = {
+        4.262135544077629043,
+        -2.1580177675712927531,
+        2.8610387407137106217,
+        0.5,
+        -0.75,
+        2.0,
+    };
+    double t_dot[6];
+    chasles_twist_rate_from_pose_linear(e, phi[0], s_dot, s_ddot, t_dot);
+    compare("chasles_twist_rate_from_pose_linear, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void twist_rate_from_pose_linear_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double s_dot[7] = {-1.5, 0.25, 1.75, -0.5, 0.75, -1.25, 1.5};
+    const double s_ddot[7] = {1.25, 0.5, -0.75, 2.0, -1.5, 0.25, 1.75};
+    const double t_dot_expected[6] = {
+        -0.22469361085857432376,
+        -0.79774574993978117783,
+        -1.1773915902740737554,
+        -1.5,
+        0.25,
+        1.75,
+    };
+    double t_dot[6];
+    chasles_twist_rate_from_pose_linear(e, phi[0], s_dot, s_ddot, t_dot);
+    compare("chasles_twist_rate_from_pose_linear, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void twist_rate_from_pose_linear_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float s_dot[7] = {0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f, -0.5f};
+    const float s_ddot[7] = {0.75f, -1.25f, 1.5f, 1.25f, 0.5f, -0.75f, 2.0f};
+    const double t_dot_expected[6] = {
+        4.262135544077629043,
+        -2.1580177675712927531,
+        2.8610387407137106217,
+        0.5,
+        -0.75,
+        2.0,
+    };
+    float t_dot[6];
+    chasles_twist_rate_from_pose_linearf(e, phi[0], s_dot, s_ddot, t_dot);
+    comparef("chasles_twist_rate_from_pose_linearf, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void twist_rate_from_pose_linear_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float s_dot[7] = {-1.5f, 0.25f, 1.75f, -0.5f, 0.75f, -1.25f, 1.5f};
+    const float s_ddot[7] = {1.25f, 0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f};
+    const double t_dot_expected[6] = {
+        -0.22469361085857432376,
+        -0.79774574993978117783,
+        -1.1773915902740737554,
+        -1.5,
+        0.25,
+        1.75,
+    };
+    float t_dot[6];
+    chasles_twist_rate_from_pose_linearf(e, phi[0], s_dot, s_ddot, t_dot);
+    comparef("chasles_twist_rate_from_pose_linearf, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void twist_rate_from_pose_euler_rodrigues_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double s_dot[7] = {0.5, -0.75, 2.0, -1.5, 0.25, 1.75, -0.5};
+    const double s_ddot[7] = {0.75, -1.25, 1.5, 1.25, 0.5, -0.75, 2.0};
+    const double t_dot_expected[6] = {
+        2.8742202859224696252,
+        -3.0025699203304816801,
+        0.38504890322403616475,
+        0.5,
+        -0.75,
+        2.0,
+    };
+    double t_dot[6];
+    chasles_twist_rate_from_pose_euler_rodrigues(e, phi[0], s_dot, s_ddot, t_dot);
+    compare("chasles_twist_rate_from_pose_euler_rodrigues, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void twist_rate_from_pose_euler_rodrigues_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double s_dot[7] = {-1.5, 0.25, 1.75, -0.5, 0.75, -1.25, 1.5};
+    const double s_ddot[7] = {1.25, 0.5, -0.75, 2.0, -1.5, 0.25, 1.75};
+    const double t_dot_expected[6] = {
+        -0.079744909503074767807,
+        0.20371391194498111474,
+        -4.7653670873993231574,
+        -1.5,
+        0.25,
+        1.75,
+    };
+    double t_dot[6];
+    chasles_twist_rate_from_pose_euler_rodrigues(e, phi[0], s_dot, s_ddot, t_dot);
+    compare("chasles_twist_rate_from_pose_euler_rodrigues, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void twist_rate_from_pose_euler_rodrigues_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float s_dot[7] = {0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f, -0.5f};
+    const float s_ddot[7] = {0.75f, -1.25f, 1.5f, 1.25f, 0.5f, -0.75f, 2.0f};
+    const double t_dot_expected[6] = {
+        2.8742202859224696252,
+        -3.0025699203304816801,
+        0.38504890322403616475,
+        0.5,
+        -0.75,
+        2.0,
+    };
+    float t_dot[6];
+    chasles_twist_rate_from_pose_euler_rodriguesf(e, phi[0], s_dot, s_ddot, t_dot);
+    comparef("chasles_twist_rate_from_pose_euler_rodriguesf, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void twist_rate_from_pose_euler_rodrigues_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float s_dot[7] = {-1.5f, 0.25f, 1.75f, -0.5f, 0.75f, -1.25f, 1.5f};
+    const float s_ddot[7] = {1.25f, 0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f};
+    const double t_dot_expected[6] = {
+        -0.079744909503074767807,
+        0.20371391194498111474,
+        -4.7653670873993231574,
+        -1.5,
+        0.25,
+        1.75,
+    };
+    float t_dot[6];
+    chasles_twist_rate_from_pose_euler_rodriguesf(e, phi[0], s_dot, s_ddot, t_dot);
+    comparef("chasles_twist_rate_from_pose_euler_rodriguesf, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+}
+
 static void moving_frame_velocity_vector_1(void)
 {
     const double o_dot[3] = {1.25, 0.5, -0.75};
@@ -8062,6 +9200,60 @@ int main(void)
     acceleration_of_point_vector_2();
     acceleration_of_point_vector_1f();
     acceleration_of_point_vector_2f();
+    natural_rate_matrix_dot_vector_1();
+    natural_rate_matrix_dot_vector_2();
+    natural_rate_matrix_dot_vector_3();
+    natural_rate_matrix_dot_vector_1f();
+    natural_rate_matrix_dot_vector_2f();
+    natural_rate_matrix_dot_vector_3f();
+    linear_rate_matrix_dot_vector_1();
+    linear_rate_matrix_dot_vector_2();
+    linear_rate_matrix_dot_vector_1f();
+    linear_rate_matrix_dot_vector_2f();
+    euler_rodrigues_rate_matrix_dot_vector_1();
+    euler_rodrigues_rate_matrix_dot_vector_2();
+    euler_rodrigues_rate_matrix_dot_vector_1f();
+    euler_rodrigues_rate_matrix_dot_vector_2f();
+    natural_velocity_matrix_dot_vector_1();
+    natural_velocity_matrix_dot_vector_2();
+    natural_velocity_matrix_dot_vector_3();
+    natural_velocity_matrix_dot_vector_1f();
+    natural_velocity_matrix_dot_vector_2f();
+    natural_velocity_matrix_dot_vector_3f();
+    linear_velocity_matrix_dot_vector_1();
+    linear_velocity_matrix_dot_vector_2();
+    linear_velocity_matrix_dot_vector_1f();
+    linear_velocity_matrix_dot_vector_2f();
+    euler_rodrigues_velocity_matrix_dot_vector_1();
+    euler_rodrigues_velocity_matrix_dot_vector_2();
+    euler_rodrigues_velocity_matrix_dot_vector_1f();
+    euler_rodrigues_velocity_matrix_dot_vector_2f();
+    pose_acceleration_natural_vector_1();
+    pose_acceleration_natural_vector_2();
+    pose_acceleration_natural_vector_3();
+    pose_acceleration_natural_vector_1f();
+    pose_acceleration_natural_vector_2f();
+    pose_acceleration_natural_vector_3f();
+    pose_acceleration_linear_vector_1();
+    pose_acceleration_linear_vector_2();
+    pose_acceleration_linear_vector_1f();
+    pose_acceleration_linear_vector_2f();
+    pose_acceleration_euler_rodrigues_vector_1();
+    pose_acceleration_euler_rodrigues_vector_2();
+    pose_acceleration_euler_rodrigues_vector_1f();
+    pose_acceleration_euler_rodrigues_vector_2f();
+    twist_rate_from_pose_natural_vector_1();
+    twist_rate_from_pose_natural_vector_2();
+    twist_rate_from_pose_natural_vector_1f();
+    twist_rate_from_pose_natural_vector_2f();
+    twist_rate_from_pose_linear_vector_1();
+    twist_rate_from_pose_linear_vector_2();
+    twist_rate_from_pose_linear_vector_1f();
+    twist_rate_from_pose_linear_vector_2f();
+    twist_rate_from_pose_euler_rodrigues_vector_1();
+    twist_rate_from_pose_euler_rodrigues_vector_2();
+    twist_rate_from_pose_euler_rodrigues_vector_1f();
+    twist_rate_from_pose_euler_rodrigues_vector_2f();
     moving_frame_velocity_vector_1();
     moving_frame_velocity_vector_2();
     moving_frame_velocity_vector_1f();

@@ -66,6 +66,7 @@ def requested(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None 
         hypotheses=tuple(dict.fromkeys(_hypotheses(sentence))),
         choices=definitions.choices,
         angles=definitions.angles,
+        form=_form(kernel),
     )
     used = next((left for left, _ in request.rules if left in definitions.false), None)
     if used is not None:
@@ -142,6 +143,12 @@ def _outputs_of_inverse(name: str, sentence: Inverse, kernel: Kernel) -> list[Ou
     if len(words) != len(sentence.gives):
         raise LoweringError(f"{name}: {len(words)} results are named, and the inverse gives {len(sentence.gives)}")
     return [Output(word, meaning_of(node), node) for word, node in zip(words, sentence.gives, strict=True)]
+
+
+def _form(kernel: Kernel) -> list[Node]:
+    if kernel.form is None:
+        return []
+    return _lines(kernel.form) if len(kernel.results) > 1 else [kernel.form]
 
 
 def _lines(node: Node) -> list[Node]:

@@ -39,9 +39,9 @@ def differences(request: Request, program: Program, budget: float = BUDGET) -> t
         return (said,)
     found: dict[str, None] = {}
     try:
-        angles = tuple(angles_of(program, request))
+        stages = _Stages(request, program)
         for way in product(*(range(len(c.cases) + (not c.is_exhaustive)) for c in request.choices)):
-            found |= dict.fromkeys(_on_way(request, program, way, angles, monotonic() + budget))
+            found |= dict.fromkeys(_on_way(request, program, way, stages, monotonic() + budget))
     except (Unreadable, Untreatable, UndeclaredDivisor) as error:
         found[str(error)] = None
     return tuple(found)
@@ -65,9 +65,26 @@ def _size(shape: tuple[int, ...]) -> int:
     return total
 
 
-def _on_way(
-    request: Request, program: Program, way: Sequence[int], angles: tuple[Node, ...], deadline: float
-) -> Iterator[str]:
+class _Stages:
+    """The algebra for each set of values that the choices take, and what steps come to in it; each made once."""
+
+    def __init__(self, request: Request, program: Program) -> None:
+        compared = [side for c in request.choices for case in c.cases for w in case.where for side in (w.left, w.right)]
+        self._further = (*compared, *angles_of(program, request))
+        self._request = request
+        self._program = program
+        self._known: dict[tuple[tuple[Node, Node], ...], tuple[Algebra, Settled]] = {}
+
+    def of(self, rules: dict[Node, Node], deadline: float) -> tuple[Algebra, Settled]:
+        """The stage on which the rules hold; what is still to be completed on it must be so before the deadline."""
+        key = tuple(rules.items())
+        if key not in self._known:
+            self._known[key] = Algebra(self._request, rules, self._further, deadline), Settled(self._program)
+        self._known[key][0].deadline = deadline
+        return self._known[key]
+
+
+def _on_way(request: Request, program: Program, way: Sequence[int], stages: _Stages, deadline: float) -> Iterator[str]:
     """The differences where each choice is in the case that `way` says; past its last case a choice has no value."""
     rules: dict[Node, Node] = {}
     valueless: list[Symbol] = []
@@ -76,9 +93,7 @@ def _on_way(
             valueless += choice.symbols
         else:
             rules |= dict(zip(choice.symbols, choice.cases[place].values, strict=True))
-    compared = [side for c in request.choices for case in c.cases for w in case.where for side in (w.left, w.right)]
-    algebra = Algebra(request, rules, (*compared, *angles), deadline)
-    settled = Settled(program)
+    algebra, settled = stages.of(rules, deadline)
     waiting = [_signs(algebra, request.choices, way)]
     while waiting:
         signs = waiting.pop()

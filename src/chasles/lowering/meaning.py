@@ -7,10 +7,10 @@ from typing import Protocol
 
 from chasles.lowering.builder import Builder
 from chasles.lowering.cases import Choice, Comparison
+from chasles.lowering.matrices import Rows
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Request
 from chasles.lowering.rewriting import rate_of
-from chasles.lowering.tensors import Rows
 from chasles.statements import Packed
 from chasles.statements.kernel import Place, nodes_of, places_of
 from chasles.statements.statement import bare

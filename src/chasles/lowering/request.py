@@ -17,7 +17,9 @@ from chasles.lowering.rewriting import Angle, without_angles
 from chasles.statements import Hypothesis, Packed, Stack, symmetric
 from chasles.statements.kernel import Argument, Place, nodes_of, places_of
 from chasles.statements.statement import bare
-from chasles.vocabulary import Node, Rate, Symbol, plain
+from chasles.vocabulary import Misfit, Node, Rate, Symbol, plain
+from chasles.vocabulary.measure import added
+from chasles.vocabulary.nodes import measured
 
 __all__ = ["Output", "Request", "argument_name", "composed", "core_shape", "meaning_of"]
 
@@ -55,6 +57,7 @@ class Request:
 
     `rules` define other symbols, each before those that use it; `choices` give symbols values case by case, `angles` by
     cosine and sine. The program is right wherever the `hypotheses` hold and nothing that is divided by is zero.
+    An offered `form` says the outputs in other words, of which the program is made; what it must equal is the outputs.
     """
 
     name: str
@@ -64,6 +67,12 @@ class Request:
     hypotheses: tuple[Hypothesis, ...] = ()
     choices: tuple[Choice, ...] = ()
     angles: tuple[tuple[Symbol, Angle], ...] = ()
+    form: tuple[Node, ...] = ()
+
+    @property
+    def spelled(self) -> tuple[Node, ...]:
+        """What the program is made of: the offered form, or the outputs as they are stated."""
+        return self.form or tuple(output.value for output in self.outputs)
 
     @property
     def of(self) -> tuple[Node, ...]:
@@ -84,11 +93,12 @@ def composed(
     hypotheses: Iterable[Hypothesis] = (),
     choices: Iterable[Choice] = (),
     angles: Mapping[Symbol, Angle] | None = None,
+    form: Iterable[Node] = (),
 ) -> Request:
     """The request with what it does not need left out; cosines and sines of `angles` are written by what is known.
 
     Raises `LoweringError` for a symbol that is neither an argument nor defined, a definition in a circle, an argument
-    that is not used or is no symbol, and names that no language takes.
+    that is not used or is no symbol, a form that does not fit the outputs, and names that no language takes.
     """
     arguments = tuple(argument if isinstance(argument, Stack | Packed) else bare(argument) for argument in of)
     symbols, angles = tuple(node for argument in arguments for node in nodes_of(argument)), dict(angles or {})
@@ -105,15 +115,17 @@ def composed(
     choices = [_opened_choice(choice, opened) for choice in choices]
     outputs = tuple(with_fields(output, value=opened(output.value)) for output in outputs)
     hypotheses = tuple(dict.fromkeys(_opened_hypothesis(hypothesis, opened) for hypothesis in hypotheses))
+    form = tuple(map(opened, form))
+    _require_fit(name, outputs, form)
     reach = Reach(name, symbols, rules, choices, angles)
-    for output in outputs:
-        reach.follow(output.value)
+    for value in (*(output.value for output in outputs), *form):
+        reach.follow(value)
     for argument in arguments:
         if not any(map(reach.is_used, nodes_of(argument))):
             said = argument.name if isinstance(argument, Stack) else plain(nodes_of(argument)[0])
             raise LoweringError(f"{name}: no result depends on the argument {said}: leave it out")
     _require_names(name, [argument_name(argument) for argument in arguments], [output.name for output in outputs])
-    return Request(name, arguments, outputs, reach.rules, hypotheses, reach.choices, reach.angles)
+    return Request(name, arguments, outputs, reach.rules, hypotheses, reach.choices, reach.angles, form)
 
 
 def argument_name(argument: Argument) -> str:
@@ -162,6 +174,16 @@ def _opened_choice(choice: Choice, opened: Callable[[Node], Node]) -> Choice:
 def _opened_hypothesis(hypothesis: Hypothesis, opened: Callable[[Node], Node]) -> Hypothesis:
     subjects, nonvanishing = tuple(map(opened, hypothesis.subjects)), tuple(map(opened, hypothesis.nonvanishing))
     return with_fields(hypothesis, subjects=subjects, nonvanishing=nonvanishing)
+
+
+def _require_fit(name: str, outputs: tuple[Output, ...], form: tuple[Node, ...]) -> None:
+    if form and len(form) != len(outputs):
+        raise LoweringError(f"{name}: its form has {len(form)} blocks, and {len(outputs)} results are asked for")
+    for output, value in zip(outputs, form, strict=False):
+        try:
+            added(measured(output.value), measured(value), (output.value, value), "equate")
+        except Misfit as misfit:
+            raise LoweringError(f"{name}: the form offered for {output.name} does not fit: {misfit}") from None
 
 
 def _require_argument(name: str, node: Node) -> None:

@@ -10,6 +10,7 @@ from chasles.numerics.enclosures import plain_context
 from chasles.numerics.reference import Singular, evaluate
 from chasles.numerics.request import ROUNDINGS, Request, Values, inputs_of, longest_chain, output_of
 from chasles.numerics.small_matrices import Matrix
+from chasles.proof.variables import angle_multiples
 from chasles.statements import Branch, Inverse, Kernel, Statement
 from chasles.statements.problem import Standing, default_sides
 from chasles.statements.statement import bare, is_rule
@@ -86,5 +87,7 @@ def _arguments(sentence: Inverse, values: Values, rules: Mapping[Node, Node], di
     for key in list(known):
         if isinstance(key, Call) and key.function == "cos":
             (cosine,), (sine,) = known[key][0], known[Call("sin", key.argument)][0]
-            known[key.argument] = plain_context(digits).atan2(sine, cosine)
+            ((angle, multiple),) = angle_multiples(key.argument, {}).items()
+            turned = plain_context(digits).atan2(sine, cosine)
+            known[angle] = turned * multiple.denominator / multiple.numerator
     return known

@@ -57,6 +57,8 @@ class Kernel:
     `name` defaults to the statement's. With several `results`, the right side is a column of blocks, one for each.
     `symmetric` matrices, among the arguments or the left side, are also taken or given as six numbers, by a second
     kernel. What is `expected` of the arguments gives the result its meaning, whether or not the proof needs it.
+    `form` says the right side in other words, better ones for a machine; a kernel is made of it only once it is proved
+    equal to what stands.
     """
 
     of: tuple[Argument, ...]
@@ -64,6 +66,7 @@ class Kernel:
     results: tuple[str, ...] = ()
     symmetric: tuple[Node, ...] = ()
     expected: tuple[Hypothesis, ...] = ()
+    form: Node | None = None
 
     def variants(self, name: str) -> tuple[Kernel, ...]:
         """What is emitted: a kernel of the name with all entries, and one that packs what is symmetric, if any is."""

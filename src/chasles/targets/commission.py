@@ -5,6 +5,7 @@ from __future__ import annotations
 from chasles.lowering.declaration import Decide, requested
 from chasles.lowering.equality import differences
 from chasles.lowering.lower import program_of
+from chasles.lowering.offered import counterexample, in_words
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Request
 from chasles.proof.judge import Decision
@@ -33,12 +34,21 @@ def kernel_of(entry: Entry, decide: Decide, asked: Asked | None = None) -> Kerne
         raise EmissionError(str(error)) from error
     wrong = differences(request, program)
     if wrong:
-        raise EmissionError(f"{program.name}: the program is not proved to equal ({entry.number}): {'; '.join(wrong)}")
+        raise EmissionError(f"{program.name}: {_unequal(entry, request, wrong)}")
     assert asked is not None
     heading = _heading(entry, decide(entry.statement), request, asked)
     needed = [hypothesis for hypothesis in request.hypotheses if hypothesis.text in heading.hypotheses]
     demands = demands_of(request, (*needed, *asked.expected))
     return Kernel(program, heading, checks_of(request, program), demands)
+
+
+def _unequal(entry: Entry, request: Request, wrong: tuple[str, ...]) -> str:
+    """In what a program, or the form of which it is made, is not what stands."""
+    found = counterexample(request) if request.form else None
+    if found is not None:
+        return f"the offered form is not equal to ({entry.number}), as one sees {in_words(found)}"
+    what = "offered form" if request.form else "program"
+    return f"the {what} is not proved to equal ({entry.number}): {'; '.join(wrong)}"
 
 
 def _heading(entry: Entry, decision: Decision, request: Request, asked: Asked) -> Heading:
@@ -50,10 +60,9 @@ def _heading(entry: Entry, decision: Decision, request: Request, asked: Asked) -
         said = f"{said} as printed, {_word(standing)} {how}"
     needs = standing.needs if isinstance(standing, HoldsUnder) else _assumed(standing, request)
     section = f"section_{entry.section.number.replace('.', '_')}"
+    derivation, form = fingerprint(entry.statement), "offered" if request.form else "stated"
     expected = tuple(hypothesis.text for hypothesis in asked.expected if hypothesis.text not in needs)
-    return Heading(
-        entry.number, entry.statement.says, said, needs, fingerprint(entry.statement), section, expected=expected
-    )
+    return Heading(entry.number, entry.statement.says, said, needs, derivation, section, form, expected)
 
 
 def _word(verdict: Verdict) -> str:

@@ -74,6 +74,7 @@ def _entry(kernel: Kernel) -> dict[str, object]:
         "operations": _inline_table({op.value: counts[op] for op in Op if counts[op]}),
         "derivation": _quoted(heading.derivation),
         "section": _quoted(heading.section),
+        "form": _quoted(heading.form),
         "checks": len(kernel.checks),
         "row": [
             _cell(text)

@@ -48,7 +48,8 @@ class Heading:
     """What a generated function says of itself, in plain text.
 
     The proof assumes the `hypotheses`; what is `expected` of the arguments gives the result its meaning.
-    `derivation` is the sha256 of the declaration in hexadecimal; `section` names the file of the C library.
+    `derivation` is the sha256 of the declaration in hexadecimal; `section` names the file of the C library; `form` is
+    "offered" where the program spells other words than the statement's, proved equal to it, else "stated".
     Raises ValueError for LaTeX, for a text of several lines and for a derivation that is no such hash.
     """
 
@@ -58,6 +59,7 @@ class Heading:
     hypotheses: tuple[str, ...]
     derivation: str
     section: str = "kernels"
+    form: str = "stated"
     expected: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
