@@ -15,4 +15,5 @@ SECTIONS = (
     "s06_moving_frame",
     "s07_statics",
     "s08_dynamics",
+    "x3_10_euler_angles",
 )

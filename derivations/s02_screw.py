@@ -14,6 +14,7 @@ from chasles.statements import (
     Theorem,
     nonzero,
     orthonormal,
+    rotation,
     unit,
 )
 from chasles.vocabulary import (
@@ -24,6 +25,7 @@ from chasles.vocabulary import (
     bracket,
     column,
     cos,
+    cot,
     cross,
     det,
     dot,
@@ -66,7 +68,7 @@ point_after_displacement = Claim(
     p_, a_ + Q @ (p - a),
     says="Where a point of the body lies after the displacement.",
     given=(body_turns_about_the_landmark,),
-    kernel=Kernel(of=(Q, a, a_, p)),
+    kernel=Kernel(of=(Q, a, a_, p), expected=(rotation(Q),)),
 )
 
 displacement_of_landmark = Definition("3.3", d_A, a_ - a, says="The displacement of A.")
@@ -331,7 +333,10 @@ screw_axis_point = Claim(
         screw_axis_moves_along_itself,
     ),
     assuming=(phi_is_not_zero,),
-    kernel=Kernel(of=(e, phi, a, a_)),
+    kernel=Kernel(
+        of=(e, phi, a, a_),
+        form=half * (paren(one - e @ e.T) @ paren(a + a_) + cot(phi / 2) * cross(e, a_ - a)),
+    ),
 )
 
 mozzi_chasles = Theorem(
@@ -611,7 +616,7 @@ rotation_in_triad_axes = Claim(
     Q_in_axes, triad.T @ triad_,
     says="The rotation in the axes of the triad, as a product of matrices.",
     given=(rotation_components, triad_as_columns, displaced_triad_as_columns, displaced_triad),
-    kernel=Kernel(of=(triad, triad_)),
+    kernel=Kernel(of=(triad, triad_), expected=(rotation(triad), rotation(triad_))),
 )
 
 rotation_from_triads = Claim(
@@ -620,5 +625,5 @@ rotation_from_triads = Claim(
     says="The rotation that takes one triad into the other, in the frame in which both are given.",
     given=(triad_as_columns, displaced_triad_as_columns, displaced_triad),
     assuming=(triad_is_orthonormal,),
-    kernel=Kernel(of=(triad, triad_)),
+    kernel=Kernel(of=(triad, triad_), expected=(rotation(triad), rotation(triad_))),
 )

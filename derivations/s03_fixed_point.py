@@ -2,7 +2,7 @@
 
 from chasles.derivations.notation import *
 
-from chasles.statements import Always, Claim, Definition, Section, Theorem, rotation
+from chasles.statements import Always, Claim, Definition, Kernel, Section, Theorem, rotation
 from chasles.vocabulary import CPM, at, cross, dot, number, rate, vect
 
 rotation_about_a_fixed_point = Section("3.3", "Rotation of a Rigid Body About a Fixed Point")
@@ -41,7 +41,12 @@ angular_velocity_matrix_is_skew = Theorem(
     assuming=(Q_is_a_rotation,),
 )
 
-angular_velocity = Definition("3.45", omega, vect(Omega), says="The angular velocity: the axial vector of that matrix.")
+angular_velocity = Definition(
+    "3.45",
+    omega, vect(Omega),
+    says="The angular velocity: the axial vector of the angular-velocity matrix.",
+    kernel=Kernel(of=(Omega,), name="axial_vector"),
+)
 
 angular_velocity_matrix_of_vector = Claim(
     "text 3.3 a",

@@ -35,6 +35,7 @@ from chasles.statements import (
     Theorem,
     nonzero,
     unit,
+    unit_column,
 )
 from chasles.vocabulary import (
     CPM,
@@ -44,6 +45,7 @@ from chasles.vocabulary import (
     bracket,
     column,
     cos,
+    cot,
     cross,
     dot,
     matrix,
@@ -536,7 +538,7 @@ rotation_from_linear_invariants = Claim(
     says="The rotation from its linear invariants.",
     given=(rotation_from_axis_angle, linear_vector, linear_scalar),
     assuming=(nonzero(1 + cos(phi), r"\phi \neq \pi"),),
-    kernel=Kernel(of=(q, q_0)),
+    kernel=Kernel(of=(q, q_0), expected=(unit_column(q, q_0), nonzero(1 + q_0))),
 )
 
 rotation_from_euler_rodrigues = Claim(
@@ -545,7 +547,18 @@ rotation_from_euler_rodrigues = Claim(
     part=2,
     says="The rotation from its Euler-Rodrigues parameters.",
     given=(rotation_from_axis_angle, euler_rodrigues_vector, euler_rodrigues_scalar),
-    kernel=Kernel(of=(q, q_0)),
+    kernel=Kernel(of=(q, q_0), expected=(unit_column(q, q_0),)),
+)
+
+rotation_from_half_angle = Claim(
+    "text 3.4.2 f",
+    Q,
+    (cos(phi / 2) ** 2 - sin(phi / 2) ** 2) * one
+    + 2 * sin(phi / 2) ** 2 * e @ e.T
+    + 2 * sin(phi / 2) * cos(phi / 2) * E,
+    part=3,
+    says="The rotation from its axis and half its angle.",
+    given=(rotation_from_axis_angle,),
 )
 
 linear_invariants = Claim(
@@ -553,7 +566,7 @@ linear_invariants = Claim(
     column(q, q_0), column(vect(Q), (tr(Q) - 1) / 2),
     says="The linear invariants from the rotation.",
     given=(rotation_from_axis_angle, linear_vector, linear_scalar),
-    kernel=Kernel(of=(Q,), results=("q", "q_0")),
+    kernel=Kernel(of=(Q,), results=("q", "q_0"), expected=(Q_is_a_rotation,)),
 )
 
 # At a half-turn Q + 1 = 2 e e^T: each column that is not zero is along the axis.
@@ -576,7 +589,7 @@ _Q_is_not_the_identity = nonzero(3 - tr(Q), r"\phi \neq 0")
 
 natural_invariants = Inverse(
     "text 3.4.2 h",
-    of=rotation_from_axis_angle,
+    of=rotation_from_half_angle,
     says="The natural invariants from the rotation.",
     assuming=(Q_is_a_rotation, _Q_is_not_the_identity),
     branches=tuple(
@@ -585,8 +598,8 @@ natural_invariants = Inverse(
             where=length,
             values=(
                 (e, along / norm(along)),
-                (cos(phi), (beside**2 - dot(along, along)) / length**2),
-                (sin(phi), 2 * beside * norm(along) / length**2),
+                (cos(phi / 2), beside / length),
+                (sin(phi / 2), norm(along) / length),
             ),
             by=length / 16,
             assuming=(nonzero(norm(along), r"\mathbf{q} \neq \mathbf{0}"),),
@@ -596,7 +609,7 @@ natural_invariants = Inverse(
     ),
     gives=(e, phi),
     largest=True,
-    sign=(sin(phi), e),
+    sign=(cos(phi / 2), e),
     kernel=Kernel(of=(Q,), results=("e", "phi")),
 )
 
@@ -621,16 +634,26 @@ euler_rodrigues_parameters = Inverse(
 
 screw_of_motion = Inverse(
     "text 3.4.2 j",
-    of=rotation_from_axis_angle,
+    of=rotation_from_half_angle,
     says="The screw of a motion: Plücker array of its axis, translation along it, angle.",
     assuming=natural_invariants.assuming,
     given=(screw_axis_point,),
     branches=natural_invariants.branches,
     gives=(column(e, cross(p_0, e)), dot(e, a_ - a), phi),
     largest=True,
-    sign=(sin(phi), e),
-    kernel=Kernel(of=(Q, a, a_), results=("axis", "d_0", "phi")),
+    sign=(cos(phi / 2), e),
+    kernel=Kernel(
+        of=(Q, a, a_),
+        results=("axis", "d_0", "phi"),
+        form=column(
+            column(e, half * (cross(a + a_, e) + cot(phi / 2) * cross(bracket(cross(e, a_ - a)), e))),
+            dot(e, a_ - a),
+            phi,
+        ),
+    ),
 )
+
+_direction = omega / norm(omega)
 
 instant_screw = Claim(
     "text 3.4.1 c",
@@ -644,7 +667,17 @@ instant_screw = Claim(
         minimum_velocity_by_landmark,
         instant_screw_point,
     ),
-    kernel=Kernel(of=(omega, rate(a), a), results=("axis", "pitch")),
+    kernel=Kernel(
+        of=(omega, rate(a), a),
+        results=("axis", "pitch"),
+        form=column(
+            column(
+                _direction,
+                cross(cross(_direction, rate(a) / norm(omega)) + a, _direction),
+            ),
+            dot(_direction, rate(a) / norm(omega)),
+        ),
+    ),
 )
 
 phi_is_not_pi = nonzero(1 + cos(phi), r"\phi \neq \pi")

@@ -8,7 +8,7 @@ from chasles.derivations.s03_fixed_point import (
 )
 
 from chasles.statements import Claim, Definition, Kernel, Section
-from chasles.vocabulary import in_frame, rate
+from chasles.vocabulary import bracket, cross, in_frame, rate
 
 moving_coordinate_axes = Section("3.6", "Rigid-Body Motion Referred to Moving Coordinate Axes")
 
@@ -57,7 +57,7 @@ moving_frame_velocity = Claim(
     + in_frame(Q, "F") @ in_frame(rate(rho_M), "M"),
     says="The velocity of P in the fixed frame from that in the moving frame.",
     given=(velocity_by_differentiation, rate_of_rotation, angular_velocity_matrix_of_vector),
-    kernel=Kernel(of=(rate(o), Q, omega, rho_M, rate(rho_M))),
+    kernel=Kernel(of=(rate(o), Q, omega, rho_M, rate(rho_M)), expected=(Q_is_a_rotation,)),
 )
 
 acceleration_in_moving_frame_by_differentiation = Claim(
@@ -80,5 +80,12 @@ moving_frame_acceleration = Claim(
     + in_frame(Q, "F") @ in_frame(rate(rate(rho_M)), "M"),
     says="The acceleration of P in the fixed frame: as a point of the moving frame, Coriolis, and in the moving frame.",
     given=(acceleration_in_moving_frame_by_differentiation, rate_of_rotation, angular_velocity_matrix_of_vector),
-    kernel=Kernel(of=(rate(rate(o)), Q, omega, rate(omega), rho_M, rate(rho_M), rate(rate(rho_M)))),
+    kernel=Kernel(
+        of=(rate(rate(o)), Q, omega, rate(omega), rho_M, rate(rho_M), rate(rate(rho_M))),
+        expected=(Q_is_a_rotation,),
+        form=rate(rate(o))
+        + cross(rate(omega), Q @ rho_M)
+        + cross(omega, bracket(cross(omega, Q @ rho_M) + 2 * Q @ rate(rho_M)))
+        + Q @ rate(rate(rho_M)),
+    ),
 )

@@ -158,6 +158,8 @@ equal_projections_on_wrench_axis = Theorem(
     given=(moment_about_point_by_force, direction_of_wrench),
 )
 
+_direction = force / norm(force)
+
 wrench_axis = Claim(
     "text 3.7 d",
     column(column(e__, n__), pitch__),
@@ -173,7 +175,17 @@ wrench_axis = Claim(
         moment_about_point_by_force,
         wrench_point,
     ),
-    kernel=Kernel(of=(force, moment_A, a), results=("axis", "pitch")),
+    kernel=Kernel(
+        of=(force, moment_A, a),
+        results=("axis", "pitch"),
+        form=column(
+            column(
+                _direction,
+                cross(cross(_direction, moment_A / norm(force)) + a, _direction),
+            ),
+            dot(_direction, moment_A / norm(force)),
+        ),
+    ),
 )
 
 exchange_of_halves = Definition(

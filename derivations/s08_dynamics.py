@@ -53,6 +53,7 @@ dynamics = Section("3.8", "Dynamics of Rigid Bodies")
 
 density_is_positive = positive(rho)
 mass_is_positive = positive(m)
+inertia_and_mass = (symmetric(I_C), mass_is_positive)
 
 mass = Definition(
     "3.123",
@@ -306,7 +307,7 @@ inertia_about_point = Claim(
     I_A, I_C + m * (norm(a - c) ** 2 * one - (a - c) @ (a - c).T),
     says="Steiner's theorem: the moment of inertia with respect to A from that at the center of mass.",
     given=(inertia_with_respect_to_point_expanded, inertia, radius, center_of_mass, first_moment, mass),
-    kernel=Kernel(of=(I_C, m, c, a)),
+    kernel=Kernel(of=(I_C, m, c, a), symmetric=(I_C, I_A), expected=inertia_and_mass),
 )
 
 product_of_cross_product_matrices = Claim(
@@ -422,7 +423,7 @@ momentum_screw = Claim(
     part=2,
     says="The momentum screw by inertia dyad and twist.",
     given=(inertia_dyad_at_center_of_mass, twist_at_center_of_mass),
-    kernel=Kernel(of=(I_C, m, t), results=("mu",)),
+    kernel=Kernel(of=(I_C, m, t), results=("mu",), symmetric=(I_C,), expected=inertia_and_mass),
 )
 
 rate_of_momentum_screw = Claim(
@@ -469,7 +470,7 @@ kinetic_energy = Claim(
     energy, half * t.T @ M @ t,
     says="The kinetic energy as a quadratic form of the twist.",
     given=(energy_by_inertia, inertia_dyad_at_center_of_mass, twist_at_center_of_mass),
-    kernel=Kernel(of=(I_C, m, t)),
+    kernel=Kernel(of=(I_C, m, t), symmetric=(I_C,), expected=inertia_and_mass),
 )
 
 newton_euler_by_momentum_screw = Claim(
@@ -517,7 +518,7 @@ newton_euler_wrench = Claim(
     w, M @ rate(t) + W_dyad @ M @ t,
     says="The wrench that moves the body: the Newton-Euler equations as they stand.",
     given=_motion_by_twist,
-    kernel=Kernel(of=(I_C, m, t, rate(t))),
+    kernel=Kernel(of=(I_C, m, t, rate(t)), symmetric=(I_C,), expected=inertia_and_mass),
 )
 
 inverse_inertia_dyad = Definition(
@@ -534,7 +535,7 @@ newton_euler_twist_rate = Claim(
     part=3,
     says="The rate of the twist of a body on which a wrench acts: the Newton-Euler equations solved.",
     given=(inverse_inertia_dyad, *_motion_by_twist),
-    kernel=Kernel(of=(I_C, m, t, w)),
+    kernel=Kernel(of=(I_C, m, t, w), symmetric=(I_C,), expected=(inertia_is_definite,)),
 )
 
 rate_of_inertia_dyad = Claim(
@@ -633,7 +634,7 @@ inertia_dyad = Claim(
         inertia_dyad_at_center_of_mass,
         inertia_about_point_by_matrices,
     ),
-    kernel=Kernel(of=(I_C, m, c, a)),
+    kernel=Kernel(of=(I_C, m, c, a), symmetric=(I_C,), expected=inertia_and_mass),
 )
 
 inertia_dyad_is_definite = Theorem(

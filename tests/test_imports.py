@@ -23,6 +23,7 @@ ORDER = (
     "bounds",
     "targets",
     "kernels",
+    "checked",
     "numerics",
     "report",
     "cli",

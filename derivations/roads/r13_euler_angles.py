@@ -1,31 +1,19 @@
 """Ex 3.10: the angular velocity from the rates of Euler angles, for all twelve sequences of axes, in both frames."""
 
 from chasles.derivations.notation import Q, one, unit_columns
+from chasles.derivations.x3_10_euler_angles import SEQUENCES, W, W_body, angles, rates, rates_of_the_angles
 
 from chasles.statements import Definition
 from chasles.statements.derivation import Consider, Derivation, Expand, Factor, FactorOut, Substitute
 from chasles.vocabulary import (
     CPM,
-    FREQUENCY,
     Node,
-    Symbol,
-    column,
     cos,
     det,
     rate,
-    scalar,
     sin,
-    square,
     vect,
     vector,
-)
-
-angles = tuple(scalar(f"theta_{k}", rf"\theta_{k}", f"Euler angle {k}") for k in (1, 2, 3))
-rates = vector("theta_dot", r"\dot{\boldsymbol{\theta}}", "rates of the Euler angles", FREQUENCY)
-W = square("W", "W", "angular velocity from the rates of the Euler angles")
-
-rates_of_the_angles = Definition(
-    "Ex 3.10", rates, column(*map(rate, angles)), says="The rates of the Euler angles.", part=2
 )
 
 axes = tuple(
@@ -36,20 +24,20 @@ axes_by_components = tuple(
     Definition("Ex 3.10", axis, components, says="A unit vector along a coordinate axis.", part=part)
     for part, (axis, components) in enumerate(zip(axes, unit_columns, strict=True), start=3)
 )
-SEQUENCES = tuple(f"{i}{j}{k}" for i in "xyz" for j in "xyz" for k in "xyz" if i != j != k)
 _dyads = tuple(one_axis @ another.T @ rates for one_axis in axes for another in axes)
 
 
-def _about(axis: str, angle: Symbol) -> Node:
+def _about(axis: str, angle: Node) -> Node:
     """The rotation about a coordinate axis."""
     u = axes["xyz".index(axis)]
     return u @ u.T + cos(angle) * (one - u @ u.T) + sin(angle) * CPM(u)
 
 
 def _road(sequence: str, frame: str) -> Derivation:
-    turned = _about(sequence[0], angles[0])
-    for axis, angle in zip(sequence[1:], angles[1:], strict=True):
+    turned = _about(sequence[0], angles.parts[0])
+    for axis, angle in zip(sequence[1:], angles.parts[1:], strict=True):
         turned = turned @ _about(axis, angle)
+    found = W if frame == "fixed" else W_body
     rotation = Definition("Ex 3.10", Q, turned, says=f"The rotation by Euler angles {sequence}.")
     return Derivation(
         "Ex 3.10",
@@ -60,10 +48,10 @@ def _road(sequence: str, frame: str) -> Derivation:
             Consider(vect(rate(Q) @ Q.T if frame == "fixed" else Q.T @ rate(Q))),
             Substitute(rotation, using=axes_by_components),
             Factor(*_dyads, using=(rates_of_the_angles, *axes_by_components)),
-            FactorOut(rates, named=W),
+            FactorOut(rates, named=found),
             Substitute(*axes_by_components),
             Expand(),
-            Consider(det(W)),
+            Consider(det(found)),
             Substitute(),
             Factor(),
         ),

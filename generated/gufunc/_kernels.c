@@ -169,7 +169,7 @@ static const char rotation_from_axis_angle_types[] = {
 /*
  * (3.2) The loops of point_after_displacement.
  *   verdict: holds; assumes nothing
- *   21 operations; derivation sha256 8dec2f77245ea565b5836a20411e5ad44d44cd04431c5873936f452f27a3d0d8
+ *   21 operations; derivation sha256 af99d11eca408718e24cab7a00a1fd908df2c4445259caf108fa6366c29b6560
  */
 static void point_after_displacement_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -229,7 +229,7 @@ static const char point_after_displacement_types[] = {
 /*
  * (3.7) The loops of pitch_of_motion.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   6 operations; derivation sha256 9fa70ee61f0b9bb672e1d252a785256ee0efa914ad0cd98e0f8b625148dc2526
+ *   6 operations; derivation sha256 a00b650de0c575f7c9b2294f993cd4d248ffaaa64b28a7f2d4581cd5c90cdf7f
  */
 static void pitch_of_motion_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -284,7 +284,7 @@ static const char pitch_of_motion_types[] = {
 /*
  * (3.16) The loops of normal_matrix_inverse.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   19 operations; derivation sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c
+ *   17 operations; derivation sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c
  */
 static void normal_matrix_inverse_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -335,7 +335,7 @@ static const char normal_matrix_inverse_types[] = {
 /*
  * (3.18) The loops of screw_axis_point.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   64 operations; derivation sha256 c77504d94d7a13ece4ecef946d02406d1c264a3db4d6453b06dc936d482e7f90
+ *   39 operations; derivation sha256 fd931c592a794abc154e30cb8754cc954c9fa9f827a0928a1e82185b1b2a8b81
  */
 static void screw_axis_point_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -501,7 +501,7 @@ static const char plucker_transfer_types[] = {
 /*
  * text 3.2.3 h The loops of rotation_in_triad_axes.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 a313dee3a60fe53c64ee29561afa9e0c70338ba74cee754e191c28c83bf76b8b
+ *   45 operations; derivation sha256 17b2c6690d171cd369c93be59a7a8c3b70bc0108c48d7358142e2312ebf805ee
  */
 static void rotation_in_triad_axes_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -552,7 +552,7 @@ static const char rotation_in_triad_axes_types[] = {
 /*
  * text 3.2.3 g The loops of rotation_from_triads.
  *   verdict: holds under; assumes e_1, e_2, e_3 are orthonormal and right-handed
- *   45 operations; derivation sha256 f83fa1168a58e1ad3de64ee9e12106ddba140b95a4dbcc601f4d839fc18a8c59
+ *   45 operations; derivation sha256 0c12a1c3d699670fac6168e45da2070083d35015f2bd6eac4cd2f1464da2b780
  */
 static void rotation_from_triads_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -601,9 +601,56 @@ static const char rotation_from_triads_types[] = {
 };
 
 /*
+ * (3.45) The loops of axial_vector.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 8c4348a6af61531ef5e1d340b707a886d5ae17216e0e81a5fdda49099e70eece
+ */
+static void axial_vector_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[9];
+        float x1[3];
+        gather_f(x0, at[0], 3, 3, steps[2], steps[3]);
+        chasles_axial_vectorf(x0, x1);
+        scatter_f(x1, at[1], 1, 3, 0, steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void axial_vector_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[9];
+        double x1[3];
+        gather_d(x0, at[0], 3, 3, steps[2], steps[3]);
+        chasles_axial_vector(x0, x1);
+        scatter_d(x1, at[1], 1, 3, 0, steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction axial_vector_loops[] = {
+    axial_vector_f,
+    axial_vector_d,
+};
+static const char axial_vector_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
  * (3.50) The loops of velocity_of_point.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 eef426f5d7859632880c7bcf2a415552347ee2d2214c68480bc7e54584caa69a
+ *   15 operations; derivation sha256 b5acf63f8b2ae232595725548e5ba32264be6bf6d52d501066130e78c9ed0486
  */
 static void velocity_of_point_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -663,7 +710,7 @@ static const char velocity_of_point_types[] = {
 /*
  * (3.70) The loops of instant_screw_point.
  *   verdict: holds under; assumes omega != 0
- *   29 operations; derivation sha256 69100a7f8d1911cfd9ed2c547c34eeace5ec9862641c5fd2ca3d352c7d28fbce
+ *   29 operations; derivation sha256 1562849f177e6c267d458290e7a5bbddc3b1feee4c93b5c27822ff1e01156afe
  */
 static void instant_screw_point_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -769,7 +816,7 @@ static const char natural_rate_matrix_types[] = {
 /*
  * (3.76c) The loops of linear_rate_matrix.
  *   verdict: defined; assumes |e| = 1
- *   39 operations; derivation sha256 dc969a2458fb1ccbe6cf9ba4bd5c14c48137796a5e63b6fdffe960bc3f43a806
+ *   30 operations; derivation sha256 dc969a2458fb1ccbe6cf9ba4bd5c14c48137796a5e63b6fdffe960bc3f43a806
  */
 static void linear_rate_matrix_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -871,7 +918,7 @@ static const char euler_rodrigues_rate_matrix_types[] = {
 /*
  * text 3.4.2 f The loops of rotation_from_linear_invariants.
  *   verdict: holds under; assumes phi != pi
- *   20 operations; derivation sha256 ea28f0fa942d584b259525e962097be1354ff910cf1b14cdaa065f0e8a7de393
+ *   20 operations; derivation sha256 19e234a754a5568e2a2452e2008c17414b949e07381e92256366ba6cc7d976bb
  */
 static void rotation_from_linear_invariants_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -922,7 +969,7 @@ static const char rotation_from_linear_invariants_types[] = {
 /*
  * text 3.4.2 f The loops of rotation_from_euler_rodrigues.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 99a4cba6f6c99cb900d6e9c9d4e2ef7a5715571273dafc564f29ffd0f7b85f0c
+ *   29 operations; derivation sha256 767311161fbd53fb1cb19724605fdf117b3445cf5f7cf313ccc6ecbf4a40f8c5
  */
 static void rotation_from_euler_rodrigues_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -973,7 +1020,7 @@ static const char rotation_from_euler_rodrigues_types[] = {
 /*
  * text 3.4.2 g The loops of linear_invariants.
  *   verdict: holds under; assumes |e| = 1
- *   10 operations; derivation sha256 36a144798681f302cdd381b0fc0940a897d02a61242017e7c9f898db6791c1be
+ *   10 operations; derivation sha256 dd83557748f8a3babd3f50468d387276f7ffb668b7fc29c093a7976e71eaabef
  */
 static void linear_invariants_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1024,7 +1071,7 @@ static const char linear_invariants_types[] = {
 /*
  * text 3.4.2 h The loops of natural_invariants.
  *   verdict: holds under; assumes Q is a rotation, phi != 0
- *   67 operations; derivation sha256 8cbe8692fcd449cfaff72e7b9493667165fefa75d402e18bbaab030b4632d805
+ *   53 operations; derivation sha256 167078e6ba9dff78870c0f0ddc85370ad11a1b0b824ddf316c3c9f19bd756081
  */
 static void natural_invariants_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1075,7 +1122,7 @@ static const char natural_invariants_types[] = {
 /*
  * text 3.4.2 i The loops of euler_rodrigues_parameters.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 6e1683e9ee616c8c3e02e1f6db337f18770483aacfc7316e76c8eba9e7361931
+ *   49 operations; derivation sha256 acb16a335b8480158c7d6e339e4c3de8c51cf3bffd9594c8aa4b639840b77580
  */
 static void euler_rodrigues_parameters_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1126,7 +1173,7 @@ static const char euler_rodrigues_parameters_types[] = {
 /*
  * text 3.4.2 j The loops of screw_of_motion.
  *   verdict: holds under; assumes Q is a rotation, phi != 0
- *   125 operations; derivation sha256 e68dbf68eb3e17e3abe858dec3630aaaaec5ed5310c8e92636930da750d40b3f
+ *   101 operations; derivation sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
  */
 static void screw_of_motion_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1190,7 +1237,7 @@ static const char screw_of_motion_types[] = {
 /*
  * text 3.4.1 c The loops of instant_screw.
  *   verdict: holds under; assumes omega != 0
- *   48 operations; derivation sha256 209e592ce8a41573bccbb2a3620515b5b480dde918c912fa0446dac1a7d40036
+ *   38 operations; derivation sha256 9598a1865cb19c5ccd2eed55d55180fed3cbd74f42a42a3309e82ecfc3b6e7f7
  */
 static void instant_screw_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1403,7 +1450,7 @@ static const char euler_rodrigues_velocity_matrix_types[] = {
 /*
  * (3.78) The loops of pose_rate_natural.
  *   verdict: holds under; assumes |e| = 1, phi != 0
- *   35 operations; derivation sha256 03378dde89c3aaac2473eda92712bf10969b44e2791c52441961929bbc3faff7
+ *   34 operations; derivation sha256 e2dfaa3aa3fac1f79b45222f3204af5a75f395308f6b3f9290346729c641eaf1
  */
 static void pose_rate_natural_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1458,7 +1505,7 @@ static const char pose_rate_natural_types[] = {
 /*
  * (3.78) The loops of pose_rate_linear.
  *   verdict: holds under; assumes |e| = 1
- *   53 operations; derivation sha256 485b60f5c3aeac6ce1e8f47296c4e310a527f2526b4ca7577ff63944281afba0
+ *   44 operations; derivation sha256 30ffb709cd3b1987574a6cb20949774164c18855b55a74fc172537bd3a7138a3
  */
 static void pose_rate_linear_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1513,7 +1560,7 @@ static const char pose_rate_linear_types[] = {
 /*
  * (3.78) The loops of pose_rate_euler_rodrigues.
  *   verdict: holds under; assumes |e| = 1
- *   28 operations; derivation sha256 339dc61f9ddbbce6d47832bfa5f83511f919dfb2680d41f08f397cc5f5818873
+ *   28 operations; derivation sha256 17b8436529f6b3c4a1aefcc8236971431106d820c1c98937a7defcd8b9830b55
  */
 static void pose_rate_euler_rodrigues_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1568,7 +1615,7 @@ static const char pose_rate_euler_rodrigues_types[] = {
 /*
  * (3.80a) The loops of twist_from_pose_rate_natural.
  *   verdict: holds under; assumes |e| = 1
- *   27 operations; derivation sha256 a734862884a894688cc48e122cf5f84242a09356a3b59996da7ceca338c88bee
+ *   27 operations; derivation sha256 c1c920878c5f917138095dea1943d4f0605d07dd2521a120e9e0a574400414d0
  */
 static void twist_from_pose_rate_natural_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1623,7 +1670,7 @@ static const char twist_from_pose_rate_natural_types[] = {
 /*
  * (3.80a) The loops of twist_from_pose_rate_linear.
  *   verdict: holds under; assumes |e| = 1, phi != pi
- *   25 operations; derivation sha256 2198ea1ef9b2a1092af274c28947c46ea9dcee1755b4d2bfeb21915eae15ec77
+ *   25 operations; derivation sha256 649387c3a4635aed7b72ec7a0c9cd67fa1407b285288b83838890827853ca799
  */
 static void twist_from_pose_rate_linear_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1678,7 +1725,7 @@ static const char twist_from_pose_rate_linear_types[] = {
 /*
  * (3.80a) The loops of twist_from_pose_rate_euler_rodrigues.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 706de516b3cc18711578a88117494ee18e5fa90ed73390c6b7020956353b1361
+ *   29 operations; derivation sha256 f7009c929bd74e6e8423e03290dcaa8570b236828a6884c7d6bd52463508ac87
  */
 static void twist_from_pose_rate_euler_rodrigues_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1733,7 +1780,7 @@ static const char twist_from_pose_rate_euler_rodrigues_types[] = {
 /*
  * (3.83a) The loops of twist_transfer.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 3219ddd73c3c590a6566e28a84076f81cbaba27a5a84b161382d2076d953c075
+ *   15 operations; derivation sha256 4e8860fe94d4e257f6a09561ef25e7c999ddca2a00337fe8774fc0c2b9433a22
  */
 static void twist_transfer_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1788,7 +1835,7 @@ static const char twist_transfer_types[] = {
 /*
  * (3.86) The loops of angular_acceleration_matrix.
  *   verdict: defined; assumes Q is a rotation
- *   15 operations; derivation sha256 5052f47f7af7362fc9f1cf608959b53ca94e5f5f25d07beebb01e47a3cc3a950
+ *   15 operations; derivation sha256 600ac9c19e353f65970adc87c2c9e1aba7f40174fd2c1780126b444caebb2a29
  */
 static void angular_acceleration_matrix_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1839,7 +1886,7 @@ static const char angular_acceleration_matrix_types[] = {
 /*
  * (3.89) The loops of acceleration_of_point.
  *   verdict: holds; assumes nothing
- *   36 operations; derivation sha256 509ca9167167321c3bf15892dea6aa573b67b0b686ac57a5125297033e3c4c92
+ *   36 operations; derivation sha256 52077d75d24e72b9e016304332b02aeb13ece6765a6f5dff5b9cb8261bc6ae26
  */
 static void acceleration_of_point_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1901,9 +1948,699 @@ static const char acceleration_of_point_types[] = {
 };
 
 /*
+ * text 3.5 f The loops of natural_rate_matrix_dot.
+ *   verdict: holds under; assumes |e| = 1, phi != 0
+ *   70 operations; derivation sha256 c61d5578f7455d9deb930e9132cffeae9f18b18b83cb0ba9b49a6c83cd285a96
+ */
+static void natural_rate_matrix_dot_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[4];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[1];
+        float x2[3];
+        float x3[12];
+        gather_f(x0, at[0], 1, 3, 0, steps[4]);
+        gather_f(x1, at[1], 1, 1, 0, 0);
+        gather_f(x2, at[2], 1, 3, 0, steps[5]);
+        chasles_natural_rate_matrix_dotf(x0, *x1, x2, x3);
+        scatter_f(x3, at[3], 4, 3, steps[6], steps[7]);
+        for (int k = 0; k < 4; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void natural_rate_matrix_dot_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[4];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[1];
+        double x2[3];
+        double x3[12];
+        gather_d(x0, at[0], 1, 3, 0, steps[4]);
+        gather_d(x1, at[1], 1, 1, 0, 0);
+        gather_d(x2, at[2], 1, 3, 0, steps[5]);
+        chasles_natural_rate_matrix_dot(x0, *x1, x2, x3);
+        scatter_d(x3, at[3], 4, 3, steps[6], steps[7]);
+        for (int k = 0; k < 4; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction natural_rate_matrix_dot_loops[] = {
+    natural_rate_matrix_dot_f,
+    natural_rate_matrix_dot_d,
+};
+static const char natural_rate_matrix_dot_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * text 3.5 f The loops of linear_rate_matrix_dot.
+ *   verdict: holds under; assumes |e| = 1
+ *   73 operations; derivation sha256 e58c3cd056fca600a3d8fabc77cc08383708b30fcd3f10997c5760ad3d813719
+ */
+static void linear_rate_matrix_dot_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[4];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[1];
+        float x2[3];
+        float x3[12];
+        gather_f(x0, at[0], 1, 3, 0, steps[4]);
+        gather_f(x1, at[1], 1, 1, 0, 0);
+        gather_f(x2, at[2], 1, 3, 0, steps[5]);
+        chasles_linear_rate_matrix_dotf(x0, *x1, x2, x3);
+        scatter_f(x3, at[3], 4, 3, steps[6], steps[7]);
+        for (int k = 0; k < 4; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void linear_rate_matrix_dot_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[4];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[1];
+        double x2[3];
+        double x3[12];
+        gather_d(x0, at[0], 1, 3, 0, steps[4]);
+        gather_d(x1, at[1], 1, 1, 0, 0);
+        gather_d(x2, at[2], 1, 3, 0, steps[5]);
+        chasles_linear_rate_matrix_dot(x0, *x1, x2, x3);
+        scatter_d(x3, at[3], 4, 3, steps[6], steps[7]);
+        for (int k = 0; k < 4; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction linear_rate_matrix_dot_loops[] = {
+    linear_rate_matrix_dot_f,
+    linear_rate_matrix_dot_d,
+};
+static const char linear_rate_matrix_dot_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * text 3.5 f The loops of euler_rodrigues_rate_matrix_dot.
+ *   verdict: holds under; assumes |e| = 1
+ *   28 operations; derivation sha256 cbbc7c4a0ec6ff7289faa80a566dfa4879a785dc3e1fcb665d781015958b3b92
+ */
+static void euler_rodrigues_rate_matrix_dot_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[4];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[1];
+        float x2[3];
+        float x3[12];
+        gather_f(x0, at[0], 1, 3, 0, steps[4]);
+        gather_f(x1, at[1], 1, 1, 0, 0);
+        gather_f(x2, at[2], 1, 3, 0, steps[5]);
+        chasles_euler_rodrigues_rate_matrix_dotf(x0, *x1, x2, x3);
+        scatter_f(x3, at[3], 4, 3, steps[6], steps[7]);
+        for (int k = 0; k < 4; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rodrigues_rate_matrix_dot_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[4];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[1];
+        double x2[3];
+        double x3[12];
+        gather_d(x0, at[0], 1, 3, 0, steps[4]);
+        gather_d(x1, at[1], 1, 1, 0, 0);
+        gather_d(x2, at[2], 1, 3, 0, steps[5]);
+        chasles_euler_rodrigues_rate_matrix_dot(x0, *x1, x2, x3);
+        scatter_d(x3, at[3], 4, 3, steps[6], steps[7]);
+        for (int k = 0; k < 4; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rodrigues_rate_matrix_dot_loops[] = {
+    euler_rodrigues_rate_matrix_dot_f,
+    euler_rodrigues_rate_matrix_dot_d,
+};
+static const char euler_rodrigues_rate_matrix_dot_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * text 3.5 g The loops of natural_velocity_matrix_dot.
+ *   verdict: holds under; assumes phi != 0, |e| = 1
+ *   55 operations; derivation sha256 71e01d77b3ea46f745a9336a2825937c48ecfb5c8f22e156a02b1d41218c2c74
+ */
+static void natural_velocity_matrix_dot_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[4];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[1];
+        float x2[3];
+        float x3[12];
+        gather_f(x0, at[0], 1, 3, 0, steps[4]);
+        gather_f(x1, at[1], 1, 1, 0, 0);
+        gather_f(x2, at[2], 1, 3, 0, steps[5]);
+        chasles_natural_velocity_matrix_dotf(x0, *x1, x2, x3);
+        scatter_f(x3, at[3], 3, 4, steps[6], steps[7]);
+        for (int k = 0; k < 4; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void natural_velocity_matrix_dot_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[4];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[1];
+        double x2[3];
+        double x3[12];
+        gather_d(x0, at[0], 1, 3, 0, steps[4]);
+        gather_d(x1, at[1], 1, 1, 0, 0);
+        gather_d(x2, at[2], 1, 3, 0, steps[5]);
+        chasles_natural_velocity_matrix_dot(x0, *x1, x2, x3);
+        scatter_d(x3, at[3], 3, 4, steps[6], steps[7]);
+        for (int k = 0; k < 4; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction natural_velocity_matrix_dot_loops[] = {
+    natural_velocity_matrix_dot_f,
+    natural_velocity_matrix_dot_d,
+};
+static const char natural_velocity_matrix_dot_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * text 3.5 g The loops of linear_velocity_matrix_dot.
+ *   verdict: holds under; assumes |e| = 1, phi != pi
+ *   34 operations; derivation sha256 b5286c2c91a7b4cfdc8d341b90ed08a2a37fc92a9f25530860458e82f6eaacf3
+ */
+static void linear_velocity_matrix_dot_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[4];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[1];
+        float x2[3];
+        float x3[12];
+        gather_f(x0, at[0], 1, 3, 0, steps[4]);
+        gather_f(x1, at[1], 1, 1, 0, 0);
+        gather_f(x2, at[2], 1, 3, 0, steps[5]);
+        chasles_linear_velocity_matrix_dotf(x0, *x1, x2, x3);
+        scatter_f(x3, at[3], 3, 4, steps[6], steps[7]);
+        for (int k = 0; k < 4; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void linear_velocity_matrix_dot_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[4];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[1];
+        double x2[3];
+        double x3[12];
+        gather_d(x0, at[0], 1, 3, 0, steps[4]);
+        gather_d(x1, at[1], 1, 1, 0, 0);
+        gather_d(x2, at[2], 1, 3, 0, steps[5]);
+        chasles_linear_velocity_matrix_dot(x0, *x1, x2, x3);
+        scatter_d(x3, at[3], 3, 4, steps[6], steps[7]);
+        for (int k = 0; k < 4; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction linear_velocity_matrix_dot_loops[] = {
+    linear_velocity_matrix_dot_f,
+    linear_velocity_matrix_dot_d,
+};
+static const char linear_velocity_matrix_dot_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * text 3.5 g The loops of euler_rodrigues_velocity_matrix_dot.
+ *   verdict: holds under; assumes |e| = 1
+ *   26 operations; derivation sha256 c80e798e741899e2d32fd6b3e16a5b786d0f82ee47987a537c4755eed1b60850
+ */
+static void euler_rodrigues_velocity_matrix_dot_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[4];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[1];
+        float x2[3];
+        float x3[12];
+        gather_f(x0, at[0], 1, 3, 0, steps[4]);
+        gather_f(x1, at[1], 1, 1, 0, 0);
+        gather_f(x2, at[2], 1, 3, 0, steps[5]);
+        chasles_euler_rodrigues_velocity_matrix_dotf(x0, *x1, x2, x3);
+        scatter_f(x3, at[3], 3, 4, steps[6], steps[7]);
+        for (int k = 0; k < 4; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rodrigues_velocity_matrix_dot_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[4];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[1];
+        double x2[3];
+        double x3[12];
+        gather_d(x0, at[0], 1, 3, 0, steps[4]);
+        gather_d(x1, at[1], 1, 1, 0, 0);
+        gather_d(x2, at[2], 1, 3, 0, steps[5]);
+        chasles_euler_rodrigues_velocity_matrix_dot(x0, *x1, x2, x3);
+        scatter_d(x3, at[3], 3, 4, steps[6], steps[7]);
+        for (int k = 0; k < 4; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rodrigues_velocity_matrix_dot_loops[] = {
+    euler_rodrigues_velocity_matrix_dot_f,
+    euler_rodrigues_velocity_matrix_dot_d,
+};
+static const char euler_rodrigues_velocity_matrix_dot_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * text 3.5 h The loops of pose_acceleration_natural.
+ *   verdict: holds under; assumes |e| = 1, phi != 0
+ *   96 operations; derivation sha256 d4b56350899a19bcc149b55d1279747465f4ffc9ff92ea858cdd2e564e99ca62
+ */
+static void pose_acceleration_natural_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[5];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[1];
+        float x2[6];
+        float x3[6];
+        float x4[7];
+        gather_f(x0, at[0], 1, 3, 0, steps[5]);
+        gather_f(x1, at[1], 1, 1, 0, 0);
+        gather_f(x2, at[2], 1, 6, 0, steps[6]);
+        gather_f(x3, at[3], 1, 6, 0, steps[7]);
+        chasles_pose_acceleration_naturalf(x0, *x1, x2, x3, x4);
+        scatter_f(x4, at[4], 1, 7, 0, steps[8]);
+        for (int k = 0; k < 5; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void pose_acceleration_natural_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[5];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[1];
+        double x2[6];
+        double x3[6];
+        double x4[7];
+        gather_d(x0, at[0], 1, 3, 0, steps[5]);
+        gather_d(x1, at[1], 1, 1, 0, 0);
+        gather_d(x2, at[2], 1, 6, 0, steps[6]);
+        gather_d(x3, at[3], 1, 6, 0, steps[7]);
+        chasles_pose_acceleration_natural(x0, *x1, x2, x3, x4);
+        scatter_d(x4, at[4], 1, 7, 0, steps[8]);
+        for (int k = 0; k < 5; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction pose_acceleration_natural_loops[] = {
+    pose_acceleration_natural_f,
+    pose_acceleration_natural_d,
+};
+static const char pose_acceleration_natural_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
+    NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * text 3.5 h The loops of pose_acceleration_linear.
+ *   verdict: holds under; assumes |e| = 1
+ *   76 operations; derivation sha256 1588dcded7d741e99e263e63960b704faab031996a2d165fbbe2b322357ed2e9
+ */
+static void pose_acceleration_linear_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[5];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[1];
+        float x2[6];
+        float x3[6];
+        float x4[7];
+        gather_f(x0, at[0], 1, 3, 0, steps[5]);
+        gather_f(x1, at[1], 1, 1, 0, 0);
+        gather_f(x2, at[2], 1, 6, 0, steps[6]);
+        gather_f(x3, at[3], 1, 6, 0, steps[7]);
+        chasles_pose_acceleration_linearf(x0, *x1, x2, x3, x4);
+        scatter_f(x4, at[4], 1, 7, 0, steps[8]);
+        for (int k = 0; k < 5; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void pose_acceleration_linear_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[5];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[1];
+        double x2[6];
+        double x3[6];
+        double x4[7];
+        gather_d(x0, at[0], 1, 3, 0, steps[5]);
+        gather_d(x1, at[1], 1, 1, 0, 0);
+        gather_d(x2, at[2], 1, 6, 0, steps[6]);
+        gather_d(x3, at[3], 1, 6, 0, steps[7]);
+        chasles_pose_acceleration_linear(x0, *x1, x2, x3, x4);
+        scatter_d(x4, at[4], 1, 7, 0, steps[8]);
+        for (int k = 0; k < 5; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction pose_acceleration_linear_loops[] = {
+    pose_acceleration_linear_f,
+    pose_acceleration_linear_d,
+};
+static const char pose_acceleration_linear_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
+    NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * text 3.5 h The loops of pose_acceleration_euler_rodrigues.
+ *   verdict: holds under; assumes |e| = 1
+ *   45 operations; derivation sha256 0f21a42c6c8b20a3978874f3add6fcde6371416fd40cc41c5da50d8f4cd6babd
+ */
+static void pose_acceleration_euler_rodrigues_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[5];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[1];
+        float x2[6];
+        float x3[6];
+        float x4[7];
+        gather_f(x0, at[0], 1, 3, 0, steps[5]);
+        gather_f(x1, at[1], 1, 1, 0, 0);
+        gather_f(x2, at[2], 1, 6, 0, steps[6]);
+        gather_f(x3, at[3], 1, 6, 0, steps[7]);
+        chasles_pose_acceleration_euler_rodriguesf(x0, *x1, x2, x3, x4);
+        scatter_f(x4, at[4], 1, 7, 0, steps[8]);
+        for (int k = 0; k < 5; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void pose_acceleration_euler_rodrigues_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[5];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[1];
+        double x2[6];
+        double x3[6];
+        double x4[7];
+        gather_d(x0, at[0], 1, 3, 0, steps[5]);
+        gather_d(x1, at[1], 1, 1, 0, 0);
+        gather_d(x2, at[2], 1, 6, 0, steps[6]);
+        gather_d(x3, at[3], 1, 6, 0, steps[7]);
+        chasles_pose_acceleration_euler_rodrigues(x0, *x1, x2, x3, x4);
+        scatter_d(x4, at[4], 1, 7, 0, steps[8]);
+        for (int k = 0; k < 5; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction pose_acceleration_euler_rodrigues_loops[] = {
+    pose_acceleration_euler_rodrigues_f,
+    pose_acceleration_euler_rodrigues_d,
+};
+static const char pose_acceleration_euler_rodrigues_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
+    NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * text 3.5 i The loops of twist_rate_from_pose_natural.
+ *   verdict: holds under; assumes |e| = 1
+ *   51 operations; derivation sha256 46142537f8f2d352235601f0fe20d7417a8415c4299de5fde88c9772c1d5b072
+ */
+static void twist_rate_from_pose_natural_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[5];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[1];
+        float x2[7];
+        float x3[7];
+        float x4[6];
+        gather_f(x0, at[0], 1, 3, 0, steps[5]);
+        gather_f(x1, at[1], 1, 1, 0, 0);
+        gather_f(x2, at[2], 1, 7, 0, steps[6]);
+        gather_f(x3, at[3], 1, 7, 0, steps[7]);
+        chasles_twist_rate_from_pose_naturalf(x0, *x1, x2, x3, x4);
+        scatter_f(x4, at[4], 1, 6, 0, steps[8]);
+        for (int k = 0; k < 5; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void twist_rate_from_pose_natural_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[5];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[1];
+        double x2[7];
+        double x3[7];
+        double x4[6];
+        gather_d(x0, at[0], 1, 3, 0, steps[5]);
+        gather_d(x1, at[1], 1, 1, 0, 0);
+        gather_d(x2, at[2], 1, 7, 0, steps[6]);
+        gather_d(x3, at[3], 1, 7, 0, steps[7]);
+        chasles_twist_rate_from_pose_natural(x0, *x1, x2, x3, x4);
+        scatter_d(x4, at[4], 1, 6, 0, steps[8]);
+        for (int k = 0; k < 5; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction twist_rate_from_pose_natural_loops[] = {
+    twist_rate_from_pose_natural_f,
+    twist_rate_from_pose_natural_d,
+};
+static const char twist_rate_from_pose_natural_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
+    NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * text 3.5 i The loops of twist_rate_from_pose_linear.
+ *   verdict: holds under; assumes |e| = 1, phi != pi
+ *   52 operations; derivation sha256 e60a5e59bbc9bfff80fda29a99e2165c18777756e0d5ef482d146ef9b36646a2
+ */
+static void twist_rate_from_pose_linear_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[5];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[1];
+        float x2[7];
+        float x3[7];
+        float x4[6];
+        gather_f(x0, at[0], 1, 3, 0, steps[5]);
+        gather_f(x1, at[1], 1, 1, 0, 0);
+        gather_f(x2, at[2], 1, 7, 0, steps[6]);
+        gather_f(x3, at[3], 1, 7, 0, steps[7]);
+        chasles_twist_rate_from_pose_linearf(x0, *x1, x2, x3, x4);
+        scatter_f(x4, at[4], 1, 6, 0, steps[8]);
+        for (int k = 0; k < 5; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void twist_rate_from_pose_linear_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[5];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[1];
+        double x2[7];
+        double x3[7];
+        double x4[6];
+        gather_d(x0, at[0], 1, 3, 0, steps[5]);
+        gather_d(x1, at[1], 1, 1, 0, 0);
+        gather_d(x2, at[2], 1, 7, 0, steps[6]);
+        gather_d(x3, at[3], 1, 7, 0, steps[7]);
+        chasles_twist_rate_from_pose_linear(x0, *x1, x2, x3, x4);
+        scatter_d(x4, at[4], 1, 6, 0, steps[8]);
+        for (int k = 0; k < 5; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction twist_rate_from_pose_linear_loops[] = {
+    twist_rate_from_pose_linear_f,
+    twist_rate_from_pose_linear_d,
+};
+static const char twist_rate_from_pose_linear_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
+    NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * text 3.5 i The loops of twist_rate_from_pose_euler_rodrigues.
+ *   verdict: holds under; assumes |e| = 1
+ *   29 operations; derivation sha256 8f9dc9af1023fade3eb622411945883078b1f62098c7b9178f68aed0ef63d94d
+ */
+static void twist_rate_from_pose_euler_rodrigues_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[5];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[1];
+        float x2[7];
+        float x3[7];
+        float x4[6];
+        gather_f(x0, at[0], 1, 3, 0, steps[5]);
+        gather_f(x1, at[1], 1, 1, 0, 0);
+        gather_f(x2, at[2], 1, 7, 0, steps[6]);
+        gather_f(x3, at[3], 1, 7, 0, steps[7]);
+        chasles_twist_rate_from_pose_euler_rodriguesf(x0, *x1, x2, x3, x4);
+        scatter_f(x4, at[4], 1, 6, 0, steps[8]);
+        for (int k = 0; k < 5; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void twist_rate_from_pose_euler_rodrigues_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[5];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[1];
+        double x2[7];
+        double x3[7];
+        double x4[6];
+        gather_d(x0, at[0], 1, 3, 0, steps[5]);
+        gather_d(x1, at[1], 1, 1, 0, 0);
+        gather_d(x2, at[2], 1, 7, 0, steps[6]);
+        gather_d(x3, at[3], 1, 7, 0, steps[7]);
+        chasles_twist_rate_from_pose_euler_rodrigues(x0, *x1, x2, x3, x4);
+        scatter_d(x4, at[4], 1, 6, 0, steps[8]);
+        for (int k = 0; k < 5; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction twist_rate_from_pose_euler_rodrigues_loops[] = {
+    twist_rate_from_pose_euler_rodrigues_f,
+    twist_rate_from_pose_euler_rodrigues_d,
+};
+static const char twist_rate_from_pose_euler_rodrigues_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
+    NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
  * (3.103) The loops of moving_frame_velocity.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 da9e7c4331821e757d302e254d79b3fee81482b88d26f706b39478d1aa475204
+ *   45 operations; derivation sha256 b4941bd3b3f57c83b14de8fd13a10f996bcfeb8ee7bfc4215c85ab50fb9b8b33
  */
 static void moving_frame_velocity_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -1967,7 +2704,7 @@ static const char moving_frame_velocity_types[] = {
 /*
  * (3.105) The loops of moving_frame_acceleration.
  *   verdict: holds; assumes nothing
- *   96 operations; derivation sha256 da5d30181e11cd5a3119f7edd4a748da440cc7ec9f2463e8cef0f70537a10984
+ *   87 operations; derivation sha256 985f244a1c015e00a6d544a9a346e7446722d3d1972e549159bc1a6a90456d40
  */
 static void moving_frame_acceleration_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2039,7 +2776,7 @@ static const char moving_frame_acceleration_types[] = {
 /*
  * text 3.7 d The loops of wrench_axis.
  *   verdict: holds under; assumes f != 0
- *   49 operations; derivation sha256 f6f930d9678b859aa30368ca18000d5606fc5b8fa517c3baf582f66a110dcdc4
+ *   38 operations; derivation sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
  */
 static void wrench_axis_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2256,7 +2993,7 @@ static const char wrench_transfer_types[] = {
 /*
  * (3.133a) The loops of inertia_about_point.
  *   verdict: holds under; assumes m > 0
- *   30 operations; derivation sha256 aba83f2bd3e1166b795e47c43b448bc59b7660cf5111023a5f72b29e4ca2087d
+ *   24 operations; derivation sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
  */
 static void inertia_about_point_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2314,9 +3051,69 @@ static const char inertia_about_point_types[] = {
 };
 
 /*
+ * (3.133a) The loops of inertia_about_point_sym6.
+ *   verdict: holds under; assumes m > 0
+ *   21 operations; derivation sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
+ */
+static void inertia_about_point_sym6_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[5];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[6];
+        float x1[1];
+        float x2[3];
+        float x3[3];
+        float x4[6];
+        gather_f(x0, at[0], 1, 6, 0, steps[5]);
+        gather_f(x1, at[1], 1, 1, 0, 0);
+        gather_f(x2, at[2], 1, 3, 0, steps[6]);
+        gather_f(x3, at[3], 1, 3, 0, steps[7]);
+        chasles_inertia_about_point_sym6f(x0, *x1, x2, x3, x4);
+        scatter_f(x4, at[4], 1, 6, 0, steps[8]);
+        for (int k = 0; k < 5; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void inertia_about_point_sym6_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[5];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[6];
+        double x1[1];
+        double x2[3];
+        double x3[3];
+        double x4[6];
+        gather_d(x0, at[0], 1, 6, 0, steps[5]);
+        gather_d(x1, at[1], 1, 1, 0, 0);
+        gather_d(x2, at[2], 1, 3, 0, steps[6]);
+        gather_d(x3, at[3], 1, 3, 0, steps[7]);
+        chasles_inertia_about_point_sym6(x0, *x1, x2, x3, x4);
+        scatter_d(x4, at[4], 1, 6, 0, steps[8]);
+        for (int k = 0; k < 5; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction inertia_about_point_sym6_loops[] = {
+    inertia_about_point_sym6_f,
+    inertia_about_point_sym6_d,
+};
+static const char inertia_about_point_sym6_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
+    NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
  * (3.142) The loops of momentum_screw.
  *   verdict: holds; assumes nothing
- *   18 operations; derivation sha256 710d57383413bed6baf901762b3882a8ecf77afb22a27bf8365ff0c92c4546d6
+ *   18 operations; derivation sha256 6db3e3a77ef9af159d0c096ec679c53626cff81d41ccfbcc2a4db4833ae93473
  */
 static void momentum_screw_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2369,9 +3166,64 @@ static const char momentum_screw_types[] = {
 };
 
 /*
+ * (3.142) The loops of momentum_screw_sym6.
+ *   verdict: holds; assumes nothing
+ *   18 operations; derivation sha256 6db3e3a77ef9af159d0c096ec679c53626cff81d41ccfbcc2a4db4833ae93473
+ */
+static void momentum_screw_sym6_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[4];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[6];
+        float x1[1];
+        float x2[6];
+        float x3[6];
+        gather_f(x0, at[0], 1, 6, 0, steps[4]);
+        gather_f(x1, at[1], 1, 1, 0, 0);
+        gather_f(x2, at[2], 1, 6, 0, steps[5]);
+        chasles_momentum_screw_sym6f(x0, *x1, x2, x3);
+        scatter_f(x3, at[3], 1, 6, 0, steps[6]);
+        for (int k = 0; k < 4; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void momentum_screw_sym6_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[4];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[6];
+        double x1[1];
+        double x2[6];
+        double x3[6];
+        gather_d(x0, at[0], 1, 6, 0, steps[4]);
+        gather_d(x1, at[1], 1, 1, 0, 0);
+        gather_d(x2, at[2], 1, 6, 0, steps[5]);
+        chasles_momentum_screw_sym6(x0, *x1, x2, x3);
+        scatter_d(x3, at[3], 1, 6, 0, steps[6]);
+        for (int k = 0; k < 4; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction momentum_screw_sym6_loops[] = {
+    momentum_screw_sym6_f,
+    momentum_screw_sym6_d,
+};
+static const char momentum_screw_sym6_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
  * (3.145) The loops of kinetic_energy.
  *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 4b9e9fcfb9d3f04a872f3404b762a9c889a518c95015ce9a8c1ae5aaa464aa59
+ *   35 operations; derivation sha256 69297c38ebd3f2599e0000c019f576151ae0e8d563b8a02661f982c45230000e
  */
 static void kinetic_energy_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2424,9 +3276,64 @@ static const char kinetic_energy_types[] = {
 };
 
 /*
+ * (3.145) The loops of kinetic_energy_sym6.
+ *   verdict: holds; assumes nothing
+ *   35 operations; derivation sha256 69297c38ebd3f2599e0000c019f576151ae0e8d563b8a02661f982c45230000e
+ */
+static void kinetic_energy_sym6_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[4];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[6];
+        float x1[1];
+        float x2[6];
+        float x3[1];
+        gather_f(x0, at[0], 1, 6, 0, steps[4]);
+        gather_f(x1, at[1], 1, 1, 0, 0);
+        gather_f(x2, at[2], 1, 6, 0, steps[5]);
+        chasles_kinetic_energy_sym6f(x0, *x1, x2, x3);
+        scatter_f(x3, at[3], 1, 1, 0, 0);
+        for (int k = 0; k < 4; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void kinetic_energy_sym6_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[4];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[6];
+        double x1[1];
+        double x2[6];
+        double x3[1];
+        gather_d(x0, at[0], 1, 6, 0, steps[4]);
+        gather_d(x1, at[1], 1, 1, 0, 0);
+        gather_d(x2, at[2], 1, 6, 0, steps[5]);
+        chasles_kinetic_energy_sym6(x0, *x1, x2, x3);
+        scatter_d(x3, at[3], 1, 1, 0, 0);
+        for (int k = 0; k < 4; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction kinetic_energy_sym6_loops[] = {
+    kinetic_energy_sym6_f,
+    kinetic_energy_sym6_d,
+};
+static const char kinetic_energy_sym6_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
  * text 3.8 v The loops of newton_euler_wrench.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 d7b89fc9d9f1d1f6e7c4726a8c6b262312af5cbe7c335bfef62828b9f7874101
+ *   45 operations; derivation sha256 4e831789b8f20b1f8ebea121e0d8d47b7074e8225c3fd379d0994cdf87959c79
  */
 static void newton_euler_wrench_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2484,9 +3391,69 @@ static const char newton_euler_wrench_types[] = {
 };
 
 /*
+ * text 3.8 v The loops of newton_euler_wrench_sym6.
+ *   verdict: holds; assumes nothing
+ *   45 operations; derivation sha256 4e831789b8f20b1f8ebea121e0d8d47b7074e8225c3fd379d0994cdf87959c79
+ */
+static void newton_euler_wrench_sym6_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[5];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[6];
+        float x1[1];
+        float x2[6];
+        float x3[6];
+        float x4[6];
+        gather_f(x0, at[0], 1, 6, 0, steps[5]);
+        gather_f(x1, at[1], 1, 1, 0, 0);
+        gather_f(x2, at[2], 1, 6, 0, steps[6]);
+        gather_f(x3, at[3], 1, 6, 0, steps[7]);
+        chasles_newton_euler_wrench_sym6f(x0, *x1, x2, x3, x4);
+        scatter_f(x4, at[4], 1, 6, 0, steps[8]);
+        for (int k = 0; k < 5; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void newton_euler_wrench_sym6_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[5];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[6];
+        double x1[1];
+        double x2[6];
+        double x3[6];
+        double x4[6];
+        gather_d(x0, at[0], 1, 6, 0, steps[5]);
+        gather_d(x1, at[1], 1, 1, 0, 0);
+        gather_d(x2, at[2], 1, 6, 0, steps[6]);
+        gather_d(x3, at[3], 1, 6, 0, steps[7]);
+        chasles_newton_euler_wrench_sym6(x0, *x1, x2, x3, x4);
+        scatter_d(x4, at[4], 1, 6, 0, steps[8]);
+        for (int k = 0; k < 5; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction newton_euler_wrench_sym6_loops[] = {
+    newton_euler_wrench_sym6_f,
+    newton_euler_wrench_sym6_d,
+};
+static const char newton_euler_wrench_sym6_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
+    NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
  * text 3.8 v The loops of newton_euler_twist_rate.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   82 operations; derivation sha256 0081ef2d815df5f9b649473f8486474536d4b3b5431fee899b9a96105cb8def7
+ *   82 operations; derivation sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
  */
 static void newton_euler_twist_rate_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2544,9 +3511,69 @@ static const char newton_euler_twist_rate_types[] = {
 };
 
 /*
+ * text 3.8 v The loops of newton_euler_twist_rate_sym6.
+ *   verdict: holds under; assumes det(I_C) != 0, m > 0
+ *   73 operations; derivation sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
+ */
+static void newton_euler_twist_rate_sym6_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[5];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[6];
+        float x1[1];
+        float x2[6];
+        float x3[6];
+        float x4[6];
+        gather_f(x0, at[0], 1, 6, 0, steps[5]);
+        gather_f(x1, at[1], 1, 1, 0, 0);
+        gather_f(x2, at[2], 1, 6, 0, steps[6]);
+        gather_f(x3, at[3], 1, 6, 0, steps[7]);
+        chasles_newton_euler_twist_rate_sym6f(x0, *x1, x2, x3, x4);
+        scatter_f(x4, at[4], 1, 6, 0, steps[8]);
+        for (int k = 0; k < 5; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void newton_euler_twist_rate_sym6_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[5];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[6];
+        double x1[1];
+        double x2[6];
+        double x3[6];
+        double x4[6];
+        gather_d(x0, at[0], 1, 6, 0, steps[5]);
+        gather_d(x1, at[1], 1, 1, 0, 0);
+        gather_d(x2, at[2], 1, 6, 0, steps[6]);
+        gather_d(x3, at[3], 1, 6, 0, steps[7]);
+        chasles_newton_euler_twist_rate_sym6(x0, *x1, x2, x3, x4);
+        scatter_d(x4, at[4], 1, 6, 0, steps[8]);
+        for (int k = 0; k < 5; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction newton_euler_twist_rate_sym6_loops[] = {
+    newton_euler_twist_rate_sym6_f,
+    newton_euler_twist_rate_sym6_d,
+};
+static const char newton_euler_twist_rate_sym6_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
+    NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
  * (3.147) The loops of inertia_dyad.
  *   verdict: holds; assumes nothing
- *   30 operations; derivation sha256 1c4bb601cd0998fc0bfe9b387910f33fab442c97036ac86000fc8d66e444e923
+ *   24 operations; derivation sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
  */
 static void inertia_dyad_f(
     char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
@@ -2601,6 +3628,2370 @@ static PyUFuncGenericFunction inertia_dyad_loops[] = {
 static const char inertia_dyad_types[] = {
     NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
     NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * (3.147) The loops of inertia_dyad_sym6.
+ *   verdict: holds; assumes nothing
+ *   21 operations; derivation sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
+ */
+static void inertia_dyad_sym6_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[5];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[6];
+        float x1[1];
+        float x2[3];
+        float x3[3];
+        float x4[36];
+        gather_f(x0, at[0], 1, 6, 0, steps[5]);
+        gather_f(x1, at[1], 1, 1, 0, 0);
+        gather_f(x2, at[2], 1, 3, 0, steps[6]);
+        gather_f(x3, at[3], 1, 3, 0, steps[7]);
+        chasles_inertia_dyad_sym6f(x0, *x1, x2, x3, x4);
+        scatter_f(x4, at[4], 6, 6, steps[8], steps[9]);
+        for (int k = 0; k < 5; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void inertia_dyad_sym6_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[5];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[6];
+        double x1[1];
+        double x2[3];
+        double x3[3];
+        double x4[36];
+        gather_d(x0, at[0], 1, 6, 0, steps[5]);
+        gather_d(x1, at[1], 1, 1, 0, 0);
+        gather_d(x2, at[2], 1, 3, 0, steps[6]);
+        gather_d(x3, at[3], 1, 3, 0, steps[7]);
+        chasles_inertia_dyad_sym6(x0, *x1, x2, x3, x4);
+        scatter_d(x4, at[4], 6, 6, steps[8], steps[9]);
+        for (int k = 0; k < 5; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction inertia_dyad_sym6_loops[] = {
+    inertia_dyad_sym6_f,
+    inertia_dyad_sym6_d,
+};
+static const char inertia_dyad_sym6_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
+    NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of rotation_from_euler_xyx.
+ *   verdict: defined; assumes nothing
+ *   24 operations; derivation sha256 49974e148b9969b7a23a303df375f906766eda03e5d7416d35c36a35c77fea06
+ */
+static void rotation_from_euler_xyx_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_xyxf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void rotation_from_euler_xyx_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_xyx(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction rotation_from_euler_xyx_loops[] = {
+    rotation_from_euler_xyx_f,
+    rotation_from_euler_xyx_d,
+};
+static const char rotation_from_euler_xyx_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_xyx.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 15ec222e6a4c0d4af15dcf0f4f9d944364836080f80ed845b4661afb074e1ca1
+ */
+static void euler_rate_matrix_xyx_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_xyxf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_xyx_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_xyx(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_xyx_loops[] = {
+    euler_rate_matrix_xyx_f,
+    euler_rate_matrix_xyx_d,
+};
+static const char euler_rate_matrix_xyx_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_body_xyx.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 cd8589089d7d47765a04b183158736b0b971b8a8d922838283fa2c2975eb5d89
+ */
+static void euler_rate_matrix_body_xyx_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_xyxf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_body_xyx_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_xyx(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_body_xyx_loops[] = {
+    euler_rate_matrix_body_xyx_f,
+    euler_rate_matrix_body_xyx_d,
+};
+static const char euler_rate_matrix_body_xyx_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rates_xyx.
+ *   verdict: holds under; assumes sin(theta_2) != 0
+ *   13 operations; derivation sha256 6b432c618a3b5cb7132a0a1625419f24b2800b22e52d8f8b5202e756b67ea148
+ */
+static void euler_rates_xyx_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[3];
+        float x2[3];
+        gather_f(x0, at[0], 1, 3, 0, steps[3]);
+        gather_f(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_xyxf(x0, x1, x2);
+        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rates_xyx_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[3];
+        double x2[3];
+        gather_d(x0, at[0], 1, 3, 0, steps[3]);
+        gather_d(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_xyx(x0, x1, x2);
+        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rates_xyx_loops[] = {
+    euler_rates_xyx_f,
+    euler_rates_xyx_d,
+};
+static const char euler_rates_xyx_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of rotation_from_euler_xyz.
+ *   verdict: defined; assumes nothing
+ *   24 operations; derivation sha256 f87af8285d9801669ca9041e726f9817a40f9c95ddf51a655b261236297c04af
+ */
+static void rotation_from_euler_xyz_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_xyzf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void rotation_from_euler_xyz_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_xyz(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction rotation_from_euler_xyz_loops[] = {
+    rotation_from_euler_xyz_f,
+    rotation_from_euler_xyz_d,
+};
+static const char rotation_from_euler_xyz_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_xyz.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 1d2f362d906c9640bebb7713dd74f3809ce202cd977dff0cc4c827b77ce9d4d3
+ */
+static void euler_rate_matrix_xyz_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_xyzf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_xyz_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_xyz(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_xyz_loops[] = {
+    euler_rate_matrix_xyz_f,
+    euler_rate_matrix_xyz_d,
+};
+static const char euler_rate_matrix_xyz_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_body_xyz.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 d605f1f844caa8fe73209313f2debbc7dad841db4b625533c1925d350b88b35f
+ */
+static void euler_rate_matrix_body_xyz_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_xyzf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_body_xyz_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_xyz(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_body_xyz_loops[] = {
+    euler_rate_matrix_body_xyz_f,
+    euler_rate_matrix_body_xyz_d,
+};
+static const char euler_rate_matrix_body_xyz_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rates_xyz.
+ *   verdict: holds under; assumes cos(theta_2) != 0
+ *   13 operations; derivation sha256 379cc15712b3f593e6a56a0586d8cb970b2c344caf9eff56d13b4aa0f2bc0fcb
+ */
+static void euler_rates_xyz_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[3];
+        float x2[3];
+        gather_f(x0, at[0], 1, 3, 0, steps[3]);
+        gather_f(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_xyzf(x0, x1, x2);
+        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rates_xyz_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[3];
+        double x2[3];
+        gather_d(x0, at[0], 1, 3, 0, steps[3]);
+        gather_d(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_xyz(x0, x1, x2);
+        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rates_xyz_loops[] = {
+    euler_rates_xyz_f,
+    euler_rates_xyz_d,
+};
+static const char euler_rates_xyz_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of rotation_from_euler_xzx.
+ *   verdict: defined; assumes nothing
+ *   24 operations; derivation sha256 509556f6df445dd3c7fe5324e0ad671112ed8aaa27442b8973ddf4f722eb8d9b
+ */
+static void rotation_from_euler_xzx_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_xzxf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void rotation_from_euler_xzx_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_xzx(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction rotation_from_euler_xzx_loops[] = {
+    rotation_from_euler_xzx_f,
+    rotation_from_euler_xzx_d,
+};
+static const char rotation_from_euler_xzx_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_xzx.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 063a79927c0f405045ca7f3a4600867811265ae8101b11b64e443152cd0965cf
+ */
+static void euler_rate_matrix_xzx_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_xzxf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_xzx_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_xzx(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_xzx_loops[] = {
+    euler_rate_matrix_xzx_f,
+    euler_rate_matrix_xzx_d,
+};
+static const char euler_rate_matrix_xzx_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_body_xzx.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 5092f84c7bbb66afac08e51bc82a4ea4bdc4738a19463c52fc60c25d1976c154
+ */
+static void euler_rate_matrix_body_xzx_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_xzxf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_body_xzx_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_xzx(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_body_xzx_loops[] = {
+    euler_rate_matrix_body_xzx_f,
+    euler_rate_matrix_body_xzx_d,
+};
+static const char euler_rate_matrix_body_xzx_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rates_xzx.
+ *   verdict: holds under; assumes sin(theta_2) != 0
+ *   13 operations; derivation sha256 d60392e777e2f94766ccb4868d6a376f4b8f702f6466c7841c3f0e7493778009
+ */
+static void euler_rates_xzx_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[3];
+        float x2[3];
+        gather_f(x0, at[0], 1, 3, 0, steps[3]);
+        gather_f(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_xzxf(x0, x1, x2);
+        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rates_xzx_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[3];
+        double x2[3];
+        gather_d(x0, at[0], 1, 3, 0, steps[3]);
+        gather_d(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_xzx(x0, x1, x2);
+        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rates_xzx_loops[] = {
+    euler_rates_xzx_f,
+    euler_rates_xzx_d,
+};
+static const char euler_rates_xzx_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of rotation_from_euler_xzy.
+ *   verdict: defined; assumes nothing
+ *   24 operations; derivation sha256 6a4fd734359cc43f74679d358abf691bfd6612dbcd721aa9a209c64050a5d383
+ */
+static void rotation_from_euler_xzy_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_xzyf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void rotation_from_euler_xzy_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_xzy(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction rotation_from_euler_xzy_loops[] = {
+    rotation_from_euler_xzy_f,
+    rotation_from_euler_xzy_d,
+};
+static const char rotation_from_euler_xzy_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_xzy.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 f4bf5edc3a0e9199cc30c83f6cab51d6bfce7ab2a3d75f59608b337bed74824b
+ */
+static void euler_rate_matrix_xzy_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_xzyf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_xzy_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_xzy(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_xzy_loops[] = {
+    euler_rate_matrix_xzy_f,
+    euler_rate_matrix_xzy_d,
+};
+static const char euler_rate_matrix_xzy_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_body_xzy.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 34b232afb99ddc1be46962d797e1c08bda20904a656a165ee2fc2232e4beec57
+ */
+static void euler_rate_matrix_body_xzy_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_xzyf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_body_xzy_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_xzy(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_body_xzy_loops[] = {
+    euler_rate_matrix_body_xzy_f,
+    euler_rate_matrix_body_xzy_d,
+};
+static const char euler_rate_matrix_body_xzy_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rates_xzy.
+ *   verdict: holds under; assumes cos(theta_2) != 0
+ *   13 operations; derivation sha256 47b386989c7014707637badfc0f665d8b17c2674e34c6dc85b34228d94dd802e
+ */
+static void euler_rates_xzy_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[3];
+        float x2[3];
+        gather_f(x0, at[0], 1, 3, 0, steps[3]);
+        gather_f(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_xzyf(x0, x1, x2);
+        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rates_xzy_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[3];
+        double x2[3];
+        gather_d(x0, at[0], 1, 3, 0, steps[3]);
+        gather_d(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_xzy(x0, x1, x2);
+        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rates_xzy_loops[] = {
+    euler_rates_xzy_f,
+    euler_rates_xzy_d,
+};
+static const char euler_rates_xzy_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of rotation_from_euler_yxy.
+ *   verdict: defined; assumes nothing
+ *   24 operations; derivation sha256 42de6926cd35f5c06da566065b065c8ba754cee65703557fa42410e42dde4a35
+ */
+static void rotation_from_euler_yxy_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_yxyf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void rotation_from_euler_yxy_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_yxy(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction rotation_from_euler_yxy_loops[] = {
+    rotation_from_euler_yxy_f,
+    rotation_from_euler_yxy_d,
+};
+static const char rotation_from_euler_yxy_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_yxy.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 ab9e4f4d487ee038942cc83869848be5fa4c534a19c656164684f27e1b65ac10
+ */
+static void euler_rate_matrix_yxy_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_yxyf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_yxy_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_yxy(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_yxy_loops[] = {
+    euler_rate_matrix_yxy_f,
+    euler_rate_matrix_yxy_d,
+};
+static const char euler_rate_matrix_yxy_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_body_yxy.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 2a86c48257dda6a27e84a7fb3b0817bd24bdff1a56c2bfeb6119d778d89bbab6
+ */
+static void euler_rate_matrix_body_yxy_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_yxyf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_body_yxy_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_yxy(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_body_yxy_loops[] = {
+    euler_rate_matrix_body_yxy_f,
+    euler_rate_matrix_body_yxy_d,
+};
+static const char euler_rate_matrix_body_yxy_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rates_yxy.
+ *   verdict: holds under; assumes sin(theta_2) != 0
+ *   13 operations; derivation sha256 8c7b412f940aadc89ad8c5ce3785c5c0ca8dcbf9e58aac6572334181799e61e2
+ */
+static void euler_rates_yxy_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[3];
+        float x2[3];
+        gather_f(x0, at[0], 1, 3, 0, steps[3]);
+        gather_f(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_yxyf(x0, x1, x2);
+        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rates_yxy_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[3];
+        double x2[3];
+        gather_d(x0, at[0], 1, 3, 0, steps[3]);
+        gather_d(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_yxy(x0, x1, x2);
+        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rates_yxy_loops[] = {
+    euler_rates_yxy_f,
+    euler_rates_yxy_d,
+};
+static const char euler_rates_yxy_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of rotation_from_euler_yxz.
+ *   verdict: defined; assumes nothing
+ *   24 operations; derivation sha256 aac4d38f938bc0f3b21fc5113a3e553f105a0b99bd2a46001cf5af56197be36a
+ */
+static void rotation_from_euler_yxz_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_yxzf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void rotation_from_euler_yxz_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_yxz(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction rotation_from_euler_yxz_loops[] = {
+    rotation_from_euler_yxz_f,
+    rotation_from_euler_yxz_d,
+};
+static const char rotation_from_euler_yxz_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_yxz.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 f673622637ac9520cdbbfacd9038ad6a42d7de01d522fe1daa4e4ed5a188d584
+ */
+static void euler_rate_matrix_yxz_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_yxzf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_yxz_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_yxz(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_yxz_loops[] = {
+    euler_rate_matrix_yxz_f,
+    euler_rate_matrix_yxz_d,
+};
+static const char euler_rate_matrix_yxz_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_body_yxz.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 a7f0e1639e85f122dde538fce97f31e9e4f583cf9ea5d074345d45245ff26ea8
+ */
+static void euler_rate_matrix_body_yxz_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_yxzf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_body_yxz_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_yxz(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_body_yxz_loops[] = {
+    euler_rate_matrix_body_yxz_f,
+    euler_rate_matrix_body_yxz_d,
+};
+static const char euler_rate_matrix_body_yxz_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rates_yxz.
+ *   verdict: holds under; assumes cos(theta_2) != 0
+ *   13 operations; derivation sha256 bf11bed82696038fa225e27a75acb0d41b63af31adb0153ca5a712167c4d8284
+ */
+static void euler_rates_yxz_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[3];
+        float x2[3];
+        gather_f(x0, at[0], 1, 3, 0, steps[3]);
+        gather_f(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_yxzf(x0, x1, x2);
+        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rates_yxz_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[3];
+        double x2[3];
+        gather_d(x0, at[0], 1, 3, 0, steps[3]);
+        gather_d(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_yxz(x0, x1, x2);
+        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rates_yxz_loops[] = {
+    euler_rates_yxz_f,
+    euler_rates_yxz_d,
+};
+static const char euler_rates_yxz_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of rotation_from_euler_yzx.
+ *   verdict: defined; assumes nothing
+ *   24 operations; derivation sha256 73ccad1507926c77a4de1804d6ccee68b6eedcb0a87a5d797076c3aaa328556a
+ */
+static void rotation_from_euler_yzx_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_yzxf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void rotation_from_euler_yzx_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_yzx(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction rotation_from_euler_yzx_loops[] = {
+    rotation_from_euler_yzx_f,
+    rotation_from_euler_yzx_d,
+};
+static const char rotation_from_euler_yzx_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_yzx.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 6bc14177fe8f581b737fd8108f75cca27c80f0c6043e24f8d305941c720fb93e
+ */
+static void euler_rate_matrix_yzx_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_yzxf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_yzx_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_yzx(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_yzx_loops[] = {
+    euler_rate_matrix_yzx_f,
+    euler_rate_matrix_yzx_d,
+};
+static const char euler_rate_matrix_yzx_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_body_yzx.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 ba974c498d2395f78752b5b9af3bd25c9bc8814b82f34bc12080e7f58fc39384
+ */
+static void euler_rate_matrix_body_yzx_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_yzxf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_body_yzx_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_yzx(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_body_yzx_loops[] = {
+    euler_rate_matrix_body_yzx_f,
+    euler_rate_matrix_body_yzx_d,
+};
+static const char euler_rate_matrix_body_yzx_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rates_yzx.
+ *   verdict: holds under; assumes cos(theta_2) != 0
+ *   13 operations; derivation sha256 404a3dd7a9f43dbf16ca707d83946fda23f95d1982dc848908ed679160d5cc5f
+ */
+static void euler_rates_yzx_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[3];
+        float x2[3];
+        gather_f(x0, at[0], 1, 3, 0, steps[3]);
+        gather_f(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_yzxf(x0, x1, x2);
+        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rates_yzx_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[3];
+        double x2[3];
+        gather_d(x0, at[0], 1, 3, 0, steps[3]);
+        gather_d(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_yzx(x0, x1, x2);
+        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rates_yzx_loops[] = {
+    euler_rates_yzx_f,
+    euler_rates_yzx_d,
+};
+static const char euler_rates_yzx_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of rotation_from_euler_yzy.
+ *   verdict: defined; assumes nothing
+ *   24 operations; derivation sha256 fc249fbe7ecf26a2cf23c7eb4a1ae340b6f6d6b71fd0a11c005275bed3b0541a
+ */
+static void rotation_from_euler_yzy_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_yzyf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void rotation_from_euler_yzy_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_yzy(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction rotation_from_euler_yzy_loops[] = {
+    rotation_from_euler_yzy_f,
+    rotation_from_euler_yzy_d,
+};
+static const char rotation_from_euler_yzy_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_yzy.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 ba3b9e2e5d19a42bcccf4fe889ac0ad5e1476885d7d3f35174490738c07caa93
+ */
+static void euler_rate_matrix_yzy_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_yzyf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_yzy_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_yzy(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_yzy_loops[] = {
+    euler_rate_matrix_yzy_f,
+    euler_rate_matrix_yzy_d,
+};
+static const char euler_rate_matrix_yzy_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_body_yzy.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 2906ed860e470e86a10fba075e603a757d21feeb996fd012d6a5c352f1f248cf
+ */
+static void euler_rate_matrix_body_yzy_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_yzyf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_body_yzy_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_yzy(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_body_yzy_loops[] = {
+    euler_rate_matrix_body_yzy_f,
+    euler_rate_matrix_body_yzy_d,
+};
+static const char euler_rate_matrix_body_yzy_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rates_yzy.
+ *   verdict: holds under; assumes sin(theta_2) != 0
+ *   13 operations; derivation sha256 fbcf58ed5fb921bfdeae731af0d22be0b18c057d4ab3433941bb486f4f2ac07a
+ */
+static void euler_rates_yzy_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[3];
+        float x2[3];
+        gather_f(x0, at[0], 1, 3, 0, steps[3]);
+        gather_f(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_yzyf(x0, x1, x2);
+        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rates_yzy_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[3];
+        double x2[3];
+        gather_d(x0, at[0], 1, 3, 0, steps[3]);
+        gather_d(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_yzy(x0, x1, x2);
+        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rates_yzy_loops[] = {
+    euler_rates_yzy_f,
+    euler_rates_yzy_d,
+};
+static const char euler_rates_yzy_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of rotation_from_euler_zxy.
+ *   verdict: defined; assumes nothing
+ *   24 operations; derivation sha256 00df5b3e078a442b89ec92320b9be4d00f69c8c69b5377ceed30ce97167894d8
+ */
+static void rotation_from_euler_zxy_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_zxyf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void rotation_from_euler_zxy_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_zxy(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction rotation_from_euler_zxy_loops[] = {
+    rotation_from_euler_zxy_f,
+    rotation_from_euler_zxy_d,
+};
+static const char rotation_from_euler_zxy_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_zxy.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 66b9e91ee2080f4af362adbd4cfbd2f6493f2d49f04e969606b8e5e66a892530
+ */
+static void euler_rate_matrix_zxy_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_zxyf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_zxy_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_zxy(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_zxy_loops[] = {
+    euler_rate_matrix_zxy_f,
+    euler_rate_matrix_zxy_d,
+};
+static const char euler_rate_matrix_zxy_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_body_zxy.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 ee0e5dc36786ec147d7731e28a73445f4829a353e033fb0bdf99f16a9ae96d67
+ */
+static void euler_rate_matrix_body_zxy_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_zxyf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_body_zxy_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_zxy(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_body_zxy_loops[] = {
+    euler_rate_matrix_body_zxy_f,
+    euler_rate_matrix_body_zxy_d,
+};
+static const char euler_rate_matrix_body_zxy_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rates_zxy.
+ *   verdict: holds under; assumes cos(theta_2) != 0
+ *   13 operations; derivation sha256 f15319cb143e29fdad80688ea5d83794cf5328509c5cd1fb52fa078f77b2a785
+ */
+static void euler_rates_zxy_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[3];
+        float x2[3];
+        gather_f(x0, at[0], 1, 3, 0, steps[3]);
+        gather_f(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_zxyf(x0, x1, x2);
+        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rates_zxy_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[3];
+        double x2[3];
+        gather_d(x0, at[0], 1, 3, 0, steps[3]);
+        gather_d(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_zxy(x0, x1, x2);
+        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rates_zxy_loops[] = {
+    euler_rates_zxy_f,
+    euler_rates_zxy_d,
+};
+static const char euler_rates_zxy_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of rotation_from_euler_zxz.
+ *   verdict: defined; assumes nothing
+ *   24 operations; derivation sha256 90292a7b1973bd54561384a1b0aca95f4b081c5031f08a71f5bf1eeb509996f8
+ */
+static void rotation_from_euler_zxz_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_zxzf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void rotation_from_euler_zxz_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_zxz(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction rotation_from_euler_zxz_loops[] = {
+    rotation_from_euler_zxz_f,
+    rotation_from_euler_zxz_d,
+};
+static const char rotation_from_euler_zxz_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_zxz.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 d6bac485f18ebb57e7adb1eb90896adee410e33308c5db55212969aa010526ee
+ */
+static void euler_rate_matrix_zxz_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_zxzf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_zxz_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_zxz(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_zxz_loops[] = {
+    euler_rate_matrix_zxz_f,
+    euler_rate_matrix_zxz_d,
+};
+static const char euler_rate_matrix_zxz_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_body_zxz.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 22c895ea0aa33cf27a73432cf9b7edd645045c890d81351055832ab2e86d2ae0
+ */
+static void euler_rate_matrix_body_zxz_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_zxzf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_body_zxz_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_zxz(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_body_zxz_loops[] = {
+    euler_rate_matrix_body_zxz_f,
+    euler_rate_matrix_body_zxz_d,
+};
+static const char euler_rate_matrix_body_zxz_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rates_zxz.
+ *   verdict: holds under; assumes sin(theta_2) != 0
+ *   13 operations; derivation sha256 9730082636217a13ed6443b9376e26c825640305348e897e3b1e8d20d25ad893
+ */
+static void euler_rates_zxz_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[3];
+        float x2[3];
+        gather_f(x0, at[0], 1, 3, 0, steps[3]);
+        gather_f(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_zxzf(x0, x1, x2);
+        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rates_zxz_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[3];
+        double x2[3];
+        gather_d(x0, at[0], 1, 3, 0, steps[3]);
+        gather_d(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_zxz(x0, x1, x2);
+        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rates_zxz_loops[] = {
+    euler_rates_zxz_f,
+    euler_rates_zxz_d,
+};
+static const char euler_rates_zxz_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of rotation_from_euler_zyx.
+ *   verdict: defined; assumes nothing
+ *   24 operations; derivation sha256 77eae5b015783de7dba57287593533e40a4bf6d57321c5d7151d36cf1a028acc
+ */
+static void rotation_from_euler_zyx_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_zyxf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void rotation_from_euler_zyx_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_zyx(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction rotation_from_euler_zyx_loops[] = {
+    rotation_from_euler_zyx_f,
+    rotation_from_euler_zyx_d,
+};
+static const char rotation_from_euler_zyx_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_zyx.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 0adf0d7abfcbe1f817931814b81c15a9c846b1c73dcdb818878d86351c757b6d
+ */
+static void euler_rate_matrix_zyx_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_zyxf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_zyx_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_zyx(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_zyx_loops[] = {
+    euler_rate_matrix_zyx_f,
+    euler_rate_matrix_zyx_d,
+};
+static const char euler_rate_matrix_zyx_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_body_zyx.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 6a7529b4dd785268409cc92077030a4cad8a64439e696ba9dfa305974e76a7df
+ */
+static void euler_rate_matrix_body_zyx_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_zyxf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_body_zyx_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_zyx(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_body_zyx_loops[] = {
+    euler_rate_matrix_body_zyx_f,
+    euler_rate_matrix_body_zyx_d,
+};
+static const char euler_rate_matrix_body_zyx_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rates_zyx.
+ *   verdict: holds under; assumes cos(theta_2) != 0
+ *   13 operations; derivation sha256 f6fb3a6381c9037e8d1dbd8e1df9c051262d4c72bd9738451555e59c302f0f09
+ */
+static void euler_rates_zyx_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[3];
+        float x2[3];
+        gather_f(x0, at[0], 1, 3, 0, steps[3]);
+        gather_f(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_zyxf(x0, x1, x2);
+        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rates_zyx_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[3];
+        double x2[3];
+        gather_d(x0, at[0], 1, 3, 0, steps[3]);
+        gather_d(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_zyx(x0, x1, x2);
+        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rates_zyx_loops[] = {
+    euler_rates_zyx_f,
+    euler_rates_zyx_d,
+};
+static const char euler_rates_zyx_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of rotation_from_euler_zyz.
+ *   verdict: defined; assumes nothing
+ *   24 operations; derivation sha256 35a70c6c05dd2903cd2f50766b4e415a63eb2ffed2c6d3e412124e8647c7b716
+ */
+static void rotation_from_euler_zyz_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_zyzf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void rotation_from_euler_zyz_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_rotation_from_euler_zyz(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction rotation_from_euler_zyz_loops[] = {
+    rotation_from_euler_zyz_f,
+    rotation_from_euler_zyz_d,
+};
+static const char rotation_from_euler_zyz_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_zyz.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 2df872f3e6c29262a9a735f3e6450ce704e08a1b40b33a555d7636f417131edb
+ */
+static void euler_rate_matrix_zyz_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_zyzf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_zyz_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_zyz(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_zyz_loops[] = {
+    euler_rate_matrix_zyz_f,
+    euler_rate_matrix_zyz_d,
+};
+static const char euler_rate_matrix_zyz_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rate_matrix_body_zyz.
+ *   verdict: defined; assumes nothing
+ *   6 operations; derivation sha256 0e8fa3809441be1ebd1a102ce8fc5b78357d823973bbc7bac7e1da5c7ce38790
+ */
+static void euler_rate_matrix_body_zyz_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[9];
+        gather_f(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_zyzf(x0, x1);
+        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rate_matrix_body_zyz_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[2];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[9];
+        gather_d(x0, at[0], 1, 3, 0, steps[2]);
+        chasles_euler_rate_matrix_body_zyz(x0, x1);
+        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
+        for (int k = 0; k < 2; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rate_matrix_body_zyz_loops[] = {
+    euler_rate_matrix_body_zyz_f,
+    euler_rate_matrix_body_zyz_d,
+};
+static const char euler_rate_matrix_body_zyz_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
+};
+
+/*
+ * Ex 3.10 The loops of euler_rates_zyz.
+ *   verdict: holds under; assumes sin(theta_2) != 0
+ *   13 operations; derivation sha256 c8e47ebca1883ce144424c202eb73e0d953be9339e55743f954ebc4ff9aaa9f5
+ */
+static void euler_rates_zyz_f(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        float x0[3];
+        float x1[3];
+        float x2[3];
+        gather_f(x0, at[0], 1, 3, 0, steps[3]);
+        gather_f(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_zyzf(x0, x1, x2);
+        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static void euler_rates_zyz_d(
+    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
+{
+    char *at[3];
+    memcpy(at, args, sizeof at);
+    for (npy_intp left = dimensions[0]; left > 0; left--) {
+        double x0[3];
+        double x1[3];
+        double x2[3];
+        gather_d(x0, at[0], 1, 3, 0, steps[3]);
+        gather_d(x1, at[1], 1, 3, 0, steps[4]);
+        chasles_euler_rates_zyz(x0, x1, x2);
+        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
+        for (int k = 0; k < 3; k++) {
+            at[k] += steps[k];
+        }
+    }
+}
+
+static PyUFuncGenericFunction euler_rates_zyz_loops[] = {
+    euler_rates_zyz_f,
+    euler_rates_zyz_d,
+};
+static const char euler_rates_zyz_types[] = {
+    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
 };
 
 static void *const no_data[] = {NULL, NULL};
@@ -2665,8 +6056,9 @@ static const Kernel kernels[] = {
             "  returns     p_prime (3): position of P after the displacement\n"
             "  verdict     holds\n"
             "  assumes     nothing\n"
+            "  expects     Q is a rotation\n"
             "  operations  21: 9 add, 3 subtract, 9 multiply\n"
-            "  derivation  sha256 8dec2f77245ea565b5836a20411e5ad44d44cd04431c5873936f452f27a3d0d8\n"
+            "  derivation  sha256 af99d11eca408718e24cab7a00a1fd908df2c4445259caf108fa6366c29b6560\n"
             "  signature   (3,3),(3),(3),(3)->(3)\n"
             "",
         .loops = point_after_displacement_loops,
@@ -2687,7 +6079,7 @@ static const Kernel kernels[] = {
             "  assumes     phi != 0\n"
             "              |e| = 1\n"
             "  operations  6: 2 add, 3 multiply, 1 divide\n"
-            "  derivation  sha256 9fa70ee61f0b9bb672e1d252a785256ee0efa914ad0cd98e0f8b625148dc2526\n"
+            "  derivation  sha256 a00b650de0c575f7c9b2294f993cd4d248ffaaa64b28a7f2d4581cd5c90cdf7f\n"
             "  signature   (3),(),(3)->()\n"
             "",
         .loops = pitch_of_motion_loops,
@@ -2706,7 +6098,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     phi != 0\n"
             "              |e| = 1\n"
-            "  operations  19: 3 add, 2 subtract, 11 multiply, 2 divide, 1 cosine\n"
+            "  operations  17: 3 add, 1 subtract, 11 multiply, 1 divide, 1 sine\n"
             "  derivation  sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c\n"
             "  signature   (3),()->(3,3)\n"
             "",
@@ -2728,8 +6120,9 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     phi != 0\n"
             "              |e| = 1\n"
-            "  operations  64: 18 add, 10 subtract, 31 multiply, 3 divide, 1 sine, 1 cosine\n"
-            "  derivation  sha256 c77504d94d7a13ece4ecef946d02406d1c264a3db4d6453b06dc936d482e7f90\n"
+            "  made of     an offered form, proved equal to the statement\n"
+            "  operations  39: 5 add, 12 subtract, 19 multiply, 1 divide, 1 sine, 1 cosine\n"
+            "  derivation  sha256 fd931c592a794abc154e30cb8754cc954c9fa9f827a0928a1e82185b1b2a8b81\n"
             "  signature   (3),(),(3),(3)->(3)\n"
             "",
         .loops = screw_axis_point_loops,
@@ -2786,8 +6179,10 @@ static const Kernel kernels[] = {
             "  returns     Q (3, 3): components of the rotation in the axes of the triad\n"
             "  verdict     holds\n"
             "  assumes     nothing\n"
+            "  expects     triad is a rotation\n"
+            "              triad' is a rotation\n"
             "  operations  45: 18 add, 27 multiply\n"
-            "  derivation  sha256 a313dee3a60fe53c64ee29561afa9e0c70338ba74cee754e191c28c83bf76b8b\n"
+            "  derivation  sha256 17b2c6690d171cd369c93be59a7a8c3b70bc0108c48d7358142e2312ebf805ee\n"
             "  signature   (3,3),(3,3)->(3,3)\n"
             "",
         .loops = rotation_in_triad_axes_loops,
@@ -2805,13 +6200,33 @@ static const Kernel kernels[] = {
             "  returns     Q (3, 3): rotation\n"
             "  verdict     holds under\n"
             "  assumes     e_1, e_2, e_3 are orthonormal and right-handed\n"
+            "  expects     triad is a rotation\n"
+            "              triad' is a rotation\n"
             "  operations  45: 18 add, 27 multiply\n"
-            "  derivation  sha256 f83fa1168a58e1ad3de64ee9e12106ddba140b95a4dbcc601f4d839fc18a8c59\n"
+            "  derivation  sha256 0c12a1c3d699670fac6168e45da2070083d35015f2bd6eac4cd2f1464da2b780\n"
             "  signature   (3,3),(3,3)->(3,3)\n"
             "",
         .loops = rotation_from_triads_loops,
         .types = rotation_from_triads_types,
         .inputs = 2,
+        .outputs = 1,
+    },
+    {
+        .name = "axial_vector",
+        .signature = "(3,3)->(3)",
+        .doc =
+            "(3.45) The angular velocity: the axial vector of the angular-velocity matrix.\n"
+            "  given       Omega (3, 3): angular-velocity matrix\n"
+            "  returns     omega (3): angular velocity\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 3 subtract, 3 multiply\n"
+            "  derivation  sha256 8c4348a6af61531ef5e1d340b707a886d5ae17216e0e81a5fdda49099e70eece\n"
+            "  signature   (3,3)->(3)\n"
+            "",
+        .loops = axial_vector_loops,
+        .types = axial_vector_types,
+        .inputs = 1,
         .outputs = 1,
     },
     {
@@ -2827,7 +6242,7 @@ static const Kernel kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  15: 3 add, 6 subtract, 6 multiply\n"
-            "  derivation  sha256 eef426f5d7859632880c7bcf2a415552347ee2d2214c68480bc7e54584caa69a\n"
+            "  derivation  sha256 b5acf63f8b2ae232595725548e5ba32264be6bf6d52d501066130e78c9ed0486\n"
             "  signature   (3),(3),(3),(3)->(3)\n"
             "",
         .loops = velocity_of_point_loops,
@@ -2847,7 +6262,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     omega != 0\n"
             "  operations  29: 2 add, 9 subtract, 15 multiply, 3 divide\n"
-            "  derivation  sha256 69100a7f8d1911cfd9ed2c547c34eeace5ec9862641c5fd2ca3d352c7d28fbce\n"
+            "  derivation  sha256 1562849f177e6c267d458290e7a5bbddc3b1feee4c93b5c27822ff1e01156afe\n"
             "  signature   (3),(3),(3)->(3)\n"
             "",
         .loops = instant_screw_point_loops,
@@ -2866,7 +6281,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     |e| = 1\n"
             "              phi != 0\n"
-            "  operations  26: 3 add, 7 subtract, 13 multiply, 1 divide, 1 sine, 1 cosine\n"
+            "  operations  26: 6 add, 3 subtract, 14 multiply, 1 divide, 1 sine, 1 cosine\n"
             "  derivation  sha256 ae8848864c3fe36678c44ede0fea89f8af655c143bdb95acf6bb13cd98cc80e0\n"
             "  signature   (3),()->(4,3)\n"
             "",
@@ -2885,7 +6300,7 @@ static const Kernel kernels[] = {
             "  returns     L (4, 3): linear invariants' rates from the angular velocity\n"
             "  verdict     defined\n"
             "  assumes     |e| = 1\n"
-            "  operations  39: 6 add, 8 subtract, 23 multiply, 1 sine, 1 cosine\n"
+            "  operations  30: 4 add, 7 subtract, 17 multiply, 1 sine, 1 cosine\n"
             "  derivation  sha256 dc969a2458fb1ccbe6cf9ba4bd5c14c48137796a5e63b6fdffe960bc3f43a806\n"
             "  signature   (3),()->(4,3)\n"
             "",
@@ -2923,8 +6338,10 @@ static const Kernel kernels[] = {
             "  returns     Q (3, 3): rotation\n"
             "  verdict     holds under\n"
             "  assumes     phi != pi\n"
+            "  expects     |[q, q_0]| = 1\n"
+            "              1 + q_0 != 0\n"
             "  operations  20: 7 add, 3 subtract, 9 multiply, 1 divide\n"
-            "  derivation  sha256 ea28f0fa942d584b259525e962097be1354ff910cf1b14cdaa065f0e8a7de393\n"
+            "  derivation  sha256 19e234a754a5568e2a2452e2008c17414b949e07381e92256366ba6cc7d976bb\n"
             "  signature   (3),()->(3,3)\n"
             "",
         .loops = rotation_from_linear_invariants_loops,
@@ -2942,8 +6359,9 @@ static const Kernel kernels[] = {
             "  returns     Q (3, 3): rotation\n"
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
+            "  expects     |[q, q_0]| = 1\n"
             "  operations  29: 8 add, 4 subtract, 17 multiply\n"
-            "  derivation  sha256 99a4cba6f6c99cb900d6e9c9d4e2ef7a5715571273dafc564f29ffd0f7b85f0c\n"
+            "  derivation  sha256 767311161fbd53fb1cb19724605fdf117b3445cf5f7cf313ccc6ecbf4a40f8c5\n"
             "  signature   (3),()->(3,3)\n"
             "",
         .loops = rotation_from_euler_rodrigues_loops,
@@ -2961,8 +6379,9 @@ static const Kernel kernels[] = {
             "              q_0: scalar part of four invariants of the rotation\n"
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
+            "  expects     Q is a rotation\n"
             "  operations  10: 2 add, 4 subtract, 4 multiply\n"
-            "  derivation  sha256 36a144798681f302cdd381b0fc0940a897d02a61242017e7c9f898db6791c1be\n"
+            "  derivation  sha256 dd83557748f8a3babd3f50468d387276f7ffb668b7fc29c093a7976e71eaabef\n"
             "  signature   (3,3)->(3),()\n"
             "",
         .loops = linear_invariants_loops,
@@ -2981,8 +6400,8 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     Q is a rotation\n"
             "              phi != 0\n"
-            "  operations  67: 21 add, 10 subtract, 25 multiply, 5 divide, 5 square root, 1 arctangent2\n"
-            "  derivation  sha256 8cbe8692fcd449cfaff72e7b9493667165fefa75d402e18bbaab030b4632d805\n"
+            "  operations  53: 21 add, 6 subtract, 18 multiply, 5 divide, 2 square root, 1 arctangent2\n"
+            "  derivation  sha256 167078e6ba9dff78870c0f0ddc85370ad11a1b0b824ddf316c3c9f19bd756081\n"
             "  signature   (3,3)->(3),()\n"
             "",
         .loops = natural_invariants_loops,
@@ -3001,7 +6420,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     Q is a rotation\n"
             "  operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root\n"
-            "  derivation  sha256 6e1683e9ee616c8c3e02e1f6db337f18770483aacfc7316e76c8eba9e7361931\n"
+            "  derivation  sha256 acb16a335b8480158c7d6e339e4c3de8c51cf3bffd9594c8aa4b639840b77580\n"
             "  signature   (3,3)->(3),()\n"
             "",
         .loops = euler_rodrigues_parameters_loops,
@@ -3023,8 +6442,9 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     Q is a rotation\n"
             "              phi != 0\n"
-            "  operations  125: 35 add, 23 subtract, 53 multiply, 8 divide, 5 square root, 1 arctangent2\n"
-            "  derivation  sha256 e68dbf68eb3e17e3abe858dec3630aaaaec5ed5310c8e92636930da750d40b3f\n"
+            "  made of     an offered form, proved equal to the statement\n"
+            "  operations  101: 29 add, 18 subtract, 45 multiply, 6 divide, 2 square root, 1 arctangent2\n"
+            "  derivation  sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf\n"
             "  signature   (3,3),(3),(3)->(6),(),()\n"
             "",
         .loops = screw_of_motion_loops,
@@ -3044,8 +6464,9 @@ static const Kernel kernels[] = {
             "              pitch: pitch of the instant screw, in metres per radian\n"
             "  verdict     holds under\n"
             "  assumes     omega != 0\n"
-            "  operations  48: 4 add, 12 subtract, 24 multiply, 7 divide, 1 square root\n"
-            "  derivation  sha256 209e592ce8a41573bccbb2a3620515b5b480dde918c912fa0446dac1a7d40036\n"
+            "  made of     an offered form, proved equal to the statement\n"
+            "  operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root\n"
+            "  derivation  sha256 9598a1865cb19c5ccd2eed55d55180fed3cbd74f42a42a3309e82ecfc3b6e7f7\n"
             "  signature   (3),(3),(3)->(6),()\n"
             "",
         .loops = instant_screw_loops,
@@ -3083,7 +6504,7 @@ static const Kernel kernels[] = {
             "  verdict     ill-formed as printed, defined as read\n"
             "  assumes     |e| = 1\n"
             "              phi != pi\n"
-            "  operations  7: 1 add, 3 multiply, 1 divide, 1 sine, 1 cosine\n"
+            "  operations  7: 4 multiply, 1 divide, 1 sine, 1 cosine\n"
             "  derivation  sha256 89a180463935f0c42617efa0988e0354bd46d74d20a13999139be0c69246d5f3\n"
             "  signature   (3),()->(3,4)\n"
             "",
@@ -3123,8 +6544,8 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
             "              phi != 0\n"
-            "  operations  35: 2 add, 10 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine\n"
-            "  derivation  sha256 03378dde89c3aaac2473eda92712bf10969b44e2791c52441961929bbc3faff7\n"
+            "  operations  34: 5 add, 6 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine\n"
+            "  derivation  sha256 e2dfaa3aa3fac1f79b45222f3204af5a75f395308f6b3f9290346729c641eaf1\n"
             "  signature   (3),(),(6)->(7)\n"
             "",
         .loops = pose_rate_natural_loops,
@@ -3143,8 +6564,8 @@ static const Kernel kernels[] = {
             "  returns     s_dot (7): time derivative of: pose array\n"
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
-            "  operations  53: 7 add, 11 subtract, 33 multiply, 1 sine, 1 cosine\n"
-            "  derivation  sha256 485b60f5c3aeac6ce1e8f47296c4e310a527f2526b4ca7577ff63944281afba0\n"
+            "  operations  44: 5 add, 10 subtract, 27 multiply, 1 sine, 1 cosine\n"
+            "  derivation  sha256 30ffb709cd3b1987574a6cb20949774164c18855b55a74fc172537bd3a7138a3\n"
             "  signature   (3),(),(6)->(7)\n"
             "",
         .loops = pose_rate_linear_loops,
@@ -3164,7 +6585,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
             "  operations  28: 5 add, 3 subtract, 18 multiply, 1 sine, 1 cosine\n"
-            "  derivation  sha256 339dc61f9ddbbce6d47832bfa5f83511f919dfb2680d41f08f397cc5f5818873\n"
+            "  derivation  sha256 17b8436529f6b3c4a1aefcc8236971431106d820c1c98937a7defcd8b9830b55\n"
             "  signature   (3),(),(6)->(7)\n"
             "",
         .loops = pose_rate_euler_rodrigues_loops,
@@ -3184,7 +6605,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
             "  operations  27: 6 add, 4 subtract, 15 multiply, 1 sine, 1 cosine\n"
-            "  derivation  sha256 a734862884a894688cc48e122cf5f84242a09356a3b59996da7ceca338c88bee\n"
+            "  derivation  sha256 c1c920878c5f917138095dea1943d4f0605d07dd2521a120e9e0a574400414d0\n"
             "  signature   (3),(),(7)->(6)\n"
             "",
         .loops = twist_from_pose_rate_natural_loops,
@@ -3204,8 +6625,8 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
             "              phi != pi\n"
-            "  operations  25: 4 add, 6 subtract, 12 multiply, 1 divide, 1 sine, 1 cosine\n"
-            "  derivation  sha256 2198ea1ef9b2a1092af274c28947c46ea9dcee1755b4d2bfeb21915eae15ec77\n"
+            "  operations  25: 3 add, 6 subtract, 13 multiply, 1 divide, 1 sine, 1 cosine\n"
+            "  derivation  sha256 649387c3a4635aed7b72ec7a0c9cd67fa1407b285288b83838890827853ca799\n"
             "  signature   (3),(),(7)->(6)\n"
             "",
         .loops = twist_from_pose_rate_linear_loops,
@@ -3225,7 +6646,7 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
             "  operations  29: 3 add, 6 subtract, 18 multiply, 1 sine, 1 cosine\n"
-            "  derivation  sha256 706de516b3cc18711578a88117494ee18e5fa90ed73390c6b7020956353b1361\n"
+            "  derivation  sha256 f7009c929bd74e6e8423e03290dcaa8570b236828a6884c7d6bd52463508ac87\n"
             "  signature   (3),(),(7)->(6)\n"
             "",
         .loops = twist_from_pose_rate_euler_rodrigues_loops,
@@ -3245,7 +6666,7 @@ static const Kernel kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  15: 3 add, 6 subtract, 6 multiply\n"
-            "  derivation  sha256 3219ddd73c3c590a6566e28a84076f81cbaba27a5a84b161382d2076d953c075\n"
+            "  derivation  sha256 4e8860fe94d4e257f6a09561ef25e7c999ddca2a00337fe8774fc0c2b9433a22\n"
             "  signature   (6),(3),(3)->(6)\n"
             "",
         .loops = twist_transfer_loops,
@@ -3264,7 +6685,7 @@ static const Kernel kernels[] = {
             "  verdict     defined\n"
             "  assumes     Q is a rotation\n"
             "  operations  15: 6 add, 3 subtract, 6 multiply\n"
-            "  derivation  sha256 5052f47f7af7362fc9f1cf608959b53ca94e5f5f25d07beebb01e47a3cc3a950\n"
+            "  derivation  sha256 600ac9c19e353f65970adc87c2c9e1aba7f40174fd2c1780126b444caebb2a29\n"
             "  signature   (3),(3)->(3,3)\n"
             "",
         .loops = angular_acceleration_matrix_loops,
@@ -3286,12 +6707,277 @@ static const Kernel kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  36: 6 add, 12 subtract, 18 multiply\n"
-            "  derivation  sha256 509ca9167167321c3bf15892dea6aa573b67b0b686ac57a5125297033e3c4c92\n"
+            "  derivation  sha256 52077d75d24e72b9e016304332b02aeb13ece6765a6f5dff5b9cb8261bc6ae26\n"
             "  signature   (3),(3),(3),(3),(3)->(3)\n"
             "",
         .loops = acceleration_of_point_loops,
         .types = acceleration_of_point_types,
         .inputs = 5,
+        .outputs = 1,
+    },
+    {
+        .name = "natural_rate_matrix_dot",
+        .signature = "(3),(),(3)->(4,3)",
+        .doc =
+            "text 3.5 f The rate of N by axis, angle and angular velocity: (3.96a).\n"
+            "  given       e (3): unit vector along the axis of rotation, or along a line\n"
+            "              phi: angle of rotation\n"
+            "              omega (3): angular velocity\n"
+            "  returns     N_dot (4, 3): time derivative of: natural invariants' rates from the angular velocity\n"
+            "  verdict     holds under\n"
+            "  assumes     |e| = 1\n"
+            "              phi != 0\n"
+            "  made of     an offered form, proved equal to the statement\n"
+            "  operations  70: 15 add, 12 subtract, 40 multiply, 1 divide, 1 sine, 1 cosine\n"
+            "  derivation  sha256 c61d5578f7455d9deb930e9132cffeae9f18b18b83cb0ba9b49a6c83cd285a96\n"
+            "  signature   (3),(),(3)->(4,3)\n"
+            "",
+        .loops = natural_rate_matrix_dot_loops,
+        .types = natural_rate_matrix_dot_types,
+        .inputs = 3,
+        .outputs = 1,
+    },
+    {
+        .name = "linear_rate_matrix_dot",
+        .signature = "(3),(),(3)->(4,3)",
+        .doc =
+            "text 3.5 f The rate of L by axis, angle and angular velocity: (3.96b).\n"
+            "  given       e (3): unit vector along the axis of rotation, or along a line\n"
+            "              phi: angle of rotation\n"
+            "              omega (3): angular velocity\n"
+            "  returns     L_dot (4, 3): time derivative of: linear invariants' rates from the angular velocity\n"
+            "  verdict     holds under\n"
+            "  assumes     |e| = 1\n"
+            "  made of     an offered form, proved equal to the statement\n"
+            "  operations  73: 12 add, 16 subtract, 43 multiply, 1 sine, 1 cosine\n"
+            "  derivation  sha256 e58c3cd056fca600a3d8fabc77cc08383708b30fcd3f10997c5760ad3d813719\n"
+            "  signature   (3),(),(3)->(4,3)\n"
+            "",
+        .loops = linear_rate_matrix_dot_loops,
+        .types = linear_rate_matrix_dot_types,
+        .inputs = 3,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rodrigues_rate_matrix_dot",
+        .signature = "(3),(),(3)->(4,3)",
+        .doc =
+            "text 3.5 f The rate of H by axis, angle and angular velocity: (3.96c).\n"
+            "  given       e (3): unit vector along the axis of rotation, or along a line\n"
+            "              phi: angle of rotation\n"
+            "              omega (3): angular velocity\n"
+            "  returns     H_dot (4, 3): time derivative of: Euler-Rodrigues parameters' rates from the angular\n"
+            "                velocity\n"
+            "  verdict     holds under\n"
+            "  assumes     |e| = 1\n"
+            "  made of     an offered form, proved equal to the statement\n"
+            "  operations  28: 2 add, 6 subtract, 18 multiply, 1 sine, 1 cosine\n"
+            "  derivation  sha256 cbbc7c4a0ec6ff7289faa80a566dfa4879a785dc3e1fcb665d781015958b3b92\n"
+            "  signature   (3),(),(3)->(4,3)\n"
+            "",
+        .loops = euler_rodrigues_rate_matrix_dot_loops,
+        .types = euler_rodrigues_rate_matrix_dot_types,
+        .inputs = 3,
+        .outputs = 1,
+    },
+    {
+        .name = "natural_velocity_matrix_dot",
+        .signature = "(3),(),(3)->(3,4)",
+        .doc =
+            "text 3.5 g The rate of the left inverse of N by axis, angle and angular velocity: (3.97a).\n"
+            "  given       e (3): unit vector along the axis of rotation, or along a line\n"
+            "              phi: angle of rotation\n"
+            "              omega (3): angular velocity\n"
+            "  returns     N_tilde_dot (3, 4): time derivative of: angular velocity from the natural invariants'\n"
+            "                rates\n"
+            "  verdict     holds under\n"
+            "  assumes     phi != 0\n"
+            "              |e| = 1\n"
+            "  operations  55: 8 add, 10 subtract, 34 multiply, 1 divide, 1 sine, 1 cosine\n"
+            "  derivation  sha256 71e01d77b3ea46f745a9336a2825937c48ecfb5c8f22e156a02b1d41218c2c74\n"
+            "  signature   (3),(),(3)->(3,4)\n"
+            "",
+        .loops = natural_velocity_matrix_dot_loops,
+        .types = natural_velocity_matrix_dot_types,
+        .inputs = 3,
+        .outputs = 1,
+    },
+    {
+        .name = "linear_velocity_matrix_dot",
+        .signature = "(3),(),(3)->(3,4)",
+        .doc =
+            "text 3.5 g The rate of the left inverse of L by axis, angle and angular velocity: (3.97b).\n"
+            "  given       e (3): unit vector along the axis of rotation, or along a line\n"
+            "              phi: angle of rotation\n"
+            "              omega (3): angular velocity\n"
+            "  returns     L_tilde_dot (3, 4): time derivative of: angular velocity from the linear invariants'\n"
+            "                rates\n"
+            "  verdict     holds under\n"
+            "  assumes     |e| = 1\n"
+            "              phi != pi\n"
+            "  operations  34: 5 add, 6 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine\n"
+            "  derivation  sha256 b5286c2c91a7b4cfdc8d341b90ed08a2a37fc92a9f25530860458e82f6eaacf3\n"
+            "  signature   (3),(),(3)->(3,4)\n"
+            "",
+        .loops = linear_velocity_matrix_dot_loops,
+        .types = linear_velocity_matrix_dot_types,
+        .inputs = 3,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rodrigues_velocity_matrix_dot",
+        .signature = "(3),(),(3)->(3,4)",
+        .doc =
+            "text 3.5 g The rate of the left inverse of H by axis, angle and angular velocity: (3.97c).\n"
+            "  given       e (3): unit vector along the axis of rotation, or along a line\n"
+            "              phi: angle of rotation\n"
+            "              omega (3): angular velocity\n"
+            "  returns     H_tilde_dot (3, 4): time derivative of: angular velocity from the Euler-Rodrigues\n"
+            "                parameters' rates\n"
+            "  verdict     holds under\n"
+            "  assumes     |e| = 1\n"
+            "  operations  26: 2 add, 6 subtract, 16 multiply, 1 sine, 1 cosine\n"
+            "  derivation  sha256 c80e798e741899e2d32fd6b3e16a5b786d0f82ee47987a537c4755eed1b60850\n"
+            "  signature   (3),(),(3)->(3,4)\n"
+            "",
+        .loops = euler_rodrigues_velocity_matrix_dot_loops,
+        .types = euler_rodrigues_velocity_matrix_dot_types,
+        .inputs = 3,
+        .outputs = 1,
+    },
+    {
+        .name = "pose_acceleration_natural",
+        .signature = "(3),(),(6),(6)->(7)",
+        .doc =
+            "text 3.5 h The second rate of the pose from the twist and its rate, with the natural invariants.\n"
+            "  given       e (3): unit vector along the axis of rotation, or along a line\n"
+            "              phi: angle of rotation\n"
+            "              t (6): twist: angular velocity, velocity of a landmark point\n"
+            "              t_dot (6): time derivative of: twist: angular velocity, velocity of a landmark point\n"
+            "  returns     s_ddot (7): second time derivative of: pose array\n"
+            "  verdict     holds under\n"
+            "  assumes     |e| = 1\n"
+            "              phi != 0\n"
+            "  made of     an offered form, proved equal to the statement\n"
+            "  operations  96: 19 add, 19 subtract, 55 multiply, 1 divide, 1 sine, 1 cosine\n"
+            "  derivation  sha256 d4b56350899a19bcc149b55d1279747465f4ffc9ff92ea858cdd2e564e99ca62\n"
+            "  signature   (3),(),(6),(6)->(7)\n"
+            "",
+        .loops = pose_acceleration_natural_loops,
+        .types = pose_acceleration_natural_types,
+        .inputs = 4,
+        .outputs = 1,
+    },
+    {
+        .name = "pose_acceleration_linear",
+        .signature = "(3),(),(6),(6)->(7)",
+        .doc =
+            "text 3.5 h The second rate of the pose from the twist and its rate, with the linear invariants.\n"
+            "  given       e (3): unit vector along the axis of rotation, or along a line\n"
+            "              phi: angle of rotation\n"
+            "              t (6): twist: angular velocity, velocity of a landmark point\n"
+            "              t_dot (6): time derivative of: twist: angular velocity, velocity of a landmark point\n"
+            "  returns     s_ddot (7): second time derivative of: pose array\n"
+            "  verdict     holds under\n"
+            "  assumes     |e| = 1\n"
+            "  made of     an offered form, proved equal to the statement\n"
+            "  operations  76: 11 add, 18 subtract, 45 multiply, 1 sine, 1 cosine\n"
+            "  derivation  sha256 1588dcded7d741e99e263e63960b704faab031996a2d165fbbe2b322357ed2e9\n"
+            "  signature   (3),(),(6),(6)->(7)\n"
+            "",
+        .loops = pose_acceleration_linear_loops,
+        .types = pose_acceleration_linear_types,
+        .inputs = 4,
+        .outputs = 1,
+    },
+    {
+        .name = "pose_acceleration_euler_rodrigues",
+        .signature = "(3),(),(6),(6)->(7)",
+        .doc =
+            "text 3.5 h The second rate of the pose from the twist and its rate, with the Euler-Rodrigues\n"
+            "  parameters.\n"
+            "  given       e (3): unit vector along the axis of rotation, or along a line\n"
+            "              phi: angle of rotation\n"
+            "              t (6): twist: angular velocity, velocity of a landmark point\n"
+            "              t_dot (6): time derivative of: twist: angular velocity, velocity of a landmark point\n"
+            "  returns     s_ddot (7): second time derivative of: pose array\n"
+            "  verdict     holds under\n"
+            "  assumes     |e| = 1\n"
+            "  made of     an offered form, proved equal to the statement\n"
+            "  operations  45: 5 add, 9 subtract, 29 multiply, 1 sine, 1 cosine\n"
+            "  derivation  sha256 0f21a42c6c8b20a3978874f3add6fcde6371416fd40cc41c5da50d8f4cd6babd\n"
+            "  signature   (3),(),(6),(6)->(7)\n"
+            "",
+        .loops = pose_acceleration_euler_rodrigues_loops,
+        .types = pose_acceleration_euler_rodrigues_types,
+        .inputs = 4,
+        .outputs = 1,
+    },
+    {
+        .name = "twist_rate_from_pose_natural",
+        .signature = "(3),(),(7),(7)->(6)",
+        .doc =
+            "text 3.5 i The rate of the twist from the rates of the pose, with the natural invariants.\n"
+            "  given       e (3): unit vector along the axis of rotation, or along a line\n"
+            "              phi: angle of rotation\n"
+            "              s_dot (7): time derivative of: pose array\n"
+            "              s_ddot (7): second time derivative of: pose array\n"
+            "  returns     t_dot (6): time derivative of: twist: angular velocity, velocity of a landmark point\n"
+            "  verdict     holds under\n"
+            "  assumes     |e| = 1\n"
+            "  made of     an offered form, proved equal to the statement\n"
+            "  operations  51: 13 add, 7 subtract, 29 multiply, 1 sine, 1 cosine\n"
+            "  derivation  sha256 46142537f8f2d352235601f0fe20d7417a8415c4299de5fde88c9772c1d5b072\n"
+            "  signature   (3),(),(7),(7)->(6)\n"
+            "",
+        .loops = twist_rate_from_pose_natural_loops,
+        .types = twist_rate_from_pose_natural_types,
+        .inputs = 4,
+        .outputs = 1,
+    },
+    {
+        .name = "twist_rate_from_pose_linear",
+        .signature = "(3),(),(7),(7)->(6)",
+        .doc =
+            "text 3.5 i The rate of the twist from the rates of the pose, with the linear invariants.\n"
+            "  given       e (3): unit vector along the axis of rotation, or along a line\n"
+            "              phi: angle of rotation\n"
+            "              s_dot (7): time derivative of: pose array\n"
+            "              s_ddot (7): second time derivative of: pose array\n"
+            "  returns     t_dot (6): time derivative of: twist: angular velocity, velocity of a landmark point\n"
+            "  verdict     holds under\n"
+            "  assumes     |e| = 1\n"
+            "              phi != pi\n"
+            "  made of     an offered form, proved equal to the statement\n"
+            "  operations  52: 6 add, 15 subtract, 27 multiply, 2 divide, 1 sine, 1 cosine\n"
+            "  derivation  sha256 e60a5e59bbc9bfff80fda29a99e2165c18777756e0d5ef482d146ef9b36646a2\n"
+            "  signature   (3),(),(7),(7)->(6)\n"
+            "",
+        .loops = twist_rate_from_pose_linear_loops,
+        .types = twist_rate_from_pose_linear_types,
+        .inputs = 4,
+        .outputs = 1,
+    },
+    {
+        .name = "twist_rate_from_pose_euler_rodrigues",
+        .signature = "(3),(),(7),(7)->(6)",
+        .doc =
+            "text 3.5 i The rate of the twist from the rates of the pose, with the Euler-Rodrigues parameters.\n"
+            "  given       e (3): unit vector along the axis of rotation, or along a line\n"
+            "              phi: angle of rotation\n"
+            "              s_dot (7): time derivative of: pose array\n"
+            "              s_ddot (7): second time derivative of: pose array\n"
+            "  returns     t_dot (6): time derivative of: twist: angular velocity, velocity of a landmark point\n"
+            "  verdict     holds under\n"
+            "  assumes     |e| = 1\n"
+            "  made of     an offered form, proved equal to the statement\n"
+            "  operations  29: 3 add, 6 subtract, 18 multiply, 1 sine, 1 cosine\n"
+            "  derivation  sha256 8f9dc9af1023fade3eb622411945883078b1f62098c7b9178f68aed0ef63d94d\n"
+            "  signature   (3),(),(7),(7)->(6)\n"
+            "",
+        .loops = twist_rate_from_pose_euler_rodrigues_loops,
+        .types = twist_rate_from_pose_euler_rodrigues_types,
+        .inputs = 4,
         .outputs = 1,
     },
     {
@@ -3307,8 +6993,9 @@ static const Kernel kernels[] = {
             "  returns     p_dot (3): time derivative of: position of any point P\n"
             "  verdict     holds\n"
             "  assumes     nothing\n"
+            "  expects     Q is a rotation\n"
             "  operations  45: 18 add, 3 subtract, 24 multiply\n"
-            "  derivation  sha256 da9e7c4331821e757d302e254d79b3fee81482b88d26f706b39478d1aa475204\n"
+            "  derivation  sha256 b4941bd3b3f57c83b14de8fd13a10f996bcfeb8ee7bfc4215c85ab50fb9b8b33\n"
             "  signature   (3),(3,3),(3),(3),(3)->(3)\n"
             "",
         .loops = moving_frame_velocity_loops,
@@ -3332,8 +7019,10 @@ static const Kernel kernels[] = {
             "  returns     p_ddot (3): second time derivative of: position of any point P\n"
             "  verdict     holds\n"
             "  assumes     nothing\n"
-            "  operations  96: 30 add, 12 subtract, 54 multiply\n"
-            "  derivation  sha256 da5d30181e11cd5a3119f7edd4a748da440cc7ec9f2463e8cef0f70537a10984\n"
+            "  expects     Q is a rotation\n"
+            "  made of     an offered form, proved equal to the statement\n"
+            "  operations  87: 30 add, 9 subtract, 48 multiply\n"
+            "  derivation  sha256 985f244a1c015e00a6d544a9a346e7446722d3d1972e549159bc1a6a90456d40\n"
             "  signature   (3),(3,3),(3),(3),(3),(3),(3)->(3)\n"
             "",
         .loops = moving_frame_acceleration_loops,
@@ -3353,8 +7042,9 @@ static const Kernel kernels[] = {
             "              pitch: pitch of the wrench, in metres per radian\n"
             "  verdict     holds under\n"
             "  assumes     f != 0\n"
-            "  operations  49: 4 add, 12 subtract, 27 multiply, 5 divide, 1 square root\n"
-            "  derivation  sha256 f6f930d9678b859aa30368ca18000d5606fc5b8fa517c3baf582f66a110dcdc4\n"
+            "  made of     an offered form, proved equal to the statement\n"
+            "  operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root\n"
+            "  derivation  sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef\n"
             "  signature   (3),(3),(3)->(6),()\n"
             "",
         .loops = wrench_axis_loops,
@@ -3432,12 +7122,36 @@ static const Kernel kernels[] = {
             "  returns     I_A (3, 3): moment of inertia with respect to A\n"
             "  verdict     holds under\n"
             "  assumes     m > 0\n"
-            "  operations  30: 5 add, 12 subtract, 13 multiply\n"
-            "  derivation  sha256 aba83f2bd3e1166b795e47c43b448bc59b7660cf5111023a5f72b29e4ca2087d\n"
+            "  expects     I_C is symmetric\n"
+            "  operations  24: 6 add, 9 subtract, 9 multiply\n"
+            "  derivation  sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87\n"
             "  signature   (3,3),(),(3),(3)->(3,3)\n"
             "",
         .loops = inertia_about_point_loops,
         .types = inertia_about_point_types,
+        .inputs = 4,
+        .outputs = 1,
+    },
+    {
+        .name = "inertia_about_point_sym6",
+        .signature = "(6),(),(3),(3)->(6)",
+        .doc =
+            "(3.133a) Steiner's theorem: the moment of inertia with respect to A from that at the center of mass.\n"
+            "  given       I_C (6): moment of inertia at the center of mass, symmetric, as (xx, xy, xz, yy, yz,\n"
+            "                zz)\n"
+            "              m: mass\n"
+            "              c (3): position of the center of mass\n"
+            "              a (3): position of the landmark point A\n"
+            "  returns     I_A (6): moment of inertia with respect to A, symmetric, as (xx, xy, xz, yy, yz, zz)\n"
+            "  verdict     holds under\n"
+            "  assumes     m > 0\n"
+            "  expects     I_C is symmetric\n"
+            "  operations  21: 6 add, 6 subtract, 9 multiply\n"
+            "  derivation  sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87\n"
+            "  signature   (6),(),(3),(3)->(6)\n"
+            "",
+        .loops = inertia_about_point_sym6_loops,
+        .types = inertia_about_point_sym6_types,
         .inputs = 4,
         .outputs = 1,
     },
@@ -3452,12 +7166,37 @@ static const Kernel kernels[] = {
             "  returns     mu (6): [I_C omega; m c_dot]\n"
             "  verdict     holds\n"
             "  assumes     nothing\n"
+            "  expects     I_C is symmetric\n"
+            "              m > 0\n"
             "  operations  18: 6 add, 12 multiply\n"
-            "  derivation  sha256 710d57383413bed6baf901762b3882a8ecf77afb22a27bf8365ff0c92c4546d6\n"
+            "  derivation  sha256 6db3e3a77ef9af159d0c096ec679c53626cff81d41ccfbcc2a4db4833ae93473\n"
             "  signature   (3,3),(),(6)->(6)\n"
             "",
         .loops = momentum_screw_loops,
         .types = momentum_screw_types,
+        .inputs = 3,
+        .outputs = 1,
+    },
+    {
+        .name = "momentum_screw_sym6",
+        .signature = "(6),(),(6)->(6)",
+        .doc =
+            "(3.142) The momentum screw by inertia dyad and twist.\n"
+            "  given       I_C (6): moment of inertia at the center of mass, symmetric, as (xx, xy, xz, yy, yz,\n"
+            "                zz)\n"
+            "              m: mass\n"
+            "              t (6): twist: angular velocity, velocity of a landmark point\n"
+            "  returns     mu (6): [I_C omega; m c_dot]\n"
+            "  verdict     holds\n"
+            "  assumes     nothing\n"
+            "  expects     I_C is symmetric\n"
+            "              m > 0\n"
+            "  operations  18: 6 add, 12 multiply\n"
+            "  derivation  sha256 6db3e3a77ef9af159d0c096ec679c53626cff81d41ccfbcc2a4db4833ae93473\n"
+            "  signature   (6),(),(6)->(6)\n"
+            "",
+        .loops = momentum_screw_sym6_loops,
+        .types = momentum_screw_sym6_types,
         .inputs = 3,
         .outputs = 1,
     },
@@ -3472,12 +7211,37 @@ static const Kernel kernels[] = {
             "  returns     T: kinetic energy\n"
             "  verdict     holds\n"
             "  assumes     nothing\n"
+            "  expects     I_C is symmetric\n"
+            "              m > 0\n"
             "  operations  35: 11 add, 24 multiply\n"
-            "  derivation  sha256 4b9e9fcfb9d3f04a872f3404b762a9c889a518c95015ce9a8c1ae5aaa464aa59\n"
+            "  derivation  sha256 69297c38ebd3f2599e0000c019f576151ae0e8d563b8a02661f982c45230000e\n"
             "  signature   (3,3),(),(6)->()\n"
             "",
         .loops = kinetic_energy_loops,
         .types = kinetic_energy_types,
+        .inputs = 3,
+        .outputs = 1,
+    },
+    {
+        .name = "kinetic_energy_sym6",
+        .signature = "(6),(),(6)->()",
+        .doc =
+            "(3.145) The kinetic energy as a quadratic form of the twist.\n"
+            "  given       I_C (6): moment of inertia at the center of mass, symmetric, as (xx, xy, xz, yy, yz,\n"
+            "                zz)\n"
+            "              m: mass\n"
+            "              t (6): twist: angular velocity, velocity of a landmark point\n"
+            "  returns     T: kinetic energy\n"
+            "  verdict     holds\n"
+            "  assumes     nothing\n"
+            "  expects     I_C is symmetric\n"
+            "              m > 0\n"
+            "  operations  35: 11 add, 24 multiply\n"
+            "  derivation  sha256 69297c38ebd3f2599e0000c019f576151ae0e8d563b8a02661f982c45230000e\n"
+            "  signature   (6),(),(6)->()\n"
+            "",
+        .loops = kinetic_energy_sym6_loops,
+        .types = kinetic_energy_sym6_types,
         .inputs = 3,
         .outputs = 1,
     },
@@ -3493,12 +7257,38 @@ static const Kernel kernels[] = {
             "  returns     w (6): wrench: moment, force\n"
             "  verdict     holds\n"
             "  assumes     nothing\n"
+            "  expects     I_C is symmetric\n"
+            "              m > 0\n"
             "  operations  45: 15 add, 3 subtract, 27 multiply\n"
-            "  derivation  sha256 d7b89fc9d9f1d1f6e7c4726a8c6b262312af5cbe7c335bfef62828b9f7874101\n"
+            "  derivation  sha256 4e831789b8f20b1f8ebea121e0d8d47b7074e8225c3fd379d0994cdf87959c79\n"
             "  signature   (3,3),(),(6),(6)->(6)\n"
             "",
         .loops = newton_euler_wrench_loops,
         .types = newton_euler_wrench_types,
+        .inputs = 4,
+        .outputs = 1,
+    },
+    {
+        .name = "newton_euler_wrench_sym6",
+        .signature = "(6),(),(6),(6)->(6)",
+        .doc =
+            "text 3.8 v The wrench that moves the body: the Newton-Euler equations as they stand.\n"
+            "  given       I_C (6): moment of inertia at the center of mass, symmetric, as (xx, xy, xz, yy, yz,\n"
+            "                zz)\n"
+            "              m: mass\n"
+            "              t (6): twist: angular velocity, velocity of a landmark point\n"
+            "              t_dot (6): time derivative of: twist: angular velocity, velocity of a landmark point\n"
+            "  returns     w (6): wrench: moment, force\n"
+            "  verdict     holds\n"
+            "  assumes     nothing\n"
+            "  expects     I_C is symmetric\n"
+            "              m > 0\n"
+            "  operations  45: 15 add, 3 subtract, 27 multiply\n"
+            "  derivation  sha256 4e831789b8f20b1f8ebea121e0d8d47b7074e8225c3fd379d0994cdf87959c79\n"
+            "  signature   (6),(),(6),(6)->(6)\n"
+            "",
+        .loops = newton_euler_wrench_sym6_loops,
+        .types = newton_euler_wrench_sym6_types,
         .inputs = 4,
         .outputs = 1,
     },
@@ -3516,12 +7306,38 @@ static const Kernel kernels[] = {
             "  verdict     holds under\n"
             "  assumes     det(I_C) != 0\n"
             "              m > 0\n"
+            "  expects     I_C is positive-definite\n"
             "  operations  82: 14 add, 15 subtract, 51 multiply, 2 divide\n"
-            "  derivation  sha256 0081ef2d815df5f9b649473f8486474536d4b3b5431fee899b9a96105cb8def7\n"
+            "  derivation  sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb\n"
             "  signature   (3,3),(),(6),(6)->(6)\n"
             "",
         .loops = newton_euler_twist_rate_loops,
         .types = newton_euler_twist_rate_types,
+        .inputs = 4,
+        .outputs = 1,
+    },
+    {
+        .name = "newton_euler_twist_rate_sym6",
+        .signature = "(6),(),(6),(6)->(6)",
+        .doc =
+            "text 3.8 v The rate of the twist of a body on which a wrench acts: the Newton-Euler equations\n"
+            "  solved.\n"
+            "  given       I_C (6): moment of inertia at the center of mass, symmetric, as (xx, xy, xz, yy, yz,\n"
+            "                zz)\n"
+            "              m: mass\n"
+            "              t (6): twist: angular velocity, velocity of a landmark point\n"
+            "              w (6): wrench: moment, force\n"
+            "  returns     t_dot (6): time derivative of: twist: angular velocity, velocity of a landmark point\n"
+            "  verdict     holds under\n"
+            "  assumes     det(I_C) != 0\n"
+            "              m > 0\n"
+            "  expects     I_C is positive-definite\n"
+            "  operations  73: 14 add, 12 subtract, 45 multiply, 2 divide\n"
+            "  derivation  sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb\n"
+            "  signature   (6),(),(6),(6)->(6)\n"
+            "",
+        .loops = newton_euler_twist_rate_sym6_loops,
+        .types = newton_euler_twist_rate_sym6_types,
         .inputs = 4,
         .outputs = 1,
     },
@@ -3537,13 +7353,915 @@ static const Kernel kernels[] = {
             "  returns     M_A (6, 6): inertia dyad at A\n"
             "  verdict     holds\n"
             "  assumes     nothing\n"
-            "  operations  30: 6 add, 9 subtract, 15 multiply\n"
-            "  derivation  sha256 1c4bb601cd0998fc0bfe9b387910f33fab442c97036ac86000fc8d66e444e923\n"
+            "  expects     I_C is symmetric\n"
+            "              m > 0\n"
+            "  operations  24: 6 add, 9 subtract, 9 multiply\n"
+            "  derivation  sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9\n"
             "  signature   (3,3),(),(3),(3)->(6,6)\n"
             "",
         .loops = inertia_dyad_loops,
         .types = inertia_dyad_types,
         .inputs = 4,
+        .outputs = 1,
+    },
+    {
+        .name = "inertia_dyad_sym6",
+        .signature = "(6),(),(3),(3)->(6,6)",
+        .doc =
+            "(3.147) The inertia dyad at A.\n"
+            "  given       I_C (6): moment of inertia at the center of mass, symmetric, as (xx, xy, xz, yy, yz,\n"
+            "                zz)\n"
+            "              m: mass\n"
+            "              c (3): position of the center of mass\n"
+            "              a (3): position of the landmark point A\n"
+            "  returns     M_A (6, 6): inertia dyad at A\n"
+            "  verdict     holds\n"
+            "  assumes     nothing\n"
+            "  expects     I_C is symmetric\n"
+            "              m > 0\n"
+            "  operations  21: 6 add, 6 subtract, 9 multiply\n"
+            "  derivation  sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9\n"
+            "  signature   (6),(),(3),(3)->(6,6)\n"
+            "",
+        .loops = inertia_dyad_sym6_loops,
+        .types = inertia_dyad_sym6_types,
+        .inputs = 4,
+        .outputs = 1,
+    },
+    {
+        .name = "rotation_from_euler_xyx",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The rotation by Euler angles about x, y, x.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     Q (3, 3): rotation\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  derivation  sha256 49974e148b9969b7a23a303df375f906766eda03e5d7416d35c36a35c77fea06\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = rotation_from_euler_xyx_loops,
+        .types = rotation_from_euler_xyx_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_xyx",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about x, y, x.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 15ec222e6a4c0d4af15dcf0f4f9d944364836080f80ed845b4661afb074e1ca1\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_xyx_loops,
+        .types = euler_rate_matrix_xyx_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_body_xyx",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about x, y, x.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 cd8589089d7d47765a04b183158736b0b971b8a8d922838283fa2c2975eb5d89\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_body_xyx_loops,
+        .types = euler_rate_matrix_body_xyx_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rates_xyx",
+        .signature = "(3),(3)->(3)",
+        .doc =
+            "Ex 3.10 The rates of Euler angles about x, y, x from the angular velocity in the fixed frame.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "              omega (3): angular velocity\n"
+            "  returns     theta_dot (3): rates of the Euler angles\n"
+            "  verdict     holds under\n"
+            "  assumes     sin(theta_2) != 0\n"
+            "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  derivation  sha256 6b432c618a3b5cb7132a0a1625419f24b2800b22e52d8f8b5202e756b67ea148\n"
+            "  signature   (3),(3)->(3)\n"
+            "",
+        .loops = euler_rates_xyx_loops,
+        .types = euler_rates_xyx_types,
+        .inputs = 2,
+        .outputs = 1,
+    },
+    {
+        .name = "rotation_from_euler_xyz",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The rotation by Euler angles about x, y, z.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     Q (3, 3): rotation\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  derivation  sha256 f87af8285d9801669ca9041e726f9817a40f9c95ddf51a655b261236297c04af\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = rotation_from_euler_xyz_loops,
+        .types = rotation_from_euler_xyz_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_xyz",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about x, y, z.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 1d2f362d906c9640bebb7713dd74f3809ce202cd977dff0cc4c827b77ce9d4d3\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_xyz_loops,
+        .types = euler_rate_matrix_xyz_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_body_xyz",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about x, y, z.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 d605f1f844caa8fe73209313f2debbc7dad841db4b625533c1925d350b88b35f\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_body_xyz_loops,
+        .types = euler_rate_matrix_body_xyz_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rates_xyz",
+        .signature = "(3),(3)->(3)",
+        .doc =
+            "Ex 3.10 The rates of Euler angles about x, y, z from the angular velocity in the fixed frame.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "              omega (3): angular velocity\n"
+            "  returns     theta_dot (3): rates of the Euler angles\n"
+            "  verdict     holds under\n"
+            "  assumes     cos(theta_2) != 0\n"
+            "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  derivation  sha256 379cc15712b3f593e6a56a0586d8cb970b2c344caf9eff56d13b4aa0f2bc0fcb\n"
+            "  signature   (3),(3)->(3)\n"
+            "",
+        .loops = euler_rates_xyz_loops,
+        .types = euler_rates_xyz_types,
+        .inputs = 2,
+        .outputs = 1,
+    },
+    {
+        .name = "rotation_from_euler_xzx",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The rotation by Euler angles about x, z, x.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     Q (3, 3): rotation\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  derivation  sha256 509556f6df445dd3c7fe5324e0ad671112ed8aaa27442b8973ddf4f722eb8d9b\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = rotation_from_euler_xzx_loops,
+        .types = rotation_from_euler_xzx_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_xzx",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about x, z, x.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 063a79927c0f405045ca7f3a4600867811265ae8101b11b64e443152cd0965cf\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_xzx_loops,
+        .types = euler_rate_matrix_xzx_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_body_xzx",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about x, z, x.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 5092f84c7bbb66afac08e51bc82a4ea4bdc4738a19463c52fc60c25d1976c154\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_body_xzx_loops,
+        .types = euler_rate_matrix_body_xzx_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rates_xzx",
+        .signature = "(3),(3)->(3)",
+        .doc =
+            "Ex 3.10 The rates of Euler angles about x, z, x from the angular velocity in the fixed frame.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "              omega (3): angular velocity\n"
+            "  returns     theta_dot (3): rates of the Euler angles\n"
+            "  verdict     holds under\n"
+            "  assumes     sin(theta_2) != 0\n"
+            "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  derivation  sha256 d60392e777e2f94766ccb4868d6a376f4b8f702f6466c7841c3f0e7493778009\n"
+            "  signature   (3),(3)->(3)\n"
+            "",
+        .loops = euler_rates_xzx_loops,
+        .types = euler_rates_xzx_types,
+        .inputs = 2,
+        .outputs = 1,
+    },
+    {
+        .name = "rotation_from_euler_xzy",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The rotation by Euler angles about x, z, y.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     Q (3, 3): rotation\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  derivation  sha256 6a4fd734359cc43f74679d358abf691bfd6612dbcd721aa9a209c64050a5d383\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = rotation_from_euler_xzy_loops,
+        .types = rotation_from_euler_xzy_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_xzy",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about x, z, y.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 f4bf5edc3a0e9199cc30c83f6cab51d6bfce7ab2a3d75f59608b337bed74824b\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_xzy_loops,
+        .types = euler_rate_matrix_xzy_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_body_xzy",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about x, z, y.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 34b232afb99ddc1be46962d797e1c08bda20904a656a165ee2fc2232e4beec57\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_body_xzy_loops,
+        .types = euler_rate_matrix_body_xzy_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rates_xzy",
+        .signature = "(3),(3)->(3)",
+        .doc =
+            "Ex 3.10 The rates of Euler angles about x, z, y from the angular velocity in the fixed frame.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "              omega (3): angular velocity\n"
+            "  returns     theta_dot (3): rates of the Euler angles\n"
+            "  verdict     holds under\n"
+            "  assumes     cos(theta_2) != 0\n"
+            "  operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  derivation  sha256 47b386989c7014707637badfc0f665d8b17c2674e34c6dc85b34228d94dd802e\n"
+            "  signature   (3),(3)->(3)\n"
+            "",
+        .loops = euler_rates_xzy_loops,
+        .types = euler_rates_xzy_types,
+        .inputs = 2,
+        .outputs = 1,
+    },
+    {
+        .name = "rotation_from_euler_yxy",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The rotation by Euler angles about y, x, y.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     Q (3, 3): rotation\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  derivation  sha256 42de6926cd35f5c06da566065b065c8ba754cee65703557fa42410e42dde4a35\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = rotation_from_euler_yxy_loops,
+        .types = rotation_from_euler_yxy_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_yxy",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about y, x, y.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 ab9e4f4d487ee038942cc83869848be5fa4c534a19c656164684f27e1b65ac10\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_yxy_loops,
+        .types = euler_rate_matrix_yxy_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_body_yxy",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about y, x, y.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 2a86c48257dda6a27e84a7fb3b0817bd24bdff1a56c2bfeb6119d778d89bbab6\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_body_yxy_loops,
+        .types = euler_rate_matrix_body_yxy_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rates_yxy",
+        .signature = "(3),(3)->(3)",
+        .doc =
+            "Ex 3.10 The rates of Euler angles about y, x, y from the angular velocity in the fixed frame.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "              omega (3): angular velocity\n"
+            "  returns     theta_dot (3): rates of the Euler angles\n"
+            "  verdict     holds under\n"
+            "  assumes     sin(theta_2) != 0\n"
+            "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  derivation  sha256 8c7b412f940aadc89ad8c5ce3785c5c0ca8dcbf9e58aac6572334181799e61e2\n"
+            "  signature   (3),(3)->(3)\n"
+            "",
+        .loops = euler_rates_yxy_loops,
+        .types = euler_rates_yxy_types,
+        .inputs = 2,
+        .outputs = 1,
+    },
+    {
+        .name = "rotation_from_euler_yxz",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The rotation by Euler angles about y, x, z.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     Q (3, 3): rotation\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  derivation  sha256 aac4d38f938bc0f3b21fc5113a3e553f105a0b99bd2a46001cf5af56197be36a\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = rotation_from_euler_yxz_loops,
+        .types = rotation_from_euler_yxz_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_yxz",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about y, x, z.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 f673622637ac9520cdbbfacd9038ad6a42d7de01d522fe1daa4e4ed5a188d584\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_yxz_loops,
+        .types = euler_rate_matrix_yxz_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_body_yxz",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about y, x, z.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 a7f0e1639e85f122dde538fce97f31e9e4f583cf9ea5d074345d45245ff26ea8\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_body_yxz_loops,
+        .types = euler_rate_matrix_body_yxz_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rates_yxz",
+        .signature = "(3),(3)->(3)",
+        .doc =
+            "Ex 3.10 The rates of Euler angles about y, x, z from the angular velocity in the fixed frame.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "              omega (3): angular velocity\n"
+            "  returns     theta_dot (3): rates of the Euler angles\n"
+            "  verdict     holds under\n"
+            "  assumes     cos(theta_2) != 0\n"
+            "  operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  derivation  sha256 bf11bed82696038fa225e27a75acb0d41b63af31adb0153ca5a712167c4d8284\n"
+            "  signature   (3),(3)->(3)\n"
+            "",
+        .loops = euler_rates_yxz_loops,
+        .types = euler_rates_yxz_types,
+        .inputs = 2,
+        .outputs = 1,
+    },
+    {
+        .name = "rotation_from_euler_yzx",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The rotation by Euler angles about y, z, x.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     Q (3, 3): rotation\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  derivation  sha256 73ccad1507926c77a4de1804d6ccee68b6eedcb0a87a5d797076c3aaa328556a\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = rotation_from_euler_yzx_loops,
+        .types = rotation_from_euler_yzx_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_yzx",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about y, z, x.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 6bc14177fe8f581b737fd8108f75cca27c80f0c6043e24f8d305941c720fb93e\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_yzx_loops,
+        .types = euler_rate_matrix_yzx_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_body_yzx",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about y, z, x.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 ba974c498d2395f78752b5b9af3bd25c9bc8814b82f34bc12080e7f58fc39384\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_body_yzx_loops,
+        .types = euler_rate_matrix_body_yzx_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rates_yzx",
+        .signature = "(3),(3)->(3)",
+        .doc =
+            "Ex 3.10 The rates of Euler angles about y, z, x from the angular velocity in the fixed frame.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "              omega (3): angular velocity\n"
+            "  returns     theta_dot (3): rates of the Euler angles\n"
+            "  verdict     holds under\n"
+            "  assumes     cos(theta_2) != 0\n"
+            "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  derivation  sha256 404a3dd7a9f43dbf16ca707d83946fda23f95d1982dc848908ed679160d5cc5f\n"
+            "  signature   (3),(3)->(3)\n"
+            "",
+        .loops = euler_rates_yzx_loops,
+        .types = euler_rates_yzx_types,
+        .inputs = 2,
+        .outputs = 1,
+    },
+    {
+        .name = "rotation_from_euler_yzy",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The rotation by Euler angles about y, z, y.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     Q (3, 3): rotation\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  derivation  sha256 fc249fbe7ecf26a2cf23c7eb4a1ae340b6f6d6b71fd0a11c005275bed3b0541a\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = rotation_from_euler_yzy_loops,
+        .types = rotation_from_euler_yzy_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_yzy",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about y, z, y.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 ba3b9e2e5d19a42bcccf4fe889ac0ad5e1476885d7d3f35174490738c07caa93\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_yzy_loops,
+        .types = euler_rate_matrix_yzy_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_body_yzy",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about y, z, y.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 2906ed860e470e86a10fba075e603a757d21feeb996fd012d6a5c352f1f248cf\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_body_yzy_loops,
+        .types = euler_rate_matrix_body_yzy_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rates_yzy",
+        .signature = "(3),(3)->(3)",
+        .doc =
+            "Ex 3.10 The rates of Euler angles about y, z, y from the angular velocity in the fixed frame.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "              omega (3): angular velocity\n"
+            "  returns     theta_dot (3): rates of the Euler angles\n"
+            "  verdict     holds under\n"
+            "  assumes     sin(theta_2) != 0\n"
+            "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  derivation  sha256 fbcf58ed5fb921bfdeae731af0d22be0b18c057d4ab3433941bb486f4f2ac07a\n"
+            "  signature   (3),(3)->(3)\n"
+            "",
+        .loops = euler_rates_yzy_loops,
+        .types = euler_rates_yzy_types,
+        .inputs = 2,
+        .outputs = 1,
+    },
+    {
+        .name = "rotation_from_euler_zxy",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The rotation by Euler angles about z, x, y.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     Q (3, 3): rotation\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  derivation  sha256 00df5b3e078a442b89ec92320b9be4d00f69c8c69b5377ceed30ce97167894d8\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = rotation_from_euler_zxy_loops,
+        .types = rotation_from_euler_zxy_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_zxy",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about z, x, y.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 66b9e91ee2080f4af362adbd4cfbd2f6493f2d49f04e969606b8e5e66a892530\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_zxy_loops,
+        .types = euler_rate_matrix_zxy_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_body_zxy",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about z, x, y.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 ee0e5dc36786ec147d7731e28a73445f4829a353e033fb0bdf99f16a9ae96d67\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_body_zxy_loops,
+        .types = euler_rate_matrix_body_zxy_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rates_zxy",
+        .signature = "(3),(3)->(3)",
+        .doc =
+            "Ex 3.10 The rates of Euler angles about z, x, y from the angular velocity in the fixed frame.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "              omega (3): angular velocity\n"
+            "  returns     theta_dot (3): rates of the Euler angles\n"
+            "  verdict     holds under\n"
+            "  assumes     cos(theta_2) != 0\n"
+            "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  derivation  sha256 f15319cb143e29fdad80688ea5d83794cf5328509c5cd1fb52fa078f77b2a785\n"
+            "  signature   (3),(3)->(3)\n"
+            "",
+        .loops = euler_rates_zxy_loops,
+        .types = euler_rates_zxy_types,
+        .inputs = 2,
+        .outputs = 1,
+    },
+    {
+        .name = "rotation_from_euler_zxz",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The rotation by Euler angles about z, x, z.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     Q (3, 3): rotation\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  derivation  sha256 90292a7b1973bd54561384a1b0aca95f4b081c5031f08a71f5bf1eeb509996f8\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = rotation_from_euler_zxz_loops,
+        .types = rotation_from_euler_zxz_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_zxz",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about z, x, z.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 d6bac485f18ebb57e7adb1eb90896adee410e33308c5db55212969aa010526ee\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_zxz_loops,
+        .types = euler_rate_matrix_zxz_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_body_zxz",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about z, x, z.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 22c895ea0aa33cf27a73432cf9b7edd645045c890d81351055832ab2e86d2ae0\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_body_zxz_loops,
+        .types = euler_rate_matrix_body_zxz_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rates_zxz",
+        .signature = "(3),(3)->(3)",
+        .doc =
+            "Ex 3.10 The rates of Euler angles about z, x, z from the angular velocity in the fixed frame.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "              omega (3): angular velocity\n"
+            "  returns     theta_dot (3): rates of the Euler angles\n"
+            "  verdict     holds under\n"
+            "  assumes     sin(theta_2) != 0\n"
+            "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  derivation  sha256 9730082636217a13ed6443b9376e26c825640305348e897e3b1e8d20d25ad893\n"
+            "  signature   (3),(3)->(3)\n"
+            "",
+        .loops = euler_rates_zxz_loops,
+        .types = euler_rates_zxz_types,
+        .inputs = 2,
+        .outputs = 1,
+    },
+    {
+        .name = "rotation_from_euler_zyx",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The rotation by Euler angles about z, y, x.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     Q (3, 3): rotation\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  derivation  sha256 77eae5b015783de7dba57287593533e40a4bf6d57321c5d7151d36cf1a028acc\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = rotation_from_euler_zyx_loops,
+        .types = rotation_from_euler_zyx_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_zyx",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about z, y, x.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 0adf0d7abfcbe1f817931814b81c15a9c846b1c73dcdb818878d86351c757b6d\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_zyx_loops,
+        .types = euler_rate_matrix_zyx_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_body_zyx",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about z, y, x.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 6a7529b4dd785268409cc92077030a4cad8a64439e696ba9dfa305974e76a7df\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_body_zyx_loops,
+        .types = euler_rate_matrix_body_zyx_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rates_zyx",
+        .signature = "(3),(3)->(3)",
+        .doc =
+            "Ex 3.10 The rates of Euler angles about z, y, x from the angular velocity in the fixed frame.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "              omega (3): angular velocity\n"
+            "  returns     theta_dot (3): rates of the Euler angles\n"
+            "  verdict     holds under\n"
+            "  assumes     cos(theta_2) != 0\n"
+            "  operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  derivation  sha256 f6fb3a6381c9037e8d1dbd8e1df9c051262d4c72bd9738451555e59c302f0f09\n"
+            "  signature   (3),(3)->(3)\n"
+            "",
+        .loops = euler_rates_zyx_loops,
+        .types = euler_rates_zyx_types,
+        .inputs = 2,
+        .outputs = 1,
+    },
+    {
+        .name = "rotation_from_euler_zyz",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The rotation by Euler angles about z, y, z.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     Q (3, 3): rotation\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  derivation  sha256 35a70c6c05dd2903cd2f50766b4e415a63eb2ffed2c6d3e412124e8647c7b716\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = rotation_from_euler_zyz_loops,
+        .types = rotation_from_euler_zyz_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_zyz",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about z, y, z.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 2df872f3e6c29262a9a735f3e6450ce704e08a1b40b33a555d7636f417131edb\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_zyz_loops,
+        .types = euler_rate_matrix_zyz_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rate_matrix_body_zyz",
+        .signature = "(3)->(3,3)",
+        .doc =
+            "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about z, y, z.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
+            "  verdict     defined\n"
+            "  assumes     nothing\n"
+            "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  derivation  sha256 0e8fa3809441be1ebd1a102ce8fc5b78357d823973bbc7bac7e1da5c7ce38790\n"
+            "  signature   (3)->(3,3)\n"
+            "",
+        .loops = euler_rate_matrix_body_zyz_loops,
+        .types = euler_rate_matrix_body_zyz_types,
+        .inputs = 1,
+        .outputs = 1,
+    },
+    {
+        .name = "euler_rates_zyz",
+        .signature = "(3),(3)->(3)",
+        .doc =
+            "Ex 3.10 The rates of Euler angles about z, y, z from the angular velocity in the fixed frame.\n"
+            "  given       angles (3): Euler angles, in the order of the turns\n"
+            "              omega (3): angular velocity\n"
+            "  returns     theta_dot (3): rates of the Euler angles\n"
+            "  verdict     holds under\n"
+            "  assumes     sin(theta_2) != 0\n"
+            "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  derivation  sha256 c8e47ebca1883ce144424c202eb73e0d953be9339e55743f954ebc4ff9aaa9f5\n"
+            "  signature   (3),(3)->(3)\n"
+            "",
+        .loops = euler_rates_zyz_loops,
+        .types = euler_rates_zyz_types,
+        .inputs = 2,
         .outputs = 1,
     },
     {.name = NULL},

@@ -31,7 +31,7 @@ def test_each_change_is_said(run) -> None:
     assert "then     it holds under omega != 0\n" in page
     assert page.count("LaTeX") == 2
     assert "freedom  (3.77a) says the same of" in run("repair", "3.97b").stdout
-    assert "then     (3.77a), (3.80a) hold" in run("repair", "3.77c").stdout
+    assert "then     (3.77a), (3.80a), text 3.5 g, text 3.5 i hold" in run("repair", "3.77c").stdout
 
 
 def test_what_stands_and_what_cannot_be_repaired_is_said(run, chapter_is) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from chasles.lowering.declaration import requested
@@ -29,6 +31,7 @@ from chasles.vocabulary import (
     array,
     column,
     cos,
+    cot,
     cross,
     dot,
     inverse,
@@ -97,7 +100,10 @@ screw_axis_point = Claim(
         Condition("3.9a", d_0, d_A + (Q - one) @ (p_0 - a), on=(p_0,)),
     ),
     assuming=(turning,),
-    kernel=Kernel(of=(e, phi, a, a_)),
+    kernel=Kernel(
+        of=(e, phi, a, a_),
+        form=over(1, 2) * ((one - e @ e.T) @ (a + a_) + cot(phi / 2) * cross(e, a_ - a)),
+    ),
 )
 plucker_transfer = Definition(
     "3.29",
@@ -215,7 +221,7 @@ class Book:
 
     def request(self, name):
         statement = KERNELS[name]
-        asked = Kernel(statement.kernel.of, name, statement.kernel.results)
+        asked = replace(statement.kernel, name=name)
         return requested(statement, self.judge.decide, asked)
 
     def program(self, name):

@@ -209,8 +209,9 @@ void chasles_rotation_from_axis_angle_batchf(
  *   returns     p_prime[3]: position of P after the displacement
  *   verdict     holds
  *   assumes     nothing
+ *   expects     Q is a rotation
  *   operations  21: 9 add, 3 subtract, 9 multiply
- *   derivation  sha256 8dec2f77245ea565b5836a20411e5ad44d44cd04431c5873936f452f27a3d0d8
+ *   derivation  sha256 af99d11eca408718e24cab7a00a1fd908df2c4445259caf108fa6366c29b6560
  */
 void chasles_point_after_displacement(
     const double Q[9],
@@ -233,7 +234,7 @@ void chasles_point_after_displacement(
 /*
  * (3.2) chasles_point_after_displacement in single precision.
  *   verdict: holds; assumes nothing
- *   21 operations; derivation sha256 8dec2f77245ea565b5836a20411e5ad44d44cd04431c5873936f452f27a3d0d8
+ *   21 operations; derivation sha256 af99d11eca408718e24cab7a00a1fd908df2c4445259caf108fa6366c29b6560
  */
 void chasles_point_after_displacementf(
     const float Q[9],
@@ -256,7 +257,7 @@ void chasles_point_after_displacementf(
 /*
  * (3.2) chasles_point_after_displacement for a batch.
  *   verdict: holds; assumes nothing
- *   21 operations; derivation sha256 8dec2f77245ea565b5836a20411e5ad44d44cd04431c5873936f452f27a3d0d8
+ *   21 operations; derivation sha256 af99d11eca408718e24cab7a00a1fd908df2c4445259caf108fa6366c29b6560
  */
 void chasles_point_after_displacement_batch(
     size_t count,
@@ -279,7 +280,7 @@ void chasles_point_after_displacement_batch(
 /*
  * (3.2) chasles_point_after_displacementf for a batch.
  *   verdict: holds; assumes nothing
- *   21 operations; derivation sha256 8dec2f77245ea565b5836a20411e5ad44d44cd04431c5873936f452f27a3d0d8
+ *   21 operations; derivation sha256 af99d11eca408718e24cab7a00a1fd908df2c4445259caf108fa6366c29b6560
  */
 void chasles_point_after_displacement_batchf(
     size_t count,
@@ -309,7 +310,7 @@ void chasles_point_after_displacement_batchf(
  *   assumes     phi != 0
  *               |e| = 1
  *   operations  6: 2 add, 3 multiply, 1 divide
- *   derivation  sha256 9fa70ee61f0b9bb672e1d252a785256ee0efa914ad0cd98e0f8b625148dc2526
+ *   derivation  sha256 a00b650de0c575f7c9b2294f993cd4d248ffaaa64b28a7f2d4581cd5c90cdf7f
  */
 void chasles_pitch_of_motion(const double e[3], double phi, const double d_P[3], double *result)
 {
@@ -320,7 +321,7 @@ void chasles_pitch_of_motion(const double e[3], double phi, const double d_P[3],
 /*
  * (3.7) chasles_pitch_of_motion in single precision.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   6 operations; derivation sha256 9fa70ee61f0b9bb672e1d252a785256ee0efa914ad0cd98e0f8b625148dc2526
+ *   6 operations; derivation sha256 a00b650de0c575f7c9b2294f993cd4d248ffaaa64b28a7f2d4581cd5c90cdf7f
  */
 void chasles_pitch_of_motionf(const float e[3], float phi, const float d_P[3], float *result)
 {
@@ -332,7 +333,7 @@ void chasles_pitch_of_motionf(const float e[3], float phi, const float d_P[3], f
 /*
  * (3.7) chasles_pitch_of_motion for a batch.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   6 operations; derivation sha256 9fa70ee61f0b9bb672e1d252a785256ee0efa914ad0cd98e0f8b625148dc2526
+ *   6 operations; derivation sha256 a00b650de0c575f7c9b2294f993cd4d248ffaaa64b28a7f2d4581cd5c90cdf7f
  */
 void chasles_pitch_of_motion_batch(
     size_t count,
@@ -353,7 +354,7 @@ void chasles_pitch_of_motion_batch(
 /*
  * (3.7) chasles_pitch_of_motionf for a batch.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   6 operations; derivation sha256 9fa70ee61f0b9bb672e1d252a785256ee0efa914ad0cd98e0f8b625148dc2526
+ *   6 operations; derivation sha256 a00b650de0c575f7c9b2294f993cd4d248ffaaa64b28a7f2d4581cd5c90cdf7f
  */
 void chasles_pitch_of_motion_batchf(
     size_t count,

@@ -13,16 +13,15 @@
  *   verdict     holds under
  *   assumes     phi != 0
  *               |e| = 1
- *   operations  19: 3 add, 2 subtract, 11 multiply, 2 divide, 1 cosine
+ *   operations  17: 3 add, 1 subtract, 11 multiply, 1 divide, 1 sine
  *   derivation  sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c
  */
 void chasles_normal_matrix_inverse(const double e[3], double phi, double result[9])
 {
-    const double cos_phi = cos(phi);
-    const double t1 = 2.0 * (1.0 - cos_phi);
-    const int t2 = t1 == 0.0;
-    const double t3 = (t2 ? 0.0 : 1.0) / t1;
-    const double t4 = (t2 ? 0.0 : 1.0 - 2.0 * cos_phi) / t1;
+    const double t1 = sin(0.5 * phi);
+    const double t2 = (t1 == 0.0 ? 0.0 : 0.5) / t1;
+    const double t3 = t2 * t2;
+    const double t4 = 1.0 - t3;
     const double t5 = e[0] * t4;
     const double t6 = e[1] * t4;
     const double result1 = e[1] * t5;
@@ -45,15 +44,14 @@ void chasles_normal_matrix_inverse(const double e[3], double phi, double result[
 /*
  * (3.16) chasles_normal_matrix_inverse in single precision.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   19 operations; derivation sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c
+ *   17 operations; derivation sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c
  */
 void chasles_normal_matrix_inversef(const float e[3], float phi, float result[9])
 {
-    const float cos_phi = cosf(phi);
-    const float t1 = 2.0f * (1.0f - cos_phi);
-    const int t2 = t1 == 0.0f;
-    const float t3 = (t2 ? 0.0f : 1.0f) / t1;
-    const float t4 = (t2 ? 0.0f : 1.0f - 2.0f * cos_phi) / t1;
+    const float t1 = sinf(0.5f * phi);
+    const float t2 = (t1 == 0.0f ? 0.0f : 0.5f) / t1;
+    const float t3 = t2 * t2;
+    const float t4 = 1.0f - t3;
     const float t5 = e[0] * t4;
     const float t6 = e[1] * t4;
     const float result1 = e[1] * t5;
@@ -76,7 +74,7 @@ void chasles_normal_matrix_inversef(const float e[3], float phi, float result[9]
 /*
  * (3.16) chasles_normal_matrix_inverse for a batch.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   19 operations; derivation sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c
+ *   17 operations; derivation sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c
  */
 void chasles_normal_matrix_inverse_batch(
     size_t count,
@@ -92,7 +90,7 @@ void chasles_normal_matrix_inverse_batch(
 /*
  * (3.16) chasles_normal_matrix_inversef for a batch.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   19 operations; derivation sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c
+ *   17 operations; derivation sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c
  */
 void chasles_normal_matrix_inverse_batchf(
     size_t count,
@@ -115,8 +113,9 @@ void chasles_normal_matrix_inverse_batchf(
  *   verdict     holds under
  *   assumes     phi != 0
  *               |e| = 1
- *   operations  64: 18 add, 10 subtract, 31 multiply, 3 divide, 1 sine, 1 cosine
- *   derivation  sha256 c77504d94d7a13ece4ecef946d02406d1c264a3db4d6453b06dc936d482e7f90
+ *   made of     an offered form, proved equal to the statement
+ *   operations  39: 5 add, 12 subtract, 19 multiply, 1 divide, 1 sine, 1 cosine
+ *   derivation  sha256 fd931c592a794abc154e30cb8754cc954c9fa9f827a0928a1e82185b1b2a8b81
  */
 void chasles_screw_axis_point(
     const double e[3],
@@ -125,34 +124,19 @@ void chasles_screw_axis_point(
     const double a_prime[3],
     double p_0[3])
 {
-    const double cos_phi = cos(phi);
-    const double t1 = 1.0 - cos_phi;
-    const double t2 = 2.0 * t1;
-    const double sin_phi = sin(phi);
-    const double t3 = e[0] * t1;
-    const double t4 = e[1] * t1;
-    const double t5 = e[1] * t3;
-    const double t6 = e[2] * t3;
-    const double t7 = e[2] * t4;
-    const double t8 = cos_phi + e[0] * t3;
-    const double t9 = cos_phi + e[1] * t4;
-    const double t10 = cos_phi + e[2] * (e[2] * t1);
-    const double t11 = e[0] * sin_phi;
-    const double t12 = e[1] * sin_phi;
-    const double t13 = e[2] * sin_phi;
-    const double t14 = t5 - t13;
-    const double t15 = t6 + t12;
-    const double t16 = t5 + t13;
-    const double t17 = t7 - t11;
-    const double t18 = t6 - t12;
-    const double t19 = t7 + t11;
-    const double t20 = a[0] * t8 + a[1] * t14 + a[2] * t15 - a_prime[0];
-    const double t21 = a[0] * t16 + a[1] * t9 + a[2] * t17 - a_prime[1];
-    const double t22 = a[0] * t18 + a[1] * t19 + a[2] * t10 - a_prime[2];
-    const int t23 = t2 == 0.0;
-    const double p_0_0 = (t23 ? 0.0 : t8 * t20 + t16 * t21 + t18 * t22 - t20) / t2;
-    const double p_0_1 = (t23 ? 0.0 : t14 * t20 + t9 * t21 + t19 * t22 - t21) / t2;
-    const double p_0_2 = (t23 ? 0.0 : t15 * t20 + t17 * t21 + t10 * t22 - t22) / t2;
+    const double t1 = a[0] + a_prime[0];
+    const double t2 = a[1] + a_prime[1];
+    const double t3 = a[2] + a_prime[2];
+    const double t4 = e[0] * t1 + e[1] * t2 + e[2] * t3;
+    const double t5 = a_prime[0] - a[0];
+    const double t6 = a_prime[1] - a[1];
+    const double t7 = a_prime[2] - a[2];
+    const double half_phi = 0.5 * phi;
+    const double sin_half_phi = sin(half_phi);
+    const double t8 = (sin_half_phi == 0.0 ? 0.0 : cos(half_phi)) / sin_half_phi;
+    const double p_0_0 = 0.5 * ((e[1] * t7 - e[2] * t6) * t8 - (e[0] * t4 - t1));
+    const double p_0_1 = 0.5 * ((e[2] * t5 - e[0] * t7) * t8 - (e[1] * t4 - t2));
+    const double p_0_2 = 0.5 * ((e[0] * t6 - e[1] * t5) * t8 - (e[2] * t4 - t3));
     p_0[0] = p_0_0;
     p_0[1] = p_0_1;
     p_0[2] = p_0_2;
@@ -161,7 +145,7 @@ void chasles_screw_axis_point(
 /*
  * (3.18) chasles_screw_axis_point in single precision.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   64 operations; derivation sha256 c77504d94d7a13ece4ecef946d02406d1c264a3db4d6453b06dc936d482e7f90
+ *   39 operations; derivation sha256 fd931c592a794abc154e30cb8754cc954c9fa9f827a0928a1e82185b1b2a8b81
  */
 void chasles_screw_axis_pointf(
     const float e[3],
@@ -170,34 +154,19 @@ void chasles_screw_axis_pointf(
     const float a_prime[3],
     float p_0[3])
 {
-    const float cos_phi = cosf(phi);
-    const float t1 = 1.0f - cos_phi;
-    const float t2 = 2.0f * t1;
-    const float sin_phi = sinf(phi);
-    const float t3 = e[0] * t1;
-    const float t4 = e[1] * t1;
-    const float t5 = e[1] * t3;
-    const float t6 = e[2] * t3;
-    const float t7 = e[2] * t4;
-    const float t8 = cos_phi + e[0] * t3;
-    const float t9 = cos_phi + e[1] * t4;
-    const float t10 = cos_phi + e[2] * (e[2] * t1);
-    const float t11 = e[0] * sin_phi;
-    const float t12 = e[1] * sin_phi;
-    const float t13 = e[2] * sin_phi;
-    const float t14 = t5 - t13;
-    const float t15 = t6 + t12;
-    const float t16 = t5 + t13;
-    const float t17 = t7 - t11;
-    const float t18 = t6 - t12;
-    const float t19 = t7 + t11;
-    const float t20 = a[0] * t8 + a[1] * t14 + a[2] * t15 - a_prime[0];
-    const float t21 = a[0] * t16 + a[1] * t9 + a[2] * t17 - a_prime[1];
-    const float t22 = a[0] * t18 + a[1] * t19 + a[2] * t10 - a_prime[2];
-    const int t23 = t2 == 0.0f;
-    const float p_0_0 = (t23 ? 0.0f : t8 * t20 + t16 * t21 + t18 * t22 - t20) / t2;
-    const float p_0_1 = (t23 ? 0.0f : t14 * t20 + t9 * t21 + t19 * t22 - t21) / t2;
-    const float p_0_2 = (t23 ? 0.0f : t15 * t20 + t17 * t21 + t10 * t22 - t22) / t2;
+    const float t1 = a[0] + a_prime[0];
+    const float t2 = a[1] + a_prime[1];
+    const float t3 = a[2] + a_prime[2];
+    const float t4 = e[0] * t1 + e[1] * t2 + e[2] * t3;
+    const float t5 = a_prime[0] - a[0];
+    const float t6 = a_prime[1] - a[1];
+    const float t7 = a_prime[2] - a[2];
+    const float half_phi = 0.5f * phi;
+    const float sin_half_phi = sinf(half_phi);
+    const float t8 = (sin_half_phi == 0.0f ? 0.0f : cosf(half_phi)) / sin_half_phi;
+    const float p_0_0 = 0.5f * ((e[1] * t7 - e[2] * t6) * t8 - (e[0] * t4 - t1));
+    const float p_0_1 = 0.5f * ((e[2] * t5 - e[0] * t7) * t8 - (e[1] * t4 - t2));
+    const float p_0_2 = 0.5f * ((e[0] * t6 - e[1] * t5) * t8 - (e[2] * t4 - t3));
     p_0[0] = p_0_0;
     p_0[1] = p_0_1;
     p_0[2] = p_0_2;
@@ -206,7 +175,7 @@ void chasles_screw_axis_pointf(
 /*
  * (3.18) chasles_screw_axis_point for a batch.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   64 operations; derivation sha256 c77504d94d7a13ece4ecef946d02406d1c264a3db4d6453b06dc936d482e7f90
+ *   39 operations; derivation sha256 fd931c592a794abc154e30cb8754cc954c9fa9f827a0928a1e82185b1b2a8b81
  */
 void chasles_screw_axis_point_batch(
     size_t count,
@@ -229,7 +198,7 @@ void chasles_screw_axis_point_batch(
 /*
  * (3.18) chasles_screw_axis_pointf for a batch.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   64 operations; derivation sha256 c77504d94d7a13ece4ecef946d02406d1c264a3db4d6453b06dc936d482e7f90
+ *   39 operations; derivation sha256 fd931c592a794abc154e30cb8754cc954c9fa9f827a0928a1e82185b1b2a8b81
  */
 void chasles_screw_axis_point_batchf(
     size_t count,

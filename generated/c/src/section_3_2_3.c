@@ -12,8 +12,10 @@
  *   returns     Q[9]: components of the rotation in the axes of the triad
  *   verdict     holds
  *   assumes     nothing
+ *   expects     triad is a rotation
+ *               triad' is a rotation
  *   operations  45: 18 add, 27 multiply
- *   derivation  sha256 a313dee3a60fe53c64ee29561afa9e0c70338ba74cee754e191c28c83bf76b8b
+ *   derivation  sha256 17b2c6690d171cd369c93be59a7a8c3b70bc0108c48d7358142e2312ebf805ee
  */
 void chasles_rotation_in_triad_axes(const double triad[9], const double triad_prime[9], double Q[9])
 {
@@ -49,7 +51,7 @@ void chasles_rotation_in_triad_axes(const double triad[9], const double triad_pr
 /*
  * text 3.2.3 h chasles_rotation_in_triad_axes in single precision.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 a313dee3a60fe53c64ee29561afa9e0c70338ba74cee754e191c28c83bf76b8b
+ *   45 operations; derivation sha256 17b2c6690d171cd369c93be59a7a8c3b70bc0108c48d7358142e2312ebf805ee
  */
 void chasles_rotation_in_triad_axesf(const float triad[9], const float triad_prime[9], float Q[9])
 {
@@ -85,7 +87,7 @@ void chasles_rotation_in_triad_axesf(const float triad[9], const float triad_pri
 /*
  * text 3.2.3 h chasles_rotation_in_triad_axes for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 a313dee3a60fe53c64ee29561afa9e0c70338ba74cee754e191c28c83bf76b8b
+ *   45 operations; derivation sha256 17b2c6690d171cd369c93be59a7a8c3b70bc0108c48d7358142e2312ebf805ee
  */
 void chasles_rotation_in_triad_axes_batch(
     size_t count,
@@ -104,7 +106,7 @@ void chasles_rotation_in_triad_axes_batch(
 /*
  * text 3.2.3 h chasles_rotation_in_triad_axesf for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 a313dee3a60fe53c64ee29561afa9e0c70338ba74cee754e191c28c83bf76b8b
+ *   45 operations; derivation sha256 17b2c6690d171cd369c93be59a7a8c3b70bc0108c48d7358142e2312ebf805ee
  */
 void chasles_rotation_in_triad_axes_batchf(
     size_t count,
@@ -127,8 +129,10 @@ void chasles_rotation_in_triad_axes_batchf(
  *   returns     Q[9]: rotation
  *   verdict     holds under
  *   assumes     e_1, e_2, e_3 are orthonormal and right-handed
+ *   expects     triad is a rotation
+ *               triad' is a rotation
  *   operations  45: 18 add, 27 multiply
- *   derivation  sha256 f83fa1168a58e1ad3de64ee9e12106ddba140b95a4dbcc601f4d839fc18a8c59
+ *   derivation  sha256 0c12a1c3d699670fac6168e45da2070083d35015f2bd6eac4cd2f1464da2b780
  */
 void chasles_rotation_from_triads(const double triad[9], const double triad_prime[9], double Q[9])
 {
@@ -164,7 +168,7 @@ void chasles_rotation_from_triads(const double triad[9], const double triad_prim
 /*
  * text 3.2.3 g chasles_rotation_from_triads in single precision.
  *   verdict: holds under; assumes e_1, e_2, e_3 are orthonormal and right-handed
- *   45 operations; derivation sha256 f83fa1168a58e1ad3de64ee9e12106ddba140b95a4dbcc601f4d839fc18a8c59
+ *   45 operations; derivation sha256 0c12a1c3d699670fac6168e45da2070083d35015f2bd6eac4cd2f1464da2b780
  */
 void chasles_rotation_from_triadsf(const float triad[9], const float triad_prime[9], float Q[9])
 {
@@ -200,7 +204,7 @@ void chasles_rotation_from_triadsf(const float triad[9], const float triad_prime
 /*
  * text 3.2.3 g chasles_rotation_from_triads for a batch.
  *   verdict: holds under; assumes e_1, e_2, e_3 are orthonormal and right-handed
- *   45 operations; derivation sha256 f83fa1168a58e1ad3de64ee9e12106ddba140b95a4dbcc601f4d839fc18a8c59
+ *   45 operations; derivation sha256 0c12a1c3d699670fac6168e45da2070083d35015f2bd6eac4cd2f1464da2b780
  */
 void chasles_rotation_from_triads_batch(
     size_t count,
@@ -219,7 +223,7 @@ void chasles_rotation_from_triads_batch(
 /*
  * text 3.2.3 g chasles_rotation_from_triadsf for a batch.
  *   verdict: holds under; assumes e_1, e_2, e_3 are orthonormal and right-handed
- *   45 operations; derivation sha256 f83fa1168a58e1ad3de64ee9e12106ddba140b95a4dbcc601f4d839fc18a8c59
+ *   45 operations; derivation sha256 0c12a1c3d699670fac6168e45da2070083d35015f2bd6eac4cd2f1464da2b780
  */
 void chasles_rotation_from_triads_batchf(
     size_t count,

@@ -15,7 +15,7 @@
  *   verdict     holds
  *   assumes     nothing
  *   operations  15: 3 add, 6 subtract, 6 multiply
- *   derivation  sha256 eef426f5d7859632880c7bcf2a415552347ee2d2214c68480bc7e54584caa69a
+ *   derivation  sha256 b5acf63f8b2ae232595725548e5ba32264be6bf6d52d501066130e78c9ed0486
  */
 void chasles_velocity_of_point(
     const double omega[3],
@@ -38,7 +38,7 @@ void chasles_velocity_of_point(
 /*
  * (3.50) chasles_velocity_of_point in single precision.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 eef426f5d7859632880c7bcf2a415552347ee2d2214c68480bc7e54584caa69a
+ *   15 operations; derivation sha256 b5acf63f8b2ae232595725548e5ba32264be6bf6d52d501066130e78c9ed0486
  */
 void chasles_velocity_of_pointf(
     const float omega[3],
@@ -61,7 +61,7 @@ void chasles_velocity_of_pointf(
 /*
  * (3.50) chasles_velocity_of_point for a batch.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 eef426f5d7859632880c7bcf2a415552347ee2d2214c68480bc7e54584caa69a
+ *   15 operations; derivation sha256 b5acf63f8b2ae232595725548e5ba32264be6bf6d52d501066130e78c9ed0486
  */
 void chasles_velocity_of_point_batch(
     size_t count,
@@ -84,7 +84,7 @@ void chasles_velocity_of_point_batch(
 /*
  * (3.50) chasles_velocity_of_pointf for a batch.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 eef426f5d7859632880c7bcf2a415552347ee2d2214c68480bc7e54584caa69a
+ *   15 operations; derivation sha256 b5acf63f8b2ae232595725548e5ba32264be6bf6d52d501066130e78c9ed0486
  */
 void chasles_velocity_of_point_batchf(
     size_t count,

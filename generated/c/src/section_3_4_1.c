@@ -14,7 +14,7 @@
  *   verdict     holds under
  *   assumes     omega != 0
  *   operations  29: 2 add, 9 subtract, 15 multiply, 3 divide
- *   derivation  sha256 69100a7f8d1911cfd9ed2c547c34eeace5ec9862641c5fd2ca3d352c7d28fbce
+ *   derivation  sha256 1562849f177e6c267d458290e7a5bbddc3b1feee4c93b5c27822ff1e01156afe
  */
 void chasles_instant_screw_point(
     const double omega[3],
@@ -38,7 +38,7 @@ void chasles_instant_screw_point(
 /*
  * (3.70) chasles_instant_screw_point in single precision.
  *   verdict: holds under; assumes omega != 0
- *   29 operations; derivation sha256 69100a7f8d1911cfd9ed2c547c34eeace5ec9862641c5fd2ca3d352c7d28fbce
+ *   29 operations; derivation sha256 1562849f177e6c267d458290e7a5bbddc3b1feee4c93b5c27822ff1e01156afe
  */
 void chasles_instant_screw_pointf(
     const float omega[3],
@@ -62,7 +62,7 @@ void chasles_instant_screw_pointf(
 /*
  * (3.70) chasles_instant_screw_point for a batch.
  *   verdict: holds under; assumes omega != 0
- *   29 operations; derivation sha256 69100a7f8d1911cfd9ed2c547c34eeace5ec9862641c5fd2ca3d352c7d28fbce
+ *   29 operations; derivation sha256 1562849f177e6c267d458290e7a5bbddc3b1feee4c93b5c27822ff1e01156afe
  */
 void chasles_instant_screw_point_batch(
     size_t count,
@@ -83,7 +83,7 @@ void chasles_instant_screw_point_batch(
 /*
  * (3.70) chasles_instant_screw_pointf for a batch.
  *   verdict: holds under; assumes omega != 0
- *   29 operations; derivation sha256 69100a7f8d1911cfd9ed2c547c34eeace5ec9862641c5fd2ca3d352c7d28fbce
+ *   29 operations; derivation sha256 1562849f177e6c267d458290e7a5bbddc3b1feee4c93b5c27822ff1e01156afe
  */
 void chasles_instant_screw_point_batchf(
     size_t count,

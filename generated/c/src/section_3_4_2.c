@@ -13,7 +13,7 @@
  *   verdict     defined
  *   assumes     |e| = 1
  *               phi != 0
- *   operations  26: 3 add, 7 subtract, 13 multiply, 1 divide, 1 sine, 1 cosine
+ *   operations  26: 6 add, 3 subtract, 14 multiply, 1 divide, 1 sine, 1 cosine
  *   derivation  sha256 ae8848864c3fe36678c44ede0fea89f8af655c143bdb95acf6bb13cd98cc80e0
  */
 void chasles_natural_rate_matrix(const double e[3], double phi, double N[12])
@@ -21,25 +21,29 @@ void chasles_natural_rate_matrix(const double e[3], double phi, double N[12])
     const double N9 = e[0];
     const double N10 = e[1];
     const double N11 = e[2];
-    const double t1 = 2.0 * (1.0 - cos(phi));
-    const double t2 = (t1 == 0.0 ? 0.0 : sin(phi)) / t1;
-    const double t3 = N9 * t2;
-    const double t4 = N10 * t2;
-    const double t5 = N10 * t3;
-    const double t6 = N11 * t3;
-    const double t7 = N11 * t4;
-    const double N0 = t2 - N9 * t3;
-    const double N4 = t2 - N10 * t4;
-    const double N8 = t2 - N11 * (N11 * t2);
     const double half_N9 = 0.5 * N9;
     const double half_N10 = 0.5 * N10;
     const double half_N11 = 0.5 * N11;
+    const double half_phi = 0.5 * phi;
+    const double sin_half_phi = sin(half_phi);
+    const double t1 = 0.5 * ((sin_half_phi == 0.0 ? 0.0 : cos(half_phi)) / sin_half_phi);
+    const double t2 = N10 * t1;
+    const double t3 = N11 * t1;
+    const double t4 = N9 * (N9 * t1);
+    const double t5 = N9 * t2;
+    const double t6 = N9 * t3;
+    const double t7 = N10 * t2;
+    const double t8 = N10 * t3;
+    const double t9 = N11 * t3;
+    const double N0 = t7 + t9;
+    const double N4 = t4 + t9;
+    const double N8 = t4 + t7;
     const double N1 = half_N11 - t5;
-    const double N2 = -(t6 + half_N10);
-    const double N3 = -(t5 + half_N11);
-    const double N5 = half_N9 - t7;
+    const double N2 = -(half_N10 + t6);
+    const double N3 = -(half_N11 + t5);
+    const double N5 = half_N9 - t8;
     const double N6 = half_N10 - t6;
-    const double N7 = -(t7 + half_N9);
+    const double N7 = -(half_N9 + t8);
     N[0] = N0;
     N[1] = N1;
     N[2] = N2;
@@ -64,25 +68,29 @@ void chasles_natural_rate_matrixf(const float e[3], float phi, float N[12])
     const float N9 = e[0];
     const float N10 = e[1];
     const float N11 = e[2];
-    const float t1 = 2.0f * (1.0f - cosf(phi));
-    const float t2 = (t1 == 0.0f ? 0.0f : sinf(phi)) / t1;
-    const float t3 = N9 * t2;
-    const float t4 = N10 * t2;
-    const float t5 = N10 * t3;
-    const float t6 = N11 * t3;
-    const float t7 = N11 * t4;
-    const float N0 = t2 - N9 * t3;
-    const float N4 = t2 - N10 * t4;
-    const float N8 = t2 - N11 * (N11 * t2);
     const float half_N9 = 0.5f * N9;
     const float half_N10 = 0.5f * N10;
     const float half_N11 = 0.5f * N11;
+    const float half_phi = 0.5f * phi;
+    const float sin_half_phi = sinf(half_phi);
+    const float t1 = 0.5f * ((sin_half_phi == 0.0f ? 0.0f : cosf(half_phi)) / sin_half_phi);
+    const float t2 = N10 * t1;
+    const float t3 = N11 * t1;
+    const float t4 = N9 * (N9 * t1);
+    const float t5 = N9 * t2;
+    const float t6 = N9 * t3;
+    const float t7 = N10 * t2;
+    const float t8 = N10 * t3;
+    const float t9 = N11 * t3;
+    const float N0 = t7 + t9;
+    const float N4 = t4 + t9;
+    const float N8 = t4 + t7;
     const float N1 = half_N11 - t5;
-    const float N2 = -(t6 + half_N10);
-    const float N3 = -(t5 + half_N11);
-    const float N5 = half_N9 - t7;
+    const float N2 = -(half_N10 + t6);
+    const float N3 = -(half_N11 + t5);
+    const float N5 = half_N9 - t8;
     const float N6 = half_N10 - t6;
-    const float N7 = -(t7 + half_N9);
+    const float N7 = -(half_N9 + t8);
     N[0] = N0;
     N[1] = N1;
     N[2] = N2;
@@ -136,35 +144,33 @@ void chasles_natural_rate_matrix_batchf(
  *   returns     L[12]: linear invariants' rates from the angular velocity
  *   verdict     defined
  *   assumes     |e| = 1
- *   operations  39: 6 add, 8 subtract, 23 multiply, 1 sine, 1 cosine
+ *   operations  30: 4 add, 7 subtract, 17 multiply, 1 sine, 1 cosine
  *   derivation  sha256 dc969a2458fb1ccbe6cf9ba4bd5c14c48137796a5e63b6fdffe960bc3f43a806
  */
 void chasles_linear_rate_matrix(const double e[3], double phi, double L[12])
 {
-    const double cos_phi = cos(phi);
-    const double t1 = 1.0 - cos_phi;
-    const double sin_phi = sin(phi);
-    const double t2 = t1 * (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) + 3.0 * cos_phi - cos_phi;
-    const double half_t2 = 0.5 * t2;
-    const double half_t1 = 0.5 * t1;
-    const double half_sin_phi = 0.5 * sin_phi;
-    const double t3 = e[0] * half_t1;
-    const double t4 = e[1] * half_t1;
+    const double t1 = 0.5 * cos(phi);
+    const double t2 = 0.5 - t1;
+    const double t3 = e[0] * t2;
+    const double t4 = e[1] * t2;
     const double t5 = e[1] * t3;
     const double t6 = e[2] * t3;
     const double t7 = e[2] * t4;
-    const double L0 = half_t2 - e[0] * t3;
-    const double L4 = half_t2 - e[1] * t4;
-    const double L8 = half_t2 - e[2] * (e[2] * half_t1);
-    const double t8 = e[0] * half_sin_phi;
-    const double t9 = e[1] * half_sin_phi;
-    const double t10 = e[2] * half_sin_phi;
-    const double L1 = t10 - t5;
-    const double L2 = -(t6 + t9);
-    const double L3 = -(t5 + t10);
-    const double L5 = t8 - t7;
-    const double L6 = t9 - t6;
-    const double L7 = -(t7 + t8);
+    const double t8 = 0.5 + t1;
+    const double L0 = t8 - e[0] * t3;
+    const double L4 = t8 - e[1] * t4;
+    const double L8 = t8 - e[2] * (e[2] * t2);
+    const double sin_phi = sin(phi);
+    const double half_sin_phi = 0.5 * sin_phi;
+    const double t9 = e[0] * half_sin_phi;
+    const double t10 = e[1] * half_sin_phi;
+    const double t11 = e[2] * half_sin_phi;
+    const double L1 = t11 - t5;
+    const double L2 = -(t6 + t10);
+    const double L3 = -(t5 + t11);
+    const double L5 = t9 - t7;
+    const double L6 = t10 - t6;
+    const double L7 = -(t7 + t9);
     const double L9 = -(e[0] * sin_phi);
     const double L10 = -(e[1] * sin_phi);
     const double L11 = -(e[2] * sin_phi);
@@ -185,34 +191,32 @@ void chasles_linear_rate_matrix(const double e[3], double phi, double L[12])
 /*
  * (3.76c) chasles_linear_rate_matrix in single precision.
  *   verdict: defined; assumes |e| = 1
- *   39 operations; derivation sha256 dc969a2458fb1ccbe6cf9ba4bd5c14c48137796a5e63b6fdffe960bc3f43a806
+ *   30 operations; derivation sha256 dc969a2458fb1ccbe6cf9ba4bd5c14c48137796a5e63b6fdffe960bc3f43a806
  */
 void chasles_linear_rate_matrixf(const float e[3], float phi, float L[12])
 {
-    const float cos_phi = cosf(phi);
-    const float t1 = 1.0f - cos_phi;
-    const float sin_phi = sinf(phi);
-    const float t2 = t1 * (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) + 3.0f * cos_phi;
-    const float t3 = 0.5f * (t2 - cos_phi);
-    const float half_t1 = 0.5f * t1;
-    const float half_sin_phi = 0.5f * sin_phi;
-    const float t4 = e[0] * half_t1;
-    const float t5 = e[1] * half_t1;
-    const float t6 = e[1] * t4;
+    const float t1 = 0.5f * cosf(phi);
+    const float t2 = 0.5f - t1;
+    const float t3 = e[0] * t2;
+    const float t4 = e[1] * t2;
+    const float t5 = e[1] * t3;
+    const float t6 = e[2] * t3;
     const float t7 = e[2] * t4;
-    const float t8 = e[2] * t5;
-    const float L0 = t3 - e[0] * t4;
-    const float L4 = t3 - e[1] * t5;
-    const float L8 = t3 - e[2] * (e[2] * half_t1);
+    const float t8 = 0.5f + t1;
+    const float L0 = t8 - e[0] * t3;
+    const float L4 = t8 - e[1] * t4;
+    const float L8 = t8 - e[2] * (e[2] * t2);
+    const float sin_phi = sinf(phi);
+    const float half_sin_phi = 0.5f * sin_phi;
     const float t9 = e[0] * half_sin_phi;
     const float t10 = e[1] * half_sin_phi;
     const float t11 = e[2] * half_sin_phi;
-    const float L1 = t11 - t6;
-    const float L2 = -(t7 + t10);
-    const float L3 = -(t6 + t11);
-    const float L5 = t9 - t8;
-    const float L6 = t10 - t7;
-    const float L7 = -(t8 + t9);
+    const float L1 = t11 - t5;
+    const float L2 = -(t6 + t10);
+    const float L3 = -(t5 + t11);
+    const float L5 = t9 - t7;
+    const float L6 = t10 - t6;
+    const float L7 = -(t7 + t9);
     const float L9 = -(e[0] * sin_phi);
     const float L10 = -(e[1] * sin_phi);
     const float L11 = -(e[2] * sin_phi);
@@ -233,7 +237,7 @@ void chasles_linear_rate_matrixf(const float e[3], float phi, float L[12])
 /*
  * (3.76c) chasles_linear_rate_matrix for a batch.
  *   verdict: defined; assumes |e| = 1
- *   39 operations; derivation sha256 dc969a2458fb1ccbe6cf9ba4bd5c14c48137796a5e63b6fdffe960bc3f43a806
+ *   30 operations; derivation sha256 dc969a2458fb1ccbe6cf9ba4bd5c14c48137796a5e63b6fdffe960bc3f43a806
  */
 void chasles_linear_rate_matrix_batch(
     size_t count,
@@ -249,7 +253,7 @@ void chasles_linear_rate_matrix_batch(
 /*
  * (3.76c) chasles_linear_rate_matrixf for a batch.
  *   verdict: defined; assumes |e| = 1
- *   39 operations; derivation sha256 dc969a2458fb1ccbe6cf9ba4bd5c14c48137796a5e63b6fdffe960bc3f43a806
+ *   30 operations; derivation sha256 dc969a2458fb1ccbe6cf9ba4bd5c14c48137796a5e63b6fdffe960bc3f43a806
  */
 void chasles_linear_rate_matrix_batchf(
     size_t count,
@@ -366,8 +370,10 @@ void chasles_euler_rodrigues_rate_matrix_batchf(
  *   returns     Q[9]: rotation
  *   verdict     holds under
  *   assumes     phi != pi
+ *   expects     |[q, q_0]| = 1
+ *               1 + q_0 != 0
  *   operations  20: 7 add, 3 subtract, 9 multiply, 1 divide
- *   derivation  sha256 ea28f0fa942d584b259525e962097be1354ff910cf1b14cdaa065f0e8a7de393
+ *   derivation  sha256 19e234a754a5568e2a2452e2008c17414b949e07381e92256366ba6cc7d976bb
  */
 void chasles_rotation_from_linear_invariants(const double q[3], double q_0, double Q[9])
 {
@@ -401,7 +407,7 @@ void chasles_rotation_from_linear_invariants(const double q[3], double q_0, doub
 /*
  * text 3.4.2 f chasles_rotation_from_linear_invariants in single precision.
  *   verdict: holds under; assumes phi != pi
- *   20 operations; derivation sha256 ea28f0fa942d584b259525e962097be1354ff910cf1b14cdaa065f0e8a7de393
+ *   20 operations; derivation sha256 19e234a754a5568e2a2452e2008c17414b949e07381e92256366ba6cc7d976bb
  */
 void chasles_rotation_from_linear_invariantsf(const float q[3], float q_0, float Q[9])
 {
@@ -435,7 +441,7 @@ void chasles_rotation_from_linear_invariantsf(const float q[3], float q_0, float
 /*
  * text 3.4.2 f chasles_rotation_from_linear_invariants for a batch.
  *   verdict: holds under; assumes phi != pi
- *   20 operations; derivation sha256 ea28f0fa942d584b259525e962097be1354ff910cf1b14cdaa065f0e8a7de393
+ *   20 operations; derivation sha256 19e234a754a5568e2a2452e2008c17414b949e07381e92256366ba6cc7d976bb
  */
 void chasles_rotation_from_linear_invariants_batch(
     size_t count,
@@ -451,7 +457,7 @@ void chasles_rotation_from_linear_invariants_batch(
 /*
  * text 3.4.2 f chasles_rotation_from_linear_invariantsf for a batch.
  *   verdict: holds under; assumes phi != pi
- *   20 operations; derivation sha256 ea28f0fa942d584b259525e962097be1354ff910cf1b14cdaa065f0e8a7de393
+ *   20 operations; derivation sha256 19e234a754a5568e2a2452e2008c17414b949e07381e92256366ba6cc7d976bb
  */
 void chasles_rotation_from_linear_invariants_batchf(
     size_t count,
@@ -471,8 +477,9 @@ void chasles_rotation_from_linear_invariants_batchf(
  *   returns     Q[9]: rotation
  *   verdict     holds under
  *   assumes     |e| = 1
+ *   expects     |[q, q_0]| = 1
  *   operations  29: 8 add, 4 subtract, 17 multiply
- *   derivation  sha256 99a4cba6f6c99cb900d6e9c9d4e2ef7a5715571273dafc564f29ffd0f7b85f0c
+ *   derivation  sha256 767311161fbd53fb1cb19724605fdf117b3445cf5f7cf313ccc6ecbf4a40f8c5
  */
 void chasles_rotation_from_euler_rodrigues(const double q[3], double q_0, double Q[9])
 {
@@ -509,7 +516,7 @@ void chasles_rotation_from_euler_rodrigues(const double q[3], double q_0, double
 /*
  * text 3.4.2 f chasles_rotation_from_euler_rodrigues in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 99a4cba6f6c99cb900d6e9c9d4e2ef7a5715571273dafc564f29ffd0f7b85f0c
+ *   29 operations; derivation sha256 767311161fbd53fb1cb19724605fdf117b3445cf5f7cf313ccc6ecbf4a40f8c5
  */
 void chasles_rotation_from_euler_rodriguesf(const float q[3], float q_0, float Q[9])
 {
@@ -546,7 +553,7 @@ void chasles_rotation_from_euler_rodriguesf(const float q[3], float q_0, float Q
 /*
  * text 3.4.2 f chasles_rotation_from_euler_rodrigues for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 99a4cba6f6c99cb900d6e9c9d4e2ef7a5715571273dafc564f29ffd0f7b85f0c
+ *   29 operations; derivation sha256 767311161fbd53fb1cb19724605fdf117b3445cf5f7cf313ccc6ecbf4a40f8c5
  */
 void chasles_rotation_from_euler_rodrigues_batch(
     size_t count,
@@ -562,7 +569,7 @@ void chasles_rotation_from_euler_rodrigues_batch(
 /*
  * text 3.4.2 f chasles_rotation_from_euler_rodriguesf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 99a4cba6f6c99cb900d6e9c9d4e2ef7a5715571273dafc564f29ffd0f7b85f0c
+ *   29 operations; derivation sha256 767311161fbd53fb1cb19724605fdf117b3445cf5f7cf313ccc6ecbf4a40f8c5
  */
 void chasles_rotation_from_euler_rodrigues_batchf(
     size_t count,
@@ -582,8 +589,9 @@ void chasles_rotation_from_euler_rodrigues_batchf(
  *               q_0: scalar part of four invariants of the rotation
  *   verdict     holds under
  *   assumes     |e| = 1
+ *   expects     Q is a rotation
  *   operations  10: 2 add, 4 subtract, 4 multiply
- *   derivation  sha256 36a144798681f302cdd381b0fc0940a897d02a61242017e7c9f898db6791c1be
+ *   derivation  sha256 dd83557748f8a3babd3f50468d387276f7ffb668b7fc29c093a7976e71eaabef
  */
 void chasles_linear_invariants(const double Q[9], double q[3], double *q_0)
 {
@@ -600,7 +608,7 @@ void chasles_linear_invariants(const double Q[9], double q[3], double *q_0)
 /*
  * text 3.4.2 g chasles_linear_invariants in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   10 operations; derivation sha256 36a144798681f302cdd381b0fc0940a897d02a61242017e7c9f898db6791c1be
+ *   10 operations; derivation sha256 dd83557748f8a3babd3f50468d387276f7ffb668b7fc29c093a7976e71eaabef
  */
 void chasles_linear_invariantsf(const float Q[9], float q[3], float *q_0)
 {
@@ -617,7 +625,7 @@ void chasles_linear_invariantsf(const float Q[9], float q[3], float *q_0)
 /*
  * text 3.4.2 g chasles_linear_invariants for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   10 operations; derivation sha256 36a144798681f302cdd381b0fc0940a897d02a61242017e7c9f898db6791c1be
+ *   10 operations; derivation sha256 dd83557748f8a3babd3f50468d387276f7ffb668b7fc29c093a7976e71eaabef
  */
 void chasles_linear_invariants_batch(
     size_t count,
@@ -633,7 +641,7 @@ void chasles_linear_invariants_batch(
 /*
  * text 3.4.2 g chasles_linear_invariantsf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   10 operations; derivation sha256 36a144798681f302cdd381b0fc0940a897d02a61242017e7c9f898db6791c1be
+ *   10 operations; derivation sha256 dd83557748f8a3babd3f50468d387276f7ffb668b7fc29c093a7976e71eaabef
  */
 void chasles_linear_invariants_batchf(
     size_t count,
@@ -654,8 +662,8 @@ void chasles_linear_invariants_batchf(
  *   verdict     holds under
  *   assumes     Q is a rotation
  *               phi != 0
- *   operations  67: 21 add, 10 subtract, 25 multiply, 5 divide, 5 square root, 1 arctangent2
- *   derivation  sha256 8cbe8692fcd449cfaff72e7b9493667165fefa75d402e18bbaab030b4632d805
+ *   operations  53: 21 add, 6 subtract, 18 multiply, 5 divide, 2 square root, 1 arctangent2
+ *   derivation  sha256 167078e6ba9dff78870c0f0ddc85370ad11a1b0b824ddf316c3c9f19bd756081
  */
 void chasles_natural_invariants(const double Q[9], double e[3], double *phi)
 {
@@ -694,35 +702,31 @@ void chasles_natural_invariants(const double Q[9], double e[3], double *phi)
     const double t33 = t29 ? t23 : (t28 ? t23 : t1);
     const double t34 = t17 + (t15 + t26);
     const double t35 = 1.0 + t3;
-    const double t36 = t35 * t35;
-    const double t37 = t34 + t36;
-    const int t38 = t37 < t18;
-    const int t39 = t37 < t16;
-    const int t40 = t37 < t27;
-    const double t41 = t40 ? t31 : (t39 ? t31 : (t38 ? t31 : t34));
-    const double t42 = sqrt(t41);
-    const int t43 = t41 == 0.0;
-    const double t44 = (t43 ? 0.0 : (t40 ? t30 : (t39 ? t30 : (t38 ? t30 : t12)))) / t42;
-    const double t45 = (t43 ? 0.0 : (t40 ? t32 : (t39 ? t32 : (t38 ? t32 : t13)))) / t42;
-    const double t46 = (t43 ? 0.0 : (t40 ? t33 : (t39 ? t33 : (t38 ? t33 : t14)))) / t42;
-    const double t47 = t19 ? t17 - t7 : t15 - t11;
-    const double t48 = t19 ? t18 : t16;
-    const double t49 = t29 ? t47 : (t28 ? t47 : t26 - t25);
-    const double t50 = t29 ? t48 : (t28 ? t48 : t27);
-    const double t51 = t40 ? t50 : (t39 ? t50 : (t38 ? t50 : t37));
-    const int t52 = t51 == 0.0;
-    const double t53 = t19 ? sqrt(t7) * (2.0 * t14) : sqrt(t11) * (2.0 * t13);
-    const double t54 = t29 ? t53 : (t28 ? t53 : sqrt(t25) * (2.0 * t12));
-    const double t55 = t40 ? t54 : (t39 ? t54 : (t38 ? t54 : sqrt(t34) * (2.0 * t35)));
-    const double t56 = (t52 ? 0.0 : t55) / t51;
-    const double t57 = t45 < 0.0 ? -1.0 : (0.0 < t45 ? 1.0 : (t46 < 0.0 ? -1.0 : 1.0));
-    const double t58 = 0.0 < t56 ? 1.0 : (t44 < 0.0 ? -1.0 : (0.0 < t44 ? 1.0 : t57));
-    const double t59 = t56 < 0.0 ? -1.0 : t58;
-    const double e0 = t44 * t59;
-    const double e1 = t45 * t59;
-    const double e2 = t46 * t59;
-    const double t60 = (t52 ? 0.0 : (t40 ? t49 : (t39 ? t49 : (t38 ? t49 : t36 - t34)))) / t51;
-    const double phi_value = atan2(t56 * t59, t60);
+    const double t36 = t34 + t35 * t35;
+    const int t37 = t36 < t18;
+    const int t38 = t36 < t16;
+    const int t39 = t36 < t27;
+    const double t40 = t39 ? t31 : (t38 ? t31 : (t37 ? t31 : t34));
+    const double t41 = sqrt(t40);
+    const int t42 = t40 == 0.0;
+    const double t43 = (t42 ? 0.0 : (t39 ? t30 : (t38 ? t30 : (t37 ? t30 : t12)))) / t41;
+    const double t44 = (t42 ? 0.0 : (t39 ? t32 : (t38 ? t32 : (t37 ? t32 : t13)))) / t41;
+    const double t45 = (t42 ? 0.0 : (t39 ? t33 : (t38 ? t33 : (t37 ? t33 : t14)))) / t41;
+    const double t46 = t19 ? t14 : t13;
+    const double t47 = t19 ? t18 : t16;
+    const double t48 = t29 ? t46 : (t28 ? t46 : t12);
+    const double t49 = t29 ? t47 : (t28 ? t47 : t27);
+    const double t50 = t39 ? t49 : (t38 ? t49 : (t37 ? t49 : t36));
+    const double t51 = sqrt(t50);
+    const int t52 = t50 == 0.0;
+    const double t53 = (t52 ? 0.0 : (t39 ? t48 : (t38 ? t48 : (t37 ? t48 : t35)))) / t51;
+    const double t54 = t44 < 0.0 ? -1.0 : (0.0 < t44 ? 1.0 : (t45 < 0.0 ? -1.0 : 1.0));
+    const double t55 = 0.0 < t53 ? 1.0 : (t43 < 0.0 ? -1.0 : (0.0 < t43 ? 1.0 : t54));
+    const double t56 = t53 < 0.0 ? -1.0 : t55;
+    const double e0 = t43 * t56;
+    const double e1 = t44 * t56;
+    const double e2 = t45 * t56;
+    const double phi_value = 2.0 * atan2((t52 ? 0.0 : t41) / t51, t53 * t56);
     e[0] = e0;
     e[1] = e1;
     e[2] = e2;
@@ -732,7 +736,7 @@ void chasles_natural_invariants(const double Q[9], double e[3], double *phi)
 /*
  * text 3.4.2 h chasles_natural_invariants in single precision.
  *   verdict: holds under; assumes Q is a rotation, phi != 0
- *   67 operations; derivation sha256 8cbe8692fcd449cfaff72e7b9493667165fefa75d402e18bbaab030b4632d805
+ *   53 operations; derivation sha256 167078e6ba9dff78870c0f0ddc85370ad11a1b0b824ddf316c3c9f19bd756081
  */
 void chasles_natural_invariantsf(const float Q[9], float e[3], float *phi)
 {
@@ -771,35 +775,31 @@ void chasles_natural_invariantsf(const float Q[9], float e[3], float *phi)
     const float t33 = t29 ? t23 : (t28 ? t23 : t1);
     const float t34 = t17 + (t15 + t26);
     const float t35 = 1.0f + t3;
-    const float t36 = t35 * t35;
-    const float t37 = t34 + t36;
-    const int t38 = t37 < t18;
-    const int t39 = t37 < t16;
-    const int t40 = t37 < t27;
-    const float t41 = t40 ? t31 : (t39 ? t31 : (t38 ? t31 : t34));
-    const float t42 = sqrtf(t41);
-    const int t43 = t41 == 0.0f;
-    const float t44 = (t43 ? 0.0f : (t40 ? t30 : (t39 ? t30 : (t38 ? t30 : t12)))) / t42;
-    const float t45 = (t43 ? 0.0f : (t40 ? t32 : (t39 ? t32 : (t38 ? t32 : t13)))) / t42;
-    const float t46 = (t43 ? 0.0f : (t40 ? t33 : (t39 ? t33 : (t38 ? t33 : t14)))) / t42;
-    const float t47 = t19 ? t17 - t7 : t15 - t11;
-    const float t48 = t19 ? t18 : t16;
-    const float t49 = t29 ? t47 : (t28 ? t47 : t26 - t25);
-    const float t50 = t29 ? t48 : (t28 ? t48 : t27);
-    const float t51 = t40 ? t50 : (t39 ? t50 : (t38 ? t50 : t37));
-    const int t52 = t51 == 0.0f;
-    const float t53 = t19 ? sqrtf(t7) * (2.0f * t14) : sqrtf(t11) * (2.0f * t13);
-    const float t54 = t29 ? t53 : (t28 ? t53 : sqrtf(t25) * (2.0f * t12));
-    const float t55 = t40 ? t54 : (t39 ? t54 : (t38 ? t54 : sqrtf(t34) * (2.0f * t35)));
-    const float t56 = (t52 ? 0.0f : t55) / t51;
-    const float t57 = t45 < 0.0f ? -1.0f : (0.0f < t45 ? 1.0f : (t46 < 0.0f ? -1.0f : 1.0f));
-    const float t58 = 0.0f < t56 ? 1.0f : (t44 < 0.0f ? -1.0f : (0.0f < t44 ? 1.0f : t57));
-    const float t59 = t56 < 0.0f ? -1.0f : t58;
-    const float e0 = t44 * t59;
-    const float e1 = t45 * t59;
-    const float e2 = t46 * t59;
-    const float t60 = (t52 ? 0.0f : (t40 ? t49 : (t39 ? t49 : (t38 ? t49 : t36 - t34)))) / t51;
-    const float phi_value = atan2f(t56 * t59, t60);
+    const float t36 = t34 + t35 * t35;
+    const int t37 = t36 < t18;
+    const int t38 = t36 < t16;
+    const int t39 = t36 < t27;
+    const float t40 = t39 ? t31 : (t38 ? t31 : (t37 ? t31 : t34));
+    const float t41 = sqrtf(t40);
+    const int t42 = t40 == 0.0f;
+    const float t43 = (t42 ? 0.0f : (t39 ? t30 : (t38 ? t30 : (t37 ? t30 : t12)))) / t41;
+    const float t44 = (t42 ? 0.0f : (t39 ? t32 : (t38 ? t32 : (t37 ? t32 : t13)))) / t41;
+    const float t45 = (t42 ? 0.0f : (t39 ? t33 : (t38 ? t33 : (t37 ? t33 : t14)))) / t41;
+    const float t46 = t19 ? t14 : t13;
+    const float t47 = t19 ? t18 : t16;
+    const float t48 = t29 ? t46 : (t28 ? t46 : t12);
+    const float t49 = t29 ? t47 : (t28 ? t47 : t27);
+    const float t50 = t39 ? t49 : (t38 ? t49 : (t37 ? t49 : t36));
+    const float t51 = sqrtf(t50);
+    const int t52 = t50 == 0.0f;
+    const float t53 = (t52 ? 0.0f : (t39 ? t48 : (t38 ? t48 : (t37 ? t48 : t35)))) / t51;
+    const float t54 = t44 < 0.0f ? -1.0f : (0.0f < t44 ? 1.0f : (t45 < 0.0f ? -1.0f : 1.0f));
+    const float t55 = 0.0f < t53 ? 1.0f : (t43 < 0.0f ? -1.0f : (0.0f < t43 ? 1.0f : t54));
+    const float t56 = t53 < 0.0f ? -1.0f : t55;
+    const float e0 = t43 * t56;
+    const float e1 = t44 * t56;
+    const float e2 = t45 * t56;
+    const float phi_value = 2.0f * atan2f((t52 ? 0.0f : t41) / t51, t53 * t56);
     e[0] = e0;
     e[1] = e1;
     e[2] = e2;
@@ -809,7 +809,7 @@ void chasles_natural_invariantsf(const float Q[9], float e[3], float *phi)
 /*
  * text 3.4.2 h chasles_natural_invariants for a batch.
  *   verdict: holds under; assumes Q is a rotation, phi != 0
- *   67 operations; derivation sha256 8cbe8692fcd449cfaff72e7b9493667165fefa75d402e18bbaab030b4632d805
+ *   53 operations; derivation sha256 167078e6ba9dff78870c0f0ddc85370ad11a1b0b824ddf316c3c9f19bd756081
  */
 void chasles_natural_invariants_batch(
     size_t count,
@@ -825,7 +825,7 @@ void chasles_natural_invariants_batch(
 /*
  * text 3.4.2 h chasles_natural_invariantsf for a batch.
  *   verdict: holds under; assumes Q is a rotation, phi != 0
- *   67 operations; derivation sha256 8cbe8692fcd449cfaff72e7b9493667165fefa75d402e18bbaab030b4632d805
+ *   53 operations; derivation sha256 167078e6ba9dff78870c0f0ddc85370ad11a1b0b824ddf316c3c9f19bd756081
  */
 void chasles_natural_invariants_batchf(
     size_t count,
@@ -846,7 +846,7 @@ void chasles_natural_invariants_batchf(
  *   verdict     holds under
  *   assumes     Q is a rotation
  *   operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root
- *   derivation  sha256 6e1683e9ee616c8c3e02e1f6db337f18770483aacfc7316e76c8eba9e7361931
+ *   derivation  sha256 acb16a335b8480158c7d6e339e4c3de8c51cf3bffd9594c8aa4b639840b77580
  */
 void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *q_0)
 {
@@ -910,7 +910,7 @@ void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parameters in single precision.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 6e1683e9ee616c8c3e02e1f6db337f18770483aacfc7316e76c8eba9e7361931
+ *   49 operations; derivation sha256 acb16a335b8480158c7d6e339e4c3de8c51cf3bffd9594c8aa4b639840b77580
  */
 void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_0)
 {
@@ -974,7 +974,7 @@ void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parameters for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 6e1683e9ee616c8c3e02e1f6db337f18770483aacfc7316e76c8eba9e7361931
+ *   49 operations; derivation sha256 acb16a335b8480158c7d6e339e4c3de8c51cf3bffd9594c8aa4b639840b77580
  */
 void chasles_euler_rodrigues_parameters_batch(
     size_t count,
@@ -990,7 +990,7 @@ void chasles_euler_rodrigues_parameters_batch(
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parametersf for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 6e1683e9ee616c8c3e02e1f6db337f18770483aacfc7316e76c8eba9e7361931
+ *   49 operations; derivation sha256 acb16a335b8480158c7d6e339e4c3de8c51cf3bffd9594c8aa4b639840b77580
  */
 void chasles_euler_rodrigues_parameters_batchf(
     size_t count,
@@ -1014,8 +1014,9 @@ void chasles_euler_rodrigues_parameters_batchf(
  *   verdict     holds under
  *   assumes     Q is a rotation
  *               phi != 0
- *   operations  125: 35 add, 23 subtract, 53 multiply, 8 divide, 5 square root, 1 arctangent2
- *   derivation  sha256 e68dbf68eb3e17e3abe858dec3630aaaaec5ed5310c8e92636930da750d40b3f
+ *   made of     an offered form, proved equal to the statement
+ *   operations  101: 29 add, 18 subtract, 45 multiply, 6 divide, 2 square root, 1 arctangent2
+ *   derivation  sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
  */
 void chasles_screw_of_motion(
     const double Q[9],
@@ -1060,48 +1061,47 @@ void chasles_screw_of_motion(
     const double t33 = t29 ? t23 : (t28 ? t23 : t1);
     const double t34 = t17 + (t15 + t26);
     const double t35 = 1.0 + t3;
-    const double t36 = t35 * t35;
-    const double t37 = t34 + t36;
-    const int t38 = t37 < t18;
-    const int t39 = t37 < t16;
-    const int t40 = t37 < t27;
-    const double t41 = t40 ? t31 : (t39 ? t31 : (t38 ? t31 : t34));
-    const double t42 = sqrt(t41);
-    const int t43 = t41 == 0.0;
-    const double t44 = (t43 ? 0.0 : (t40 ? t30 : (t39 ? t30 : (t38 ? t30 : t12)))) / t42;
-    const double t45 = (t43 ? 0.0 : (t40 ? t32 : (t39 ? t32 : (t38 ? t32 : t13)))) / t42;
-    const double t46 = (t43 ? 0.0 : (t40 ? t33 : (t39 ? t33 : (t38 ? t33 : t14)))) / t42;
-    const double t47 = t19 ? t17 - t7 : t15 - t11;
-    const double t48 = t19 ? t18 : t16;
-    const double t49 = t29 ? t47 : (t28 ? t47 : t26 - t25);
-    const double t50 = t29 ? t48 : (t28 ? t48 : t27);
-    const double t51 = t40 ? t50 : (t39 ? t50 : (t38 ? t50 : t37));
-    const int t52 = t51 == 0.0;
-    const double t53 = (t52 ? 0.0 : (t40 ? t49 : (t39 ? t49 : (t38 ? t49 : t36 - t34)))) / t51;
-    const double t54 = t19 ? sqrt(t7) * (2.0 * t14) : sqrt(t11) * (2.0 * t13);
-    const double t55 = t29 ? t54 : (t28 ? t54 : sqrt(t25) * (2.0 * t12));
-    const double t56 = t40 ? t55 : (t39 ? t55 : (t38 ? t55 : sqrt(t34) * (2.0 * t35)));
-    const double t57 = (t52 ? 0.0 : t56) / t51;
-    const double t58 = t45 < 0.0 ? -1.0 : (0.0 < t45 ? 1.0 : (t46 < 0.0 ? -1.0 : 1.0));
-    const double t59 = 0.0 < t57 ? 1.0 : (t44 < 0.0 ? -1.0 : (0.0 < t44 ? 1.0 : t58));
-    const double t60 = t57 < 0.0 ? -1.0 : t59;
-    const double axis0 = t44 * t60;
-    const double axis1 = t45 * t60;
-    const double axis2 = t46 * t60;
-    const double t61 = 2.0 * (1.0 - t53);
-    const double t62 = Q[0] * a[0] + Q[1] * a[1] + Q[2] * a[2] - a_prime[0];
-    const double t63 = Q[3] * a[0] + Q[4] * a[1] + Q[5] * a[2] - a_prime[1];
-    const double t64 = Q[6] * a[0] + Q[7] * a[1] + Q[8] * a[2] - a_prime[2];
-    const int t65 = t61 == 0.0;
-    const double t66 = (t65 ? 0.0 : Q[0] * t62 + Q[3] * t63 + Q[6] * t64 - t62) / t61;
-    const double t67 = (t65 ? 0.0 : Q[1] * t62 + Q[4] * t63 + Q[7] * t64 - t63) / t61;
-    const double t68 = (t65 ? 0.0 : Q[2] * t62 + Q[5] * t63 + Q[8] * t64 - t64) / t61;
-    const double axis3 = axis2 * t67 - axis1 * t68;
-    const double axis4 = axis0 * t68 - axis2 * t66;
-    const double axis5 = axis1 * t66 - axis0 * t67;
-    const double t69 = axis0 * (a_prime[0] - a[0]) + axis1 * (a_prime[1] - a[1]);
-    const double d_0_value = t69 + axis2 * (a_prime[2] - a[2]);
-    const double phi_value = atan2(t57 * t60, t53);
+    const double t36 = t34 + t35 * t35;
+    const int t37 = t36 < t18;
+    const int t38 = t36 < t16;
+    const int t39 = t36 < t27;
+    const double t40 = t39 ? t31 : (t38 ? t31 : (t37 ? t31 : t34));
+    const double t41 = sqrt(t40);
+    const int t42 = t40 == 0.0;
+    const double t43 = (t42 ? 0.0 : (t39 ? t30 : (t38 ? t30 : (t37 ? t30 : t12)))) / t41;
+    const double t44 = (t42 ? 0.0 : (t39 ? t32 : (t38 ? t32 : (t37 ? t32 : t13)))) / t41;
+    const double t45 = (t42 ? 0.0 : (t39 ? t33 : (t38 ? t33 : (t37 ? t33 : t14)))) / t41;
+    const double t46 = t19 ? t14 : t13;
+    const double t47 = t19 ? t18 : t16;
+    const double t48 = t29 ? t46 : (t28 ? t46 : t12);
+    const double t49 = t29 ? t47 : (t28 ? t47 : t27);
+    const double t50 = t39 ? t49 : (t38 ? t49 : (t37 ? t49 : t36));
+    const double t51 = sqrt(t50);
+    const int t52 = t50 == 0.0;
+    const double t53 = (t52 ? 0.0 : (t39 ? t48 : (t38 ? t48 : (t37 ? t48 : t35)))) / t51;
+    const double t54 = (t52 ? 0.0 : t41) / t51;
+    const double t55 = t44 < 0.0 ? -1.0 : (0.0 < t44 ? 1.0 : (t45 < 0.0 ? -1.0 : 1.0));
+    const double t56 = 0.0 < t53 ? 1.0 : (t43 < 0.0 ? -1.0 : (0.0 < t43 ? 1.0 : t55));
+    const double t57 = t53 < 0.0 ? -1.0 : t56;
+    const double axis0 = t43 * t57;
+    const double axis1 = t44 * t57;
+    const double axis2 = t45 * t57;
+    const double t58 = a[0] + a_prime[0];
+    const double t59 = a[1] + a_prime[1];
+    const double t60 = a[2] + a_prime[2];
+    const double t61 = a_prime[0] - a[0];
+    const double t62 = a_prime[1] - a[1];
+    const double t63 = a_prime[2] - a[2];
+    const double t64 = axis1 * t63 - axis2 * t62;
+    const double t65 = axis2 * t61 - axis0 * t63;
+    const double t66 = axis0 * t62 - axis1 * t61;
+    const double t67 = t53 * t57;
+    const double t68 = (t54 == 0.0 ? 0.0 : t67) / t54;
+    const double axis3 = 0.5 * (axis2 * t59 - axis1 * t60 + (axis2 * t65 - axis1 * t66) * t68);
+    const double axis4 = 0.5 * (axis0 * t60 - axis2 * t58 + (axis0 * t66 - axis2 * t64) * t68);
+    const double axis5 = 0.5 * (axis1 * t58 - axis0 * t59 + (axis1 * t64 - axis0 * t65) * t68);
+    const double d_0_value = axis0 * t61 + axis1 * t62 + axis2 * t63;
+    const double phi_value = 2.0 * atan2(t54, t67);
     axis[0] = axis0;
     axis[1] = axis1;
     axis[2] = axis2;
@@ -1115,7 +1115,7 @@ void chasles_screw_of_motion(
 /*
  * text 3.4.2 j chasles_screw_of_motion in single precision.
  *   verdict: holds under; assumes Q is a rotation, phi != 0
- *   125 operations; derivation sha256 e68dbf68eb3e17e3abe858dec3630aaaaec5ed5310c8e92636930da750d40b3f
+ *   101 operations; derivation sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
  */
 void chasles_screw_of_motionf(
     const float Q[9],
@@ -1160,48 +1160,47 @@ void chasles_screw_of_motionf(
     const float t33 = t29 ? t23 : (t28 ? t23 : t1);
     const float t34 = t17 + (t15 + t26);
     const float t35 = 1.0f + t3;
-    const float t36 = t35 * t35;
-    const float t37 = t34 + t36;
-    const int t38 = t37 < t18;
-    const int t39 = t37 < t16;
-    const int t40 = t37 < t27;
-    const float t41 = t40 ? t31 : (t39 ? t31 : (t38 ? t31 : t34));
-    const float t42 = sqrtf(t41);
-    const int t43 = t41 == 0.0f;
-    const float t44 = (t43 ? 0.0f : (t40 ? t30 : (t39 ? t30 : (t38 ? t30 : t12)))) / t42;
-    const float t45 = (t43 ? 0.0f : (t40 ? t32 : (t39 ? t32 : (t38 ? t32 : t13)))) / t42;
-    const float t46 = (t43 ? 0.0f : (t40 ? t33 : (t39 ? t33 : (t38 ? t33 : t14)))) / t42;
-    const float t47 = t19 ? t17 - t7 : t15 - t11;
-    const float t48 = t19 ? t18 : t16;
-    const float t49 = t29 ? t47 : (t28 ? t47 : t26 - t25);
-    const float t50 = t29 ? t48 : (t28 ? t48 : t27);
-    const float t51 = t40 ? t50 : (t39 ? t50 : (t38 ? t50 : t37));
-    const int t52 = t51 == 0.0f;
-    const float t53 = (t52 ? 0.0f : (t40 ? t49 : (t39 ? t49 : (t38 ? t49 : t36 - t34)))) / t51;
-    const float t54 = t19 ? sqrtf(t7) * (2.0f * t14) : sqrtf(t11) * (2.0f * t13);
-    const float t55 = t29 ? t54 : (t28 ? t54 : sqrtf(t25) * (2.0f * t12));
-    const float t56 = t40 ? t55 : (t39 ? t55 : (t38 ? t55 : sqrtf(t34) * (2.0f * t35)));
-    const float t57 = (t52 ? 0.0f : t56) / t51;
-    const float t58 = t45 < 0.0f ? -1.0f : (0.0f < t45 ? 1.0f : (t46 < 0.0f ? -1.0f : 1.0f));
-    const float t59 = 0.0f < t57 ? 1.0f : (t44 < 0.0f ? -1.0f : (0.0f < t44 ? 1.0f : t58));
-    const float t60 = t57 < 0.0f ? -1.0f : t59;
-    const float axis0 = t44 * t60;
-    const float axis1 = t45 * t60;
-    const float axis2 = t46 * t60;
-    const float t61 = 2.0f * (1.0f - t53);
-    const float t62 = Q[0] * a[0] + Q[1] * a[1] + Q[2] * a[2] - a_prime[0];
-    const float t63 = Q[3] * a[0] + Q[4] * a[1] + Q[5] * a[2] - a_prime[1];
-    const float t64 = Q[6] * a[0] + Q[7] * a[1] + Q[8] * a[2] - a_prime[2];
-    const int t65 = t61 == 0.0f;
-    const float t66 = (t65 ? 0.0f : Q[0] * t62 + Q[3] * t63 + Q[6] * t64 - t62) / t61;
-    const float t67 = (t65 ? 0.0f : Q[1] * t62 + Q[4] * t63 + Q[7] * t64 - t63) / t61;
-    const float t68 = (t65 ? 0.0f : Q[2] * t62 + Q[5] * t63 + Q[8] * t64 - t64) / t61;
-    const float axis3 = axis2 * t67 - axis1 * t68;
-    const float axis4 = axis0 * t68 - axis2 * t66;
-    const float axis5 = axis1 * t66 - axis0 * t67;
-    const float t69 = axis0 * (a_prime[0] - a[0]) + axis1 * (a_prime[1] - a[1]);
-    const float d_0_value = t69 + axis2 * (a_prime[2] - a[2]);
-    const float phi_value = atan2f(t57 * t60, t53);
+    const float t36 = t34 + t35 * t35;
+    const int t37 = t36 < t18;
+    const int t38 = t36 < t16;
+    const int t39 = t36 < t27;
+    const float t40 = t39 ? t31 : (t38 ? t31 : (t37 ? t31 : t34));
+    const float t41 = sqrtf(t40);
+    const int t42 = t40 == 0.0f;
+    const float t43 = (t42 ? 0.0f : (t39 ? t30 : (t38 ? t30 : (t37 ? t30 : t12)))) / t41;
+    const float t44 = (t42 ? 0.0f : (t39 ? t32 : (t38 ? t32 : (t37 ? t32 : t13)))) / t41;
+    const float t45 = (t42 ? 0.0f : (t39 ? t33 : (t38 ? t33 : (t37 ? t33 : t14)))) / t41;
+    const float t46 = t19 ? t14 : t13;
+    const float t47 = t19 ? t18 : t16;
+    const float t48 = t29 ? t46 : (t28 ? t46 : t12);
+    const float t49 = t29 ? t47 : (t28 ? t47 : t27);
+    const float t50 = t39 ? t49 : (t38 ? t49 : (t37 ? t49 : t36));
+    const float t51 = sqrtf(t50);
+    const int t52 = t50 == 0.0f;
+    const float t53 = (t52 ? 0.0f : (t39 ? t48 : (t38 ? t48 : (t37 ? t48 : t35)))) / t51;
+    const float t54 = (t52 ? 0.0f : t41) / t51;
+    const float t55 = t44 < 0.0f ? -1.0f : (0.0f < t44 ? 1.0f : (t45 < 0.0f ? -1.0f : 1.0f));
+    const float t56 = 0.0f < t53 ? 1.0f : (t43 < 0.0f ? -1.0f : (0.0f < t43 ? 1.0f : t55));
+    const float t57 = t53 < 0.0f ? -1.0f : t56;
+    const float axis0 = t43 * t57;
+    const float axis1 = t44 * t57;
+    const float axis2 = t45 * t57;
+    const float t58 = a[0] + a_prime[0];
+    const float t59 = a[1] + a_prime[1];
+    const float t60 = a[2] + a_prime[2];
+    const float t61 = a_prime[0] - a[0];
+    const float t62 = a_prime[1] - a[1];
+    const float t63 = a_prime[2] - a[2];
+    const float t64 = axis1 * t63 - axis2 * t62;
+    const float t65 = axis2 * t61 - axis0 * t63;
+    const float t66 = axis0 * t62 - axis1 * t61;
+    const float t67 = t53 * t57;
+    const float t68 = (t54 == 0.0f ? 0.0f : t67) / t54;
+    const float axis3 = 0.5f * (axis2 * t59 - axis1 * t60 + (axis2 * t65 - axis1 * t66) * t68);
+    const float axis4 = 0.5f * (axis0 * t60 - axis2 * t58 + (axis0 * t66 - axis2 * t64) * t68);
+    const float axis5 = 0.5f * (axis1 * t58 - axis0 * t59 + (axis1 * t64 - axis0 * t65) * t68);
+    const float d_0_value = axis0 * t61 + axis1 * t62 + axis2 * t63;
+    const float phi_value = 2.0f * atan2f(t54, t67);
     axis[0] = axis0;
     axis[1] = axis1;
     axis[2] = axis2;
@@ -1215,7 +1214,7 @@ void chasles_screw_of_motionf(
 /*
  * text 3.4.2 j chasles_screw_of_motion for a batch.
  *   verdict: holds under; assumes Q is a rotation, phi != 0
- *   125 operations; derivation sha256 e68dbf68eb3e17e3abe858dec3630aaaaec5ed5310c8e92636930da750d40b3f
+ *   101 operations; derivation sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
  */
 void chasles_screw_of_motion_batch(
     size_t count,
@@ -1240,7 +1239,7 @@ void chasles_screw_of_motion_batch(
 /*
  * text 3.4.2 j chasles_screw_of_motionf for a batch.
  *   verdict: holds under; assumes Q is a rotation, phi != 0
- *   125 operations; derivation sha256 e68dbf68eb3e17e3abe858dec3630aaaaec5ed5310c8e92636930da750d40b3f
+ *   101 operations; derivation sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
  */
 void chasles_screw_of_motion_batchf(
     size_t count,
@@ -1271,8 +1270,9 @@ void chasles_screw_of_motion_batchf(
  *               pitch: pitch of the instant screw, in metres per radian
  *   verdict     holds under
  *   assumes     omega != 0
- *   operations  48: 4 add, 12 subtract, 24 multiply, 7 divide, 1 square root
- *   derivation  sha256 209e592ce8a41573bccbb2a3620515b5b480dde918c912fa0446dac1a7d40036
+ *   made of     an offered form, proved equal to the statement
+ *   operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root
+ *   derivation  sha256 9598a1865cb19c5ccd2eed55d55180fed3cbd74f42a42a3309e82ecfc3b6e7f7
  */
 void chasles_instant_screw(
     const double omega[3],
@@ -1287,17 +1287,16 @@ void chasles_instant_screw(
     const double axis0 = (t3 ? 0.0 : omega[0]) / t2;
     const double axis1 = (t3 ? 0.0 : omega[1]) / t2;
     const double axis2 = (t3 ? 0.0 : omega[2]) / t2;
-    const double t4 = a_dot[0] - (omega[1] * a[2] - omega[2] * a[1]);
-    const double t5 = a_dot[1] - (omega[2] * a[0] - omega[0] * a[2]);
-    const double t6 = a_dot[2] - (omega[0] * a[1] - omega[1] * a[0]);
-    const double t7 = (t3 ? 0.0 : omega[1] * t6 - omega[2] * t5) / t1;
-    const double t8 = (t3 ? 0.0 : omega[2] * t4 - omega[0] * t6) / t1;
-    const double t9 = (t3 ? 0.0 : omega[0] * t5 - omega[1] * t4) / t1;
+    const double t4 = (t3 ? 0.0 : a_dot[0]) / t2;
+    const double t5 = (t3 ? 0.0 : a_dot[1]) / t2;
+    const double t6 = (t3 ? 0.0 : a_dot[2]) / t2;
+    const double t7 = a[0] + (axis1 * t6 - axis2 * t5);
+    const double t8 = a[1] + (axis2 * t4 - axis0 * t6);
+    const double t9 = a[2] + (axis0 * t5 - axis1 * t4);
     const double axis3 = axis2 * t8 - axis1 * t9;
     const double axis4 = axis0 * t9 - axis2 * t7;
     const double axis5 = axis1 * t7 - axis0 * t8;
-    const double t10 = omega[0] * a_dot[0] + omega[1] * a_dot[1] + omega[2] * a_dot[2];
-    const double pitch_value = (t3 ? 0.0 : t10) / t1;
+    const double pitch_value = axis0 * t4 + axis1 * t5 + axis2 * t6;
     axis[0] = axis0;
     axis[1] = axis1;
     axis[2] = axis2;
@@ -1310,7 +1309,7 @@ void chasles_instant_screw(
 /*
  * text 3.4.1 c chasles_instant_screw in single precision.
  *   verdict: holds under; assumes omega != 0
- *   48 operations; derivation sha256 209e592ce8a41573bccbb2a3620515b5b480dde918c912fa0446dac1a7d40036
+ *   38 operations; derivation sha256 9598a1865cb19c5ccd2eed55d55180fed3cbd74f42a42a3309e82ecfc3b6e7f7
  */
 void chasles_instant_screwf(
     const float omega[3],
@@ -1325,17 +1324,16 @@ void chasles_instant_screwf(
     const float axis0 = (t3 ? 0.0f : omega[0]) / t2;
     const float axis1 = (t3 ? 0.0f : omega[1]) / t2;
     const float axis2 = (t3 ? 0.0f : omega[2]) / t2;
-    const float t4 = a_dot[0] - (omega[1] * a[2] - omega[2] * a[1]);
-    const float t5 = a_dot[1] - (omega[2] * a[0] - omega[0] * a[2]);
-    const float t6 = a_dot[2] - (omega[0] * a[1] - omega[1] * a[0]);
-    const float t7 = (t3 ? 0.0f : omega[1] * t6 - omega[2] * t5) / t1;
-    const float t8 = (t3 ? 0.0f : omega[2] * t4 - omega[0] * t6) / t1;
-    const float t9 = (t3 ? 0.0f : omega[0] * t5 - omega[1] * t4) / t1;
+    const float t4 = (t3 ? 0.0f : a_dot[0]) / t2;
+    const float t5 = (t3 ? 0.0f : a_dot[1]) / t2;
+    const float t6 = (t3 ? 0.0f : a_dot[2]) / t2;
+    const float t7 = a[0] + (axis1 * t6 - axis2 * t5);
+    const float t8 = a[1] + (axis2 * t4 - axis0 * t6);
+    const float t9 = a[2] + (axis0 * t5 - axis1 * t4);
     const float axis3 = axis2 * t8 - axis1 * t9;
     const float axis4 = axis0 * t9 - axis2 * t7;
     const float axis5 = axis1 * t7 - axis0 * t8;
-    const float t10 = omega[0] * a_dot[0] + omega[1] * a_dot[1] + omega[2] * a_dot[2];
-    const float pitch_value = (t3 ? 0.0f : t10) / t1;
+    const float pitch_value = axis0 * t4 + axis1 * t5 + axis2 * t6;
     axis[0] = axis0;
     axis[1] = axis1;
     axis[2] = axis2;
@@ -1348,7 +1346,7 @@ void chasles_instant_screwf(
 /*
  * text 3.4.1 c chasles_instant_screw for a batch.
  *   verdict: holds under; assumes omega != 0
- *   48 operations; derivation sha256 209e592ce8a41573bccbb2a3620515b5b480dde918c912fa0446dac1a7d40036
+ *   38 operations; derivation sha256 9598a1865cb19c5ccd2eed55d55180fed3cbd74f42a42a3309e82ecfc3b6e7f7
  */
 void chasles_instant_screw_batch(
     size_t count,
@@ -1371,7 +1369,7 @@ void chasles_instant_screw_batch(
 /*
  * text 3.4.1 c chasles_instant_screwf for a batch.
  *   verdict: holds under; assumes omega != 0
- *   48 operations; derivation sha256 209e592ce8a41573bccbb2a3620515b5b480dde918c912fa0446dac1a7d40036
+ *   38 operations; derivation sha256 9598a1865cb19c5ccd2eed55d55180fed3cbd74f42a42a3309e82ecfc3b6e7f7
  */
 void chasles_instant_screw_batchf(
     size_t count,
@@ -1500,16 +1498,17 @@ void chasles_natural_velocity_matrix_batchf(
  *   verdict     ill-formed as printed, defined as read
  *   assumes     |e| = 1
  *               phi != pi
- *   operations  7: 1 add, 3 multiply, 1 divide, 1 sine, 1 cosine
+ *   operations  7: 4 multiply, 1 divide, 1 sine, 1 cosine
  *   derivation  sha256 89a180463935f0c42617efa0988e0354bd46d74d20a13999139be0c69246d5f3
  */
 void chasles_linear_velocity_matrix(const double e[3], double phi, double L_tilde[12])
 {
-    const double t1 = 1.0 + cos(phi);
-    const double t2 = (t1 == 0.0 ? 0.0 : sin(phi)) / t1;
-    const double L_tilde9 = e[0] * t2;
-    const double L_tilde2 = e[1] * t2;
-    const double L_tilde4 = e[2] * t2;
+    const double half_phi = 0.5 * phi;
+    const double cos_half_phi = cos(half_phi);
+    const double t1 = (cos_half_phi == 0.0 ? 0.0 : sin(half_phi)) / cos_half_phi;
+    const double L_tilde9 = e[0] * t1;
+    const double L_tilde2 = e[1] * t1;
+    const double L_tilde4 = e[2] * t1;
     const double L_tilde1 = -L_tilde4;
     const double L_tilde3 = -L_tilde9;
     const double L_tilde7 = -L_tilde2;
@@ -1534,11 +1533,12 @@ void chasles_linear_velocity_matrix(const double e[3], double phi, double L_tild
  */
 void chasles_linear_velocity_matrixf(const float e[3], float phi, float L_tilde[12])
 {
-    const float t1 = 1.0f + cosf(phi);
-    const float t2 = (t1 == 0.0f ? 0.0f : sinf(phi)) / t1;
-    const float L_tilde9 = e[0] * t2;
-    const float L_tilde2 = e[1] * t2;
-    const float L_tilde4 = e[2] * t2;
+    const float half_phi = 0.5f * phi;
+    const float cos_half_phi = cosf(half_phi);
+    const float t1 = (cos_half_phi == 0.0f ? 0.0f : sinf(half_phi)) / cos_half_phi;
+    const float L_tilde9 = e[0] * t1;
+    const float L_tilde2 = e[1] * t1;
+    const float L_tilde4 = e[2] * t1;
     const float L_tilde1 = -L_tilde4;
     const float L_tilde3 = -L_tilde9;
     const float L_tilde7 = -L_tilde2;
@@ -1700,21 +1700,21 @@ void chasles_euler_rodrigues_velocity_matrix_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *               phi != 0
- *   operations  35: 2 add, 10 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine
- *   derivation  sha256 03378dde89c3aaac2473eda92712bf10969b44e2791c52441961929bbc3faff7
+ *   operations  34: 5 add, 6 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine
+ *   derivation  sha256 e2dfaa3aa3fac1f79b45222f3204af5a75f395308f6b3f9290346729c641eaf1
  */
 void chasles_pose_rate_natural(const double e[3], double phi, const double t[6], double s_dot[7])
 {
     const double s_dot4 = t[3];
     const double s_dot5 = t[4];
     const double s_dot6 = t[5];
-    const double t1 = 2.0 * (1.0 - cos(phi));
-    const double t2 = (t1 == 0.0 ? 0.0 : sin(phi)) / t1;
     const double s_dot3 = e[0] * t[0] + e[1] * t[1] + e[2] * t[2];
-    const double t3 = t2 * s_dot3;
-    const double s_dot0 = t[0] * t2 - e[0] * t3 - 0.5 * (e[1] * t[2] - e[2] * t[1]);
-    const double s_dot1 = t[1] * t2 - e[1] * t3 - 0.5 * (e[2] * t[0] - e[0] * t[2]);
-    const double s_dot2 = t[2] * t2 - e[2] * t3 - 0.5 * (e[0] * t[1] - e[1] * t[0]);
+    const double half_phi = 0.5 * phi;
+    const double sin_half_phi = sin(half_phi);
+    const double t1 = 0.5 * ((sin_half_phi == 0.0 ? 0.0 : cos(half_phi)) / sin_half_phi);
+    const double s_dot0 = -(0.5 * (e[1] * t[2] - e[2] * t[1]) + (e[0] * s_dot3 - t[0]) * t1);
+    const double s_dot1 = -(0.5 * (e[2] * t[0] - e[0] * t[2]) + (e[1] * s_dot3 - t[1]) * t1);
+    const double s_dot2 = -(0.5 * (e[0] * t[1] - e[1] * t[0]) + (e[2] * s_dot3 - t[2]) * t1);
     s_dot[0] = s_dot0;
     s_dot[1] = s_dot1;
     s_dot[2] = s_dot2;
@@ -1727,20 +1727,20 @@ void chasles_pose_rate_natural(const double e[3], double phi, const double t[6],
 /*
  * (3.78) chasles_pose_rate_natural in single precision.
  *   verdict: holds under; assumes |e| = 1, phi != 0
- *   35 operations; derivation sha256 03378dde89c3aaac2473eda92712bf10969b44e2791c52441961929bbc3faff7
+ *   34 operations; derivation sha256 e2dfaa3aa3fac1f79b45222f3204af5a75f395308f6b3f9290346729c641eaf1
  */
 void chasles_pose_rate_naturalf(const float e[3], float phi, const float t[6], float s_dot[7])
 {
     const float s_dot4 = t[3];
     const float s_dot5 = t[4];
     const float s_dot6 = t[5];
-    const float t1 = 2.0f * (1.0f - cosf(phi));
-    const float t2 = (t1 == 0.0f ? 0.0f : sinf(phi)) / t1;
     const float s_dot3 = e[0] * t[0] + e[1] * t[1] + e[2] * t[2];
-    const float t3 = t2 * s_dot3;
-    const float s_dot0 = t[0] * t2 - e[0] * t3 - 0.5f * (e[1] * t[2] - e[2] * t[1]);
-    const float s_dot1 = t[1] * t2 - e[1] * t3 - 0.5f * (e[2] * t[0] - e[0] * t[2]);
-    const float s_dot2 = t[2] * t2 - e[2] * t3 - 0.5f * (e[0] * t[1] - e[1] * t[0]);
+    const float half_phi = 0.5f * phi;
+    const float sin_half_phi = sinf(half_phi);
+    const float t1 = 0.5f * ((sin_half_phi == 0.0f ? 0.0f : cosf(half_phi)) / sin_half_phi);
+    const float s_dot0 = -(0.5f * (e[1] * t[2] - e[2] * t[1]) + (e[0] * s_dot3 - t[0]) * t1);
+    const float s_dot1 = -(0.5f * (e[2] * t[0] - e[0] * t[2]) + (e[1] * s_dot3 - t[1]) * t1);
+    const float s_dot2 = -(0.5f * (e[0] * t[1] - e[1] * t[0]) + (e[2] * s_dot3 - t[2]) * t1);
     s_dot[0] = s_dot0;
     s_dot[1] = s_dot1;
     s_dot[2] = s_dot2;
@@ -1753,7 +1753,7 @@ void chasles_pose_rate_naturalf(const float e[3], float phi, const float t[6], f
 /*
  * (3.78) chasles_pose_rate_natural for a batch.
  *   verdict: holds under; assumes |e| = 1, phi != 0
- *   35 operations; derivation sha256 03378dde89c3aaac2473eda92712bf10969b44e2791c52441961929bbc3faff7
+ *   34 operations; derivation sha256 e2dfaa3aa3fac1f79b45222f3204af5a75f395308f6b3f9290346729c641eaf1
  */
 void chasles_pose_rate_natural_batch(
     size_t count,
@@ -1774,7 +1774,7 @@ void chasles_pose_rate_natural_batch(
 /*
  * (3.78) chasles_pose_rate_naturalf for a batch.
  *   verdict: holds under; assumes |e| = 1, phi != 0
- *   35 operations; derivation sha256 03378dde89c3aaac2473eda92712bf10969b44e2791c52441961929bbc3faff7
+ *   34 operations; derivation sha256 e2dfaa3aa3fac1f79b45222f3204af5a75f395308f6b3f9290346729c641eaf1
  */
 void chasles_pose_rate_natural_batchf(
     size_t count,
@@ -1800,24 +1800,22 @@ void chasles_pose_rate_natural_batchf(
  *   returns     s_dot[7]: time derivative of: pose array
  *   verdict     holds under
  *   assumes     |e| = 1
- *   operations  53: 7 add, 11 subtract, 33 multiply, 1 sine, 1 cosine
- *   derivation  sha256 485b60f5c3aeac6ce1e8f47296c4e310a527f2526b4ca7577ff63944281afba0
+ *   operations  44: 5 add, 10 subtract, 27 multiply, 1 sine, 1 cosine
+ *   derivation  sha256 30ffb709cd3b1987574a6cb20949774164c18855b55a74fc172537bd3a7138a3
  */
 void chasles_pose_rate_linear(const double e[3], double phi, const double t[6], double s_dot[7])
 {
     const double s_dot4 = t[3];
     const double s_dot5 = t[4];
     const double s_dot6 = t[5];
-    const double cos_phi = cos(phi);
-    const double t1 = 1.0 - cos_phi;
+    const double t1 = 0.5 * cos(phi);
+    const double t2 = 0.5 + t1;
+    const double t3 = (e[0] * t[0] + e[1] * t[1] + e[2] * t[2]) * (0.5 - t1);
     const double sin_phi = sin(phi);
-    const double t2 = t1 * (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) + 3.0 * cos_phi - cos_phi;
-    const double half_t2 = 0.5 * t2;
     const double half_sin_phi = 0.5 * sin_phi;
-    const double t3 = 0.5 * t1 * (e[0] * t[0] + e[1] * t[1] + e[2] * t[2]);
-    const double s_dot0 = t[0] * half_t2 - e[0] * t3 - half_sin_phi * (e[1] * t[2] - e[2] * t[1]);
-    const double s_dot1 = t[1] * half_t2 - e[1] * t3 - half_sin_phi * (e[2] * t[0] - e[0] * t[2]);
-    const double s_dot2 = t[2] * half_t2 - e[2] * t3 - half_sin_phi * (e[0] * t[1] - e[1] * t[0]);
+    const double s_dot0 = t[0] * t2 - e[0] * t3 - (e[1] * t[2] - e[2] * t[1]) * half_sin_phi;
+    const double s_dot1 = t[1] * t2 - e[1] * t3 - (e[2] * t[0] - e[0] * t[2]) * half_sin_phi;
+    const double s_dot2 = t[2] * t2 - e[2] * t3 - (e[0] * t[1] - e[1] * t[0]) * half_sin_phi;
     const double t4 = t[0] * (e[0] * sin_phi) + t[1] * (e[1] * sin_phi);
     const double s_dot3 = -(t4 + t[2] * (e[2] * sin_phi));
     s_dot[0] = s_dot0;
@@ -1832,25 +1830,23 @@ void chasles_pose_rate_linear(const double e[3], double phi, const double t[6], 
 /*
  * (3.78) chasles_pose_rate_linear in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   53 operations; derivation sha256 485b60f5c3aeac6ce1e8f47296c4e310a527f2526b4ca7577ff63944281afba0
+ *   44 operations; derivation sha256 30ffb709cd3b1987574a6cb20949774164c18855b55a74fc172537bd3a7138a3
  */
 void chasles_pose_rate_linearf(const float e[3], float phi, const float t[6], float s_dot[7])
 {
     const float s_dot4 = t[3];
     const float s_dot5 = t[4];
     const float s_dot6 = t[5];
-    const float cos_phi = cosf(phi);
-    const float t1 = 1.0f - cos_phi;
+    const float t1 = 0.5f * cosf(phi);
+    const float t2 = 0.5f + t1;
+    const float t3 = (e[0] * t[0] + e[1] * t[1] + e[2] * t[2]) * (0.5f - t1);
     const float sin_phi = sinf(phi);
-    const float t2 = t1 * (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) + 3.0f * cos_phi;
-    const float t3 = 0.5f * (t2 - cos_phi);
     const float half_sin_phi = 0.5f * sin_phi;
-    const float t4 = 0.5f * t1 * (e[0] * t[0] + e[1] * t[1] + e[2] * t[2]);
-    const float s_dot0 = t[0] * t3 - e[0] * t4 - half_sin_phi * (e[1] * t[2] - e[2] * t[1]);
-    const float s_dot1 = t[1] * t3 - e[1] * t4 - half_sin_phi * (e[2] * t[0] - e[0] * t[2]);
-    const float s_dot2 = t[2] * t3 - e[2] * t4 - half_sin_phi * (e[0] * t[1] - e[1] * t[0]);
-    const float t5 = t[0] * (e[0] * sin_phi) + t[1] * (e[1] * sin_phi);
-    const float s_dot3 = -(t5 + t[2] * (e[2] * sin_phi));
+    const float s_dot0 = t[0] * t2 - e[0] * t3 - (e[1] * t[2] - e[2] * t[1]) * half_sin_phi;
+    const float s_dot1 = t[1] * t2 - e[1] * t3 - (e[2] * t[0] - e[0] * t[2]) * half_sin_phi;
+    const float s_dot2 = t[2] * t2 - e[2] * t3 - (e[0] * t[1] - e[1] * t[0]) * half_sin_phi;
+    const float t4 = t[0] * (e[0] * sin_phi) + t[1] * (e[1] * sin_phi);
+    const float s_dot3 = -(t4 + t[2] * (e[2] * sin_phi));
     s_dot[0] = s_dot0;
     s_dot[1] = s_dot1;
     s_dot[2] = s_dot2;
@@ -1863,7 +1859,7 @@ void chasles_pose_rate_linearf(const float e[3], float phi, const float t[6], fl
 /*
  * (3.78) chasles_pose_rate_linear for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   53 operations; derivation sha256 485b60f5c3aeac6ce1e8f47296c4e310a527f2526b4ca7577ff63944281afba0
+ *   44 operations; derivation sha256 30ffb709cd3b1987574a6cb20949774164c18855b55a74fc172537bd3a7138a3
  */
 void chasles_pose_rate_linear_batch(
     size_t count,
@@ -1880,7 +1876,7 @@ void chasles_pose_rate_linear_batch(
 /*
  * (3.78) chasles_pose_rate_linearf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   53 operations; derivation sha256 485b60f5c3aeac6ce1e8f47296c4e310a527f2526b4ca7577ff63944281afba0
+ *   44 operations; derivation sha256 30ffb709cd3b1987574a6cb20949774164c18855b55a74fc172537bd3a7138a3
  */
 void chasles_pose_rate_linear_batchf(
     size_t count,
@@ -1907,7 +1903,7 @@ void chasles_pose_rate_linear_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  28: 5 add, 3 subtract, 18 multiply, 1 sine, 1 cosine
- *   derivation  sha256 339dc61f9ddbbce6d47832bfa5f83511f919dfb2680d41f08f397cc5f5818873
+ *   derivation  sha256 17b8436529f6b3c4a1aefcc8236971431106d820c1c98937a7defcd8b9830b55
  */
 void chasles_pose_rate_euler_rodrigues(
     const double e[3],
@@ -1940,7 +1936,7 @@ void chasles_pose_rate_euler_rodrigues(
 /*
  * (3.78) chasles_pose_rate_euler_rodrigues in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   28 operations; derivation sha256 339dc61f9ddbbce6d47832bfa5f83511f919dfb2680d41f08f397cc5f5818873
+ *   28 operations; derivation sha256 17b8436529f6b3c4a1aefcc8236971431106d820c1c98937a7defcd8b9830b55
  */
 void chasles_pose_rate_euler_rodriguesf(
     const float e[3],
@@ -1973,7 +1969,7 @@ void chasles_pose_rate_euler_rodriguesf(
 /*
  * (3.78) chasles_pose_rate_euler_rodrigues for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   28 operations; derivation sha256 339dc61f9ddbbce6d47832bfa5f83511f919dfb2680d41f08f397cc5f5818873
+ *   28 operations; derivation sha256 17b8436529f6b3c4a1aefcc8236971431106d820c1c98937a7defcd8b9830b55
  */
 void chasles_pose_rate_euler_rodrigues_batch(
     size_t count,
@@ -1994,7 +1990,7 @@ void chasles_pose_rate_euler_rodrigues_batch(
 /*
  * (3.78) chasles_pose_rate_euler_rodriguesf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   28 operations; derivation sha256 339dc61f9ddbbce6d47832bfa5f83511f919dfb2680d41f08f397cc5f5818873
+ *   28 operations; derivation sha256 17b8436529f6b3c4a1aefcc8236971431106d820c1c98937a7defcd8b9830b55
  */
 void chasles_pose_rate_euler_rodrigues_batchf(
     size_t count,
@@ -2021,7 +2017,7 @@ void chasles_pose_rate_euler_rodrigues_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  27: 6 add, 4 subtract, 15 multiply, 1 sine, 1 cosine
- *   derivation  sha256 a734862884a894688cc48e122cf5f84242a09356a3b59996da7ceca338c88bee
+ *   derivation  sha256 c1c920878c5f917138095dea1943d4f0605d07dd2521a120e9e0a574400414d0
  */
 void chasles_twist_from_pose_rate_natural(
     const double e[3],
@@ -2051,7 +2047,7 @@ void chasles_twist_from_pose_rate_natural(
 /*
  * (3.80a) chasles_twist_from_pose_rate_natural in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   27 operations; derivation sha256 a734862884a894688cc48e122cf5f84242a09356a3b59996da7ceca338c88bee
+ *   27 operations; derivation sha256 c1c920878c5f917138095dea1943d4f0605d07dd2521a120e9e0a574400414d0
  */
 void chasles_twist_from_pose_rate_naturalf(
     const float e[3],
@@ -2081,7 +2077,7 @@ void chasles_twist_from_pose_rate_naturalf(
 /*
  * (3.80a) chasles_twist_from_pose_rate_natural for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   27 operations; derivation sha256 a734862884a894688cc48e122cf5f84242a09356a3b59996da7ceca338c88bee
+ *   27 operations; derivation sha256 c1c920878c5f917138095dea1943d4f0605d07dd2521a120e9e0a574400414d0
  */
 void chasles_twist_from_pose_rate_natural_batch(
     size_t count,
@@ -2102,7 +2098,7 @@ void chasles_twist_from_pose_rate_natural_batch(
 /*
  * (3.80a) chasles_twist_from_pose_rate_naturalf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   27 operations; derivation sha256 a734862884a894688cc48e122cf5f84242a09356a3b59996da7ceca338c88bee
+ *   27 operations; derivation sha256 c1c920878c5f917138095dea1943d4f0605d07dd2521a120e9e0a574400414d0
  */
 void chasles_twist_from_pose_rate_natural_batchf(
     size_t count,
@@ -2129,8 +2125,8 @@ void chasles_twist_from_pose_rate_natural_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *               phi != pi
- *   operations  25: 4 add, 6 subtract, 12 multiply, 1 divide, 1 sine, 1 cosine
- *   derivation  sha256 2198ea1ef9b2a1092af274c28947c46ea9dcee1755b4d2bfeb21915eae15ec77
+ *   operations  25: 3 add, 6 subtract, 13 multiply, 1 divide, 1 sine, 1 cosine
+ *   derivation  sha256 649387c3a4635aed7b72ec7a0c9cd67fa1407b285288b83838890827853ca799
  */
 void chasles_twist_from_pose_rate_linear(
     const double e[3],
@@ -2141,14 +2137,15 @@ void chasles_twist_from_pose_rate_linear(
     const double t3 = s_dot[4];
     const double t4 = s_dot[5];
     const double t5 = s_dot[6];
-    const double t6 = 1.0 + cos(phi);
-    const double t7 = (t6 == 0.0 ? 0.0 : sin(phi)) / t6;
-    const double t8 = e[0] * t7;
-    const double t9 = e[1] * t7;
-    const double t10 = e[2] * t7;
-    const double t0 = s_dot[0] - s_dot[1] * t10 + s_dot[2] * t9 - s_dot[3] * t8;
-    const double t1 = s_dot[1] + s_dot[0] * t10 - s_dot[2] * t8 - s_dot[3] * t9;
-    const double t2 = s_dot[2] + (s_dot[1] * t8 - s_dot[0] * t9) - s_dot[3] * t10;
+    const double half_phi = 0.5 * phi;
+    const double cos_half_phi = cos(half_phi);
+    const double t6 = (cos_half_phi == 0.0 ? 0.0 : sin(half_phi)) / cos_half_phi;
+    const double t7 = e[0] * t6;
+    const double t8 = e[1] * t6;
+    const double t9 = e[2] * t6;
+    const double t0 = s_dot[0] - s_dot[1] * t9 + s_dot[2] * t8 - s_dot[3] * t7;
+    const double t1 = s_dot[1] + s_dot[0] * t9 - s_dot[2] * t7 - s_dot[3] * t8;
+    const double t2 = s_dot[2] + (s_dot[1] * t7 - s_dot[0] * t8) - s_dot[3] * t9;
     t[0] = t0;
     t[1] = t1;
     t[2] = t2;
@@ -2160,7 +2157,7 @@ void chasles_twist_from_pose_rate_linear(
 /*
  * (3.80a) chasles_twist_from_pose_rate_linear in single precision.
  *   verdict: holds under; assumes |e| = 1, phi != pi
- *   25 operations; derivation sha256 2198ea1ef9b2a1092af274c28947c46ea9dcee1755b4d2bfeb21915eae15ec77
+ *   25 operations; derivation sha256 649387c3a4635aed7b72ec7a0c9cd67fa1407b285288b83838890827853ca799
  */
 void chasles_twist_from_pose_rate_linearf(
     const float e[3],
@@ -2171,14 +2168,15 @@ void chasles_twist_from_pose_rate_linearf(
     const float t3 = s_dot[4];
     const float t4 = s_dot[5];
     const float t5 = s_dot[6];
-    const float t6 = 1.0f + cosf(phi);
-    const float t7 = (t6 == 0.0f ? 0.0f : sinf(phi)) / t6;
-    const float t8 = e[0] * t7;
-    const float t9 = e[1] * t7;
-    const float t10 = e[2] * t7;
-    const float t0 = s_dot[0] - s_dot[1] * t10 + s_dot[2] * t9 - s_dot[3] * t8;
-    const float t1 = s_dot[1] + s_dot[0] * t10 - s_dot[2] * t8 - s_dot[3] * t9;
-    const float t2 = s_dot[2] + (s_dot[1] * t8 - s_dot[0] * t9) - s_dot[3] * t10;
+    const float half_phi = 0.5f * phi;
+    const float cos_half_phi = cosf(half_phi);
+    const float t6 = (cos_half_phi == 0.0f ? 0.0f : sinf(half_phi)) / cos_half_phi;
+    const float t7 = e[0] * t6;
+    const float t8 = e[1] * t6;
+    const float t9 = e[2] * t6;
+    const float t0 = s_dot[0] - s_dot[1] * t9 + s_dot[2] * t8 - s_dot[3] * t7;
+    const float t1 = s_dot[1] + s_dot[0] * t9 - s_dot[2] * t7 - s_dot[3] * t8;
+    const float t2 = s_dot[2] + (s_dot[1] * t7 - s_dot[0] * t8) - s_dot[3] * t9;
     t[0] = t0;
     t[1] = t1;
     t[2] = t2;
@@ -2190,7 +2188,7 @@ void chasles_twist_from_pose_rate_linearf(
 /*
  * (3.80a) chasles_twist_from_pose_rate_linear for a batch.
  *   verdict: holds under; assumes |e| = 1, phi != pi
- *   25 operations; derivation sha256 2198ea1ef9b2a1092af274c28947c46ea9dcee1755b4d2bfeb21915eae15ec77
+ *   25 operations; derivation sha256 649387c3a4635aed7b72ec7a0c9cd67fa1407b285288b83838890827853ca799
  */
 void chasles_twist_from_pose_rate_linear_batch(
     size_t count,
@@ -2211,7 +2209,7 @@ void chasles_twist_from_pose_rate_linear_batch(
 /*
  * (3.80a) chasles_twist_from_pose_rate_linearf for a batch.
  *   verdict: holds under; assumes |e| = 1, phi != pi
- *   25 operations; derivation sha256 2198ea1ef9b2a1092af274c28947c46ea9dcee1755b4d2bfeb21915eae15ec77
+ *   25 operations; derivation sha256 649387c3a4635aed7b72ec7a0c9cd67fa1407b285288b83838890827853ca799
  */
 void chasles_twist_from_pose_rate_linear_batchf(
     size_t count,
@@ -2238,7 +2236,7 @@ void chasles_twist_from_pose_rate_linear_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  29: 3 add, 6 subtract, 18 multiply, 1 sine, 1 cosine
- *   derivation  sha256 706de516b3cc18711578a88117494ee18e5fa90ed73390c6b7020956353b1361
+ *   derivation  sha256 f7009c929bd74e6e8423e03290dcaa8570b236828a6884c7d6bd52463508ac87
  */
 void chasles_twist_from_pose_rate_euler_rodrigues(
     const double e[3],
@@ -2269,7 +2267,7 @@ void chasles_twist_from_pose_rate_euler_rodrigues(
 /*
  * (3.80a) chasles_twist_from_pose_rate_euler_rodrigues in single precision.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 706de516b3cc18711578a88117494ee18e5fa90ed73390c6b7020956353b1361
+ *   29 operations; derivation sha256 f7009c929bd74e6e8423e03290dcaa8570b236828a6884c7d6bd52463508ac87
  */
 void chasles_twist_from_pose_rate_euler_rodriguesf(
     const float e[3],
@@ -2300,7 +2298,7 @@ void chasles_twist_from_pose_rate_euler_rodriguesf(
 /*
  * (3.80a) chasles_twist_from_pose_rate_euler_rodrigues for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 706de516b3cc18711578a88117494ee18e5fa90ed73390c6b7020956353b1361
+ *   29 operations; derivation sha256 f7009c929bd74e6e8423e03290dcaa8570b236828a6884c7d6bd52463508ac87
  */
 void chasles_twist_from_pose_rate_euler_rodrigues_batch(
     size_t count,
@@ -2321,7 +2319,7 @@ void chasles_twist_from_pose_rate_euler_rodrigues_batch(
 /*
  * (3.80a) chasles_twist_from_pose_rate_euler_rodriguesf for a batch.
  *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 706de516b3cc18711578a88117494ee18e5fa90ed73390c6b7020956353b1361
+ *   29 operations; derivation sha256 f7009c929bd74e6e8423e03290dcaa8570b236828a6884c7d6bd52463508ac87
  */
 void chasles_twist_from_pose_rate_euler_rodrigues_batchf(
     size_t count,
@@ -2348,7 +2346,7 @@ void chasles_twist_from_pose_rate_euler_rodrigues_batchf(
  *   verdict     holds
  *   assumes     nothing
  *   operations  15: 3 add, 6 subtract, 6 multiply
- *   derivation  sha256 3219ddd73c3c590a6566e28a84076f81cbaba27a5a84b161382d2076d953c075
+ *   derivation  sha256 4e8860fe94d4e257f6a09561ef25e7c999ddca2a00337fe8774fc0c2b9433a22
  */
 void chasles_twist_transfer(
     const double t_A[6],
@@ -2376,7 +2374,7 @@ void chasles_twist_transfer(
 /*
  * (3.83a) chasles_twist_transfer in single precision.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 3219ddd73c3c590a6566e28a84076f81cbaba27a5a84b161382d2076d953c075
+ *   15 operations; derivation sha256 4e8860fe94d4e257f6a09561ef25e7c999ddca2a00337fe8774fc0c2b9433a22
  */
 void chasles_twist_transferf(const float t_A[6], const float a[3], const float p[3], float t_P[6])
 {
@@ -2400,7 +2398,7 @@ void chasles_twist_transferf(const float t_A[6], const float a[3], const float p
 /*
  * (3.83a) chasles_twist_transfer for a batch.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 3219ddd73c3c590a6566e28a84076f81cbaba27a5a84b161382d2076d953c075
+ *   15 operations; derivation sha256 4e8860fe94d4e257f6a09561ef25e7c999ddca2a00337fe8774fc0c2b9433a22
  */
 void chasles_twist_transfer_batch(
     size_t count,
@@ -2417,7 +2415,7 @@ void chasles_twist_transfer_batch(
 /*
  * (3.83a) chasles_twist_transferf for a batch.
  *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 3219ddd73c3c590a6566e28a84076f81cbaba27a5a84b161382d2076d953c075
+ *   15 operations; derivation sha256 4e8860fe94d4e257f6a09561ef25e7c999ddca2a00337fe8774fc0c2b9433a22
  */
 void chasles_twist_transfer_batchf(
     size_t count,

@@ -15,8 +15,9 @@
  *   returns     p_dot[3]: time derivative of: position of any point P
  *   verdict     holds
  *   assumes     nothing
+ *   expects     Q is a rotation
  *   operations  45: 18 add, 3 subtract, 24 multiply
- *   derivation  sha256 da9e7c4331821e757d302e254d79b3fee81482b88d26f706b39478d1aa475204
+ *   derivation  sha256 b4941bd3b3f57c83b14de8fd13a10f996bcfeb8ee7bfc4215c85ab50fb9b8b33
  */
 void chasles_moving_frame_velocity(
     const double o_dot[3],
@@ -43,7 +44,7 @@ void chasles_moving_frame_velocity(
 /*
  * (3.103) chasles_moving_frame_velocity in single precision.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 da9e7c4331821e757d302e254d79b3fee81482b88d26f706b39478d1aa475204
+ *   45 operations; derivation sha256 b4941bd3b3f57c83b14de8fd13a10f996bcfeb8ee7bfc4215c85ab50fb9b8b33
  */
 void chasles_moving_frame_velocityf(
     const float o_dot[3],
@@ -70,7 +71,7 @@ void chasles_moving_frame_velocityf(
 /*
  * (3.103) chasles_moving_frame_velocity for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 da9e7c4331821e757d302e254d79b3fee81482b88d26f706b39478d1aa475204
+ *   45 operations; derivation sha256 b4941bd3b3f57c83b14de8fd13a10f996bcfeb8ee7bfc4215c85ab50fb9b8b33
  */
 void chasles_moving_frame_velocity_batch(
     size_t count,
@@ -95,7 +96,7 @@ void chasles_moving_frame_velocity_batch(
 /*
  * (3.103) chasles_moving_frame_velocityf for a batch.
  *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 da9e7c4331821e757d302e254d79b3fee81482b88d26f706b39478d1aa475204
+ *   45 operations; derivation sha256 b4941bd3b3f57c83b14de8fd13a10f996bcfeb8ee7bfc4215c85ab50fb9b8b33
  */
 void chasles_moving_frame_velocity_batchf(
     size_t count,
@@ -130,8 +131,10 @@ void chasles_moving_frame_velocity_batchf(
  *   returns     p_ddot[3]: second time derivative of: position of any point P
  *   verdict     holds
  *   assumes     nothing
- *   operations  96: 30 add, 12 subtract, 54 multiply
- *   derivation  sha256 da5d30181e11cd5a3119f7edd4a748da440cc7ec9f2463e8cef0f70537a10984
+ *   expects     Q is a rotation
+ *   made of     an offered form, proved equal to the statement
+ *   operations  87: 30 add, 9 subtract, 48 multiply
+ *   derivation  sha256 985f244a1c015e00a6d544a9a346e7446722d3d1972e549159bc1a6a90456d40
  */
 void chasles_moving_frame_acceleration(
     const double o_ddot[3],
@@ -146,21 +149,21 @@ void chasles_moving_frame_acceleration(
     const double t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
     const double t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
     const double t3 = Q[6] * rho[0] + Q[7] * rho[1] + Q[8] * rho[2];
-    const double t4 = omega[1] * t3 - omega[2] * t2;
-    const double t5 = omega[2] * t1 - omega[0] * t3;
-    const double t6 = omega[0] * t2 - omega[1] * t1;
-    const double t7 = omega_dot[1] * t3 - omega_dot[2] * t2 + (omega[1] * t6 - omega[2] * t5);
-    const double t8 = omega_dot[2] * t1 - omega_dot[0] * t3 + (omega[2] * t4 - omega[0] * t6);
-    const double t9 = omega_dot[0] * t2 - omega_dot[1] * t1 + (omega[0] * t5 - omega[1] * t4);
-    const double t10 = Q[0] * rho_dot[0] + Q[1] * rho_dot[1] + Q[2] * rho_dot[2];
-    const double t11 = Q[3] * rho_dot[0] + Q[4] * rho_dot[1] + Q[5] * rho_dot[2];
-    const double t12 = Q[6] * rho_dot[0] + Q[7] * rho_dot[1] + Q[8] * rho_dot[2];
+    const double t4 = 2.0 * (Q[0] * rho_dot[0] + Q[1] * rho_dot[1] + Q[2] * rho_dot[2]);
+    const double t5 = omega[1] * t3 - omega[2] * t2 + t4;
+    const double t6 = 2.0 * (Q[3] * rho_dot[0] + Q[4] * rho_dot[1] + Q[5] * rho_dot[2]);
+    const double t7 = omega[2] * t1 - omega[0] * t3 + t6;
+    const double t8 = 2.0 * (Q[6] * rho_dot[0] + Q[7] * rho_dot[1] + Q[8] * rho_dot[2]);
+    const double t9 = omega[0] * t2 - omega[1] * t1 + t8;
+    const double t10 = o_ddot[0] + (omega_dot[1] * t3 - omega_dot[2] * t2);
+    const double t11 = o_ddot[1] + (omega_dot[2] * t1 - omega_dot[0] * t3);
+    const double t12 = o_ddot[2] + (omega_dot[0] * t2 - omega_dot[1] * t1);
     const double t13 = Q[0] * rho_ddot[0] + Q[1] * rho_ddot[1] + Q[2] * rho_ddot[2];
-    const double p_ddot0 = o_ddot[0] + t7 + 2.0 * (omega[1] * t12 - omega[2] * t11) + t13;
+    const double p_ddot0 = t10 + (omega[1] * t9 - omega[2] * t7) + t13;
     const double t14 = Q[3] * rho_ddot[0] + Q[4] * rho_ddot[1] + Q[5] * rho_ddot[2];
-    const double p_ddot1 = o_ddot[1] + t8 + 2.0 * (omega[2] * t10 - omega[0] * t12) + t14;
+    const double p_ddot1 = t11 + (omega[2] * t5 - omega[0] * t9) + t14;
     const double t15 = Q[6] * rho_ddot[0] + Q[7] * rho_ddot[1] + Q[8] * rho_ddot[2];
-    const double p_ddot2 = o_ddot[2] + t9 + 2.0 * (omega[0] * t11 - omega[1] * t10) + t15;
+    const double p_ddot2 = t12 + (omega[0] * t7 - omega[1] * t5) + t15;
     p_ddot[0] = p_ddot0;
     p_ddot[1] = p_ddot1;
     p_ddot[2] = p_ddot2;
@@ -169,7 +172,7 @@ void chasles_moving_frame_acceleration(
 /*
  * (3.105) chasles_moving_frame_acceleration in single precision.
  *   verdict: holds; assumes nothing
- *   96 operations; derivation sha256 da5d30181e11cd5a3119f7edd4a748da440cc7ec9f2463e8cef0f70537a10984
+ *   87 operations; derivation sha256 985f244a1c015e00a6d544a9a346e7446722d3d1972e549159bc1a6a90456d40
  */
 void chasles_moving_frame_accelerationf(
     const float o_ddot[3],
@@ -184,21 +187,21 @@ void chasles_moving_frame_accelerationf(
     const float t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
     const float t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
     const float t3 = Q[6] * rho[0] + Q[7] * rho[1] + Q[8] * rho[2];
-    const float t4 = omega[1] * t3 - omega[2] * t2;
-    const float t5 = omega[2] * t1 - omega[0] * t3;
-    const float t6 = omega[0] * t2 - omega[1] * t1;
-    const float t7 = omega_dot[1] * t3 - omega_dot[2] * t2 + (omega[1] * t6 - omega[2] * t5);
-    const float t8 = omega_dot[2] * t1 - omega_dot[0] * t3 + (omega[2] * t4 - omega[0] * t6);
-    const float t9 = omega_dot[0] * t2 - omega_dot[1] * t1 + (omega[0] * t5 - omega[1] * t4);
-    const float t10 = Q[0] * rho_dot[0] + Q[1] * rho_dot[1] + Q[2] * rho_dot[2];
-    const float t11 = Q[3] * rho_dot[0] + Q[4] * rho_dot[1] + Q[5] * rho_dot[2];
-    const float t12 = Q[6] * rho_dot[0] + Q[7] * rho_dot[1] + Q[8] * rho_dot[2];
+    const float t4 = 2.0f * (Q[0] * rho_dot[0] + Q[1] * rho_dot[1] + Q[2] * rho_dot[2]);
+    const float t5 = omega[1] * t3 - omega[2] * t2 + t4;
+    const float t6 = 2.0f * (Q[3] * rho_dot[0] + Q[4] * rho_dot[1] + Q[5] * rho_dot[2]);
+    const float t7 = omega[2] * t1 - omega[0] * t3 + t6;
+    const float t8 = 2.0f * (Q[6] * rho_dot[0] + Q[7] * rho_dot[1] + Q[8] * rho_dot[2]);
+    const float t9 = omega[0] * t2 - omega[1] * t1 + t8;
+    const float t10 = o_ddot[0] + (omega_dot[1] * t3 - omega_dot[2] * t2);
+    const float t11 = o_ddot[1] + (omega_dot[2] * t1 - omega_dot[0] * t3);
+    const float t12 = o_ddot[2] + (omega_dot[0] * t2 - omega_dot[1] * t1);
     const float t13 = Q[0] * rho_ddot[0] + Q[1] * rho_ddot[1] + Q[2] * rho_ddot[2];
-    const float p_ddot0 = o_ddot[0] + t7 + 2.0f * (omega[1] * t12 - omega[2] * t11) + t13;
+    const float p_ddot0 = t10 + (omega[1] * t9 - omega[2] * t7) + t13;
     const float t14 = Q[3] * rho_ddot[0] + Q[4] * rho_ddot[1] + Q[5] * rho_ddot[2];
-    const float p_ddot1 = o_ddot[1] + t8 + 2.0f * (omega[2] * t10 - omega[0] * t12) + t14;
+    const float p_ddot1 = t11 + (omega[2] * t5 - omega[0] * t9) + t14;
     const float t15 = Q[6] * rho_ddot[0] + Q[7] * rho_ddot[1] + Q[8] * rho_ddot[2];
-    const float p_ddot2 = o_ddot[2] + t9 + 2.0f * (omega[0] * t11 - omega[1] * t10) + t15;
+    const float p_ddot2 = t12 + (omega[0] * t7 - omega[1] * t5) + t15;
     p_ddot[0] = p_ddot0;
     p_ddot[1] = p_ddot1;
     p_ddot[2] = p_ddot2;
@@ -207,7 +210,7 @@ void chasles_moving_frame_accelerationf(
 /*
  * (3.105) chasles_moving_frame_acceleration for a batch.
  *   verdict: holds; assumes nothing
- *   96 operations; derivation sha256 da5d30181e11cd5a3119f7edd4a748da440cc7ec9f2463e8cef0f70537a10984
+ *   87 operations; derivation sha256 985f244a1c015e00a6d544a9a346e7446722d3d1972e549159bc1a6a90456d40
  */
 void chasles_moving_frame_acceleration_batch(
     size_t count,
@@ -236,7 +239,7 @@ void chasles_moving_frame_acceleration_batch(
 /*
  * (3.105) chasles_moving_frame_accelerationf for a batch.
  *   verdict: holds; assumes nothing
- *   96 operations; derivation sha256 da5d30181e11cd5a3119f7edd4a748da440cc7ec9f2463e8cef0f70537a10984
+ *   87 operations; derivation sha256 985f244a1c015e00a6d544a9a346e7446722d3d1972e549159bc1a6a90456d40
  */
 void chasles_moving_frame_acceleration_batchf(
     size_t count,

@@ -14,8 +14,9 @@
  *               pitch: pitch of the wrench, in metres per radian
  *   verdict     holds under
  *   assumes     f != 0
- *   operations  49: 4 add, 12 subtract, 27 multiply, 5 divide, 1 square root
- *   derivation  sha256 f6f930d9678b859aa30368ca18000d5606fc5b8fa517c3baf582f66a110dcdc4
+ *   made of     an offered form, proved equal to the statement
+ *   operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root
+ *   derivation  sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
  */
 void chasles_wrench_axis(
     const double f[3],
@@ -30,20 +31,16 @@ void chasles_wrench_axis(
     const double axis0 = (t3 ? 0.0 : f[0]) / t2;
     const double axis1 = (t3 ? 0.0 : f[1]) / t2;
     const double axis2 = (t3 ? 0.0 : f[2]) / t2;
-    const double t4 = (t3 ? 0.0 : 1.0) / t1;
-    const double t5 = f[0] * t4;
-    const double t6 = f[1] * t4;
-    const double t7 = f[2] * t4;
-    const double t8 = n_A[0] - (f[1] * a[2] - f[2] * a[1]);
-    const double t9 = n_A[1] - (f[2] * a[0] - f[0] * a[2]);
-    const double t10 = n_A[2] - (f[0] * a[1] - f[1] * a[0]);
-    const double t11 = t6 * t10 - t7 * t9;
-    const double t12 = t7 * t8 - t5 * t10;
-    const double t13 = t5 * t9 - t6 * t8;
-    const double axis3 = axis2 * t12 - axis1 * t13;
-    const double axis4 = axis0 * t13 - axis2 * t11;
-    const double axis5 = axis1 * t11 - axis0 * t12;
-    const double pitch_value = (t3 ? 0.0 : f[0] * n_A[0] + f[1] * n_A[1] + f[2] * n_A[2]) / t1;
+    const double t4 = (t3 ? 0.0 : n_A[0]) / t2;
+    const double t5 = (t3 ? 0.0 : n_A[1]) / t2;
+    const double t6 = (t3 ? 0.0 : n_A[2]) / t2;
+    const double t7 = a[0] + (axis1 * t6 - axis2 * t5);
+    const double t8 = a[1] + (axis2 * t4 - axis0 * t6);
+    const double t9 = a[2] + (axis0 * t5 - axis1 * t4);
+    const double axis3 = axis2 * t8 - axis1 * t9;
+    const double axis4 = axis0 * t9 - axis2 * t7;
+    const double axis5 = axis1 * t7 - axis0 * t8;
+    const double pitch_value = axis0 * t4 + axis1 * t5 + axis2 * t6;
     axis[0] = axis0;
     axis[1] = axis1;
     axis[2] = axis2;
@@ -56,7 +53,7 @@ void chasles_wrench_axis(
 /*
  * text 3.7 d chasles_wrench_axis in single precision.
  *   verdict: holds under; assumes f != 0
- *   49 operations; derivation sha256 f6f930d9678b859aa30368ca18000d5606fc5b8fa517c3baf582f66a110dcdc4
+ *   38 operations; derivation sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
  */
 void chasles_wrench_axisf(
     const float f[3],
@@ -71,20 +68,16 @@ void chasles_wrench_axisf(
     const float axis0 = (t3 ? 0.0f : f[0]) / t2;
     const float axis1 = (t3 ? 0.0f : f[1]) / t2;
     const float axis2 = (t3 ? 0.0f : f[2]) / t2;
-    const float t4 = (t3 ? 0.0f : 1.0f) / t1;
-    const float t5 = f[0] * t4;
-    const float t6 = f[1] * t4;
-    const float t7 = f[2] * t4;
-    const float t8 = n_A[0] - (f[1] * a[2] - f[2] * a[1]);
-    const float t9 = n_A[1] - (f[2] * a[0] - f[0] * a[2]);
-    const float t10 = n_A[2] - (f[0] * a[1] - f[1] * a[0]);
-    const float t11 = t6 * t10 - t7 * t9;
-    const float t12 = t7 * t8 - t5 * t10;
-    const float t13 = t5 * t9 - t6 * t8;
-    const float axis3 = axis2 * t12 - axis1 * t13;
-    const float axis4 = axis0 * t13 - axis2 * t11;
-    const float axis5 = axis1 * t11 - axis0 * t12;
-    const float pitch_value = (t3 ? 0.0f : f[0] * n_A[0] + f[1] * n_A[1] + f[2] * n_A[2]) / t1;
+    const float t4 = (t3 ? 0.0f : n_A[0]) / t2;
+    const float t5 = (t3 ? 0.0f : n_A[1]) / t2;
+    const float t6 = (t3 ? 0.0f : n_A[2]) / t2;
+    const float t7 = a[0] + (axis1 * t6 - axis2 * t5);
+    const float t8 = a[1] + (axis2 * t4 - axis0 * t6);
+    const float t9 = a[2] + (axis0 * t5 - axis1 * t4);
+    const float axis3 = axis2 * t8 - axis1 * t9;
+    const float axis4 = axis0 * t9 - axis2 * t7;
+    const float axis5 = axis1 * t7 - axis0 * t8;
+    const float pitch_value = axis0 * t4 + axis1 * t5 + axis2 * t6;
     axis[0] = axis0;
     axis[1] = axis1;
     axis[2] = axis2;
@@ -97,7 +90,7 @@ void chasles_wrench_axisf(
 /*
  * text 3.7 d chasles_wrench_axis for a batch.
  *   verdict: holds under; assumes f != 0
- *   49 operations; derivation sha256 f6f930d9678b859aa30368ca18000d5606fc5b8fa517c3baf582f66a110dcdc4
+ *   38 operations; derivation sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
  */
 void chasles_wrench_axis_batch(
     size_t count,
@@ -120,7 +113,7 @@ void chasles_wrench_axis_batch(
 /*
  * text 3.7 d chasles_wrench_axisf for a batch.
  *   verdict: holds under; assumes f != 0
- *   49 operations; derivation sha256 f6f930d9678b859aa30368ca18000d5606fc5b8fa517c3baf582f66a110dcdc4
+ *   38 operations; derivation sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
  */
 void chasles_wrench_axis_batchf(
     size_t count,

@@ -876,6 +876,62 @@ static void rotation_from_triads_vector_2f(void)
     comparef("chasles_rotation_from_triadsf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
 }
 
+static void axial_vector_vector_1(void)
+{
+    const double Omega[9] = {
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+        -1.0 / 3.0,
+        -1.0 / 3.0,
+        2.0 / 3.0,
+        2.0 / 3.0,
+    };
+    const double omega_expected[3] = {0.5, 0.5, 0.5};
+    double omega[3];
+    chasles_axial_vector(Omega, omega);
+    compare("chasles_axial_vector, vector 1: omega", 3, omega, omega_expected, 8.0 * DBL_EPSILON);
+}
+
+static void axial_vector_vector_2(void)
+{
+    const double Omega[9] = {0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0};
+    const double omega_expected[3] = {0.0, 0.0, 0.8};
+    double omega[3];
+    chasles_axial_vector(Omega, omega);
+    compare("chasles_axial_vector, vector 2: omega", 3, omega, omega_expected, 8.0 * DBL_EPSILON);
+}
+
+static void axial_vector_vector_1f(void)
+{
+    const float Omega[9] = {
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+        -1.0f / 3.0f,
+        -1.0f / 3.0f,
+        2.0f / 3.0f,
+        2.0f / 3.0f,
+    };
+    const double omega_expected[3] = {0.5, 0.5, 0.5};
+    float omega[3];
+    chasles_axial_vectorf(Omega, omega);
+    comparef("chasles_axial_vectorf, vector 1: omega", 3, omega, omega_expected, 8.0 * FLT_EPSILON);
+}
+
+static void axial_vector_vector_2f(void)
+{
+    const float Omega[9] = {0.6f, -0.8f, 0.0f, 0.8f, 0.6f, 0.0f, 0.0f, 0.0f, 1.0f};
+    const double omega_expected[3] = {0.0, 0.0, 0.8};
+    float omega[3];
+    chasles_axial_vectorf(Omega, omega);
+    comparef("chasles_axial_vectorf, vector 2: omega", 3, omega, omega_expected, 8.0 * FLT_EPSILON);
+}
+
 static void velocity_of_point_vector_1(void)
 {
     const double omega[3] = {1.25, 0.5, -0.75};
@@ -2780,6 +2836,1144 @@ static void acceleration_of_point_vector_2f(void)
     comparef("chasles_acceleration_of_pointf, vector 2: p_ddot", 3, p_ddot, p_ddot_expected, 8.0 * FLT_EPSILON);
 }
 
+static void natural_rate_matrix_dot_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double omega[3] = {0.5, -0.75, 2.0};
+    const double N_dot_expected[12] = {
+        -0.27898333998546877378,
+        1.3285658949579282903,
+        0.65915111030575008976,
+        0.11287837795795391998,
+        0.3474685349435766037,
+        -0.26109036019476721496,
+        -0.15595437650672267869,
+        0.54007370018023598875,
+        -1.5290265432901329947,
+        -0.80116406037500320371,
+        -0.81510548681247276845,
+        1.2156875169999743703,
+    };
+    double N_dot[12];
+    chasles_natural_rate_matrix_dot(e, phi[0], omega, N_dot);
+    compare("chasles_natural_rate_matrix_dot, vector 1: N_dot", 12, N_dot, N_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void natural_rate_matrix_dot_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double omega[3] = {-1.5, 0.25, 1.75};
+    const double N_dot_expected[12] = {
+        -0.54725963438198936691,
+        0.031497275736667510054,
+        0.041996367648890013405,
+        0.31776365867341318079,
+        -0.49729379054360429733,
+        -0.23348899696259902241,
+        0.42368487823121757438,
+        0.67308046498814900485,
+        -0.049965843838385069586,
+        -0.90656946195074802725,
+        0.38168851058232756098,
+        -0.28626638293674567073,
+    };
+    double N_dot[12];
+    chasles_natural_rate_matrix_dot(e, phi[0], omega, N_dot);
+    compare("chasles_natural_rate_matrix_dot, vector 2: N_dot", 12, N_dot, N_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void natural_rate_matrix_dot_vector_3(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {0.0};
+    const double omega[3] = {0.0, 0.0, 0.0};
+    const double N_dot_expected[12] = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+    double N_dot[12];
+    chasles_natural_rate_matrix_dot(e, phi[0], omega, N_dot);
+    compare("chasles_natural_rate_matrix_dot, vector 3: N_dot", 12, N_dot, N_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void natural_rate_matrix_dot_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float omega[3] = {0.5f, -0.75f, 2.0f};
+    const double N_dot_expected[12] = {
+        -0.27898333998546877378,
+        1.3285658949579282903,
+        0.65915111030575008976,
+        0.11287837795795391998,
+        0.3474685349435766037,
+        -0.26109036019476721496,
+        -0.15595437650672267869,
+        0.54007370018023598875,
+        -1.5290265432901329947,
+        -0.80116406037500320371,
+        -0.81510548681247276845,
+        1.2156875169999743703,
+    };
+    float N_dot[12];
+    chasles_natural_rate_matrix_dotf(e, phi[0], omega, N_dot);
+    comparef("chasles_natural_rate_matrix_dotf, vector 1: N_dot", 12, N_dot, N_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void natural_rate_matrix_dot_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float omega[3] = {-1.5f, 0.25f, 1.75f};
+    const double N_dot_expected[12] = {
+        -0.54725963438198936691,
+        0.031497275736667510054,
+        0.041996367648890013405,
+        0.31776365867341318079,
+        -0.49729379054360429733,
+        -0.23348899696259902241,
+        0.42368487823121757438,
+        0.67308046498814900485,
+        -0.049965843838385069586,
+        -0.90656946195074802725,
+        0.38168851058232756098,
+        -0.28626638293674567073,
+    };
+    float N_dot[12];
+    chasles_natural_rate_matrix_dotf(e, phi[0], omega, N_dot);
+    comparef("chasles_natural_rate_matrix_dotf, vector 2: N_dot", 12, N_dot, N_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void natural_rate_matrix_dot_vector_3f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {0.0f};
+    const float omega[3] = {0.0f, 0.0f, 0.0f};
+    const double N_dot_expected[12] = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+    float N_dot[12];
+    chasles_natural_rate_matrix_dotf(e, phi[0], omega, N_dot);
+    comparef("chasles_natural_rate_matrix_dotf, vector 3: N_dot", 12, N_dot, N_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void linear_rate_matrix_dot_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double omega[3] = {0.5, -0.75, 2.0};
+    const double L_dot_expected[12] = {
+        -0.34436730535597960615,
+        0.85235955168427498002,
+        0.22033179131592171588,
+        -0.51152411215479588643,
+        -0.31332144790608892409,
+        -0.62990111537209934704,
+        -0.34297587055795010946,
+        0.02528380137249273884,
+        -1.2402804854491038985,
+        0.65518491674459208588,
+        0.56330766187387182534,
+        -1.3638836638390708664,
+    };
+    double L_dot[12];
+    chasles_linear_rate_matrix_dot(e, phi[0], omega, L_dot);
+    compare("chasles_linear_rate_matrix_dot, vector 1: L_dot", 12, L_dot, L_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void linear_rate_matrix_dot_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double omega[3] = {-1.5, 0.25, 1.75};
+    const double L_dot_expected[12] = {
+        -0.70470550578990331393,
+        -0.0030110386592282799385,
+        0.53350827899442120995,
+        0.77331232405030635155,
+        -1.2827156739588007004,
+        -0.84502150321575444559,
+        0.49356010152701621886,
+        -0.020680224225196515298,
+        -0.83140084341090924139,
+        0.8243412789905579303,
+        0.039948177467404991091,
+        0.77632336270953463149,
+    };
+    double L_dot[12];
+    chasles_linear_rate_matrix_dot(e, phi[0], omega, L_dot);
+    compare("chasles_linear_rate_matrix_dot, vector 2: L_dot", 12, L_dot, L_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void linear_rate_matrix_dot_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float omega[3] = {0.5f, -0.75f, 2.0f};
+    const double L_dot_expected[12] = {
+        -0.34436730535597960615,
+        0.85235955168427498002,
+        0.22033179131592171588,
+        -0.51152411215479588643,
+        -0.31332144790608892409,
+        -0.62990111537209934704,
+        -0.34297587055795010946,
+        0.02528380137249273884,
+        -1.2402804854491038985,
+        0.65518491674459208588,
+        0.56330766187387182534,
+        -1.3638836638390708664,
+    };
+    float L_dot[12];
+    chasles_linear_rate_matrix_dotf(e, phi[0], omega, L_dot);
+    comparef("chasles_linear_rate_matrix_dotf, vector 1: L_dot", 12, L_dot, L_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void linear_rate_matrix_dot_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float omega[3] = {-1.5f, 0.25f, 1.75f};
+    const double L_dot_expected[12] = {
+        -0.70470550578990331393,
+        -0.0030110386592282799385,
+        0.53350827899442120995,
+        0.77331232405030635155,
+        -1.2827156739588007004,
+        -0.84502150321575444559,
+        0.49356010152701621886,
+        -0.020680224225196515298,
+        -0.83140084341090924139,
+        0.8243412789905579303,
+        0.039948177467404991091,
+        0.77632336270953463149,
+    };
+    float L_dot[12];
+    chasles_linear_rate_matrix_dotf(e, phi[0], omega, L_dot);
+    comparef("chasles_linear_rate_matrix_dotf, vector 2: L_dot", 12, L_dot, L_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rodrigues_rate_matrix_dot_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double omega[3] = {0.5, -0.75, 2.0};
+    const double H_dot_expected[12] = {
+        -0.1462743182351155387,
+        0.490808245389759682,
+        0.10329747882885651043,
+        -0.490808245389759682,
+        -0.1462743182351155387,
+        -0.16679919349289291651,
+        -0.10329747882885651043,
+        0.16679919349289291651,
+        -0.1462743182351155387,
+        0.16679919349289291651,
+        0.10329747882885651043,
+        -0.490808245389759682,
+    };
+    double H_dot[12];
+    chasles_euler_rodrigues_rate_matrix_dot(e, phi[0], omega, H_dot);
+    compare("chasles_euler_rodrigues_rate_matrix_dot, vector 1: H_dot", 12, H_dot, H_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rodrigues_rate_matrix_dot_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double omega[3] = {-1.5, 0.25, 1.75};
+    const double H_dot_expected[12] = {
+        -0.32607000661305989633,
+        0.047051287235534412366,
+        -0.28621018955912768433,
+        -0.047051287235534412366,
+        -0.32607000661305989633,
+        -0.38142594897223040169,
+        0.28621018955912768433,
+        0.38142594897223040169,
+        -0.32607000661305989633,
+        0.38142594897223040169,
+        -0.28621018955912768433,
+        -0.047051287235534412366,
+    };
+    double H_dot[12];
+    chasles_euler_rodrigues_rate_matrix_dot(e, phi[0], omega, H_dot);
+    compare("chasles_euler_rodrigues_rate_matrix_dot, vector 2: H_dot", 12, H_dot, H_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rodrigues_rate_matrix_dot_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float omega[3] = {0.5f, -0.75f, 2.0f};
+    const double H_dot_expected[12] = {
+        -0.1462743182351155387,
+        0.490808245389759682,
+        0.10329747882885651043,
+        -0.490808245389759682,
+        -0.1462743182351155387,
+        -0.16679919349289291651,
+        -0.10329747882885651043,
+        0.16679919349289291651,
+        -0.1462743182351155387,
+        0.16679919349289291651,
+        0.10329747882885651043,
+        -0.490808245389759682,
+    };
+    float H_dot[12];
+    chasles_euler_rodrigues_rate_matrix_dotf(e, phi[0], omega, H_dot);
+    comparef("chasles_euler_rodrigues_rate_matrix_dotf, vector 1: H_dot", 12, H_dot, H_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rodrigues_rate_matrix_dot_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float omega[3] = {-1.5f, 0.25f, 1.75f};
+    const double H_dot_expected[12] = {
+        -0.32607000661305989633,
+        0.047051287235534412366,
+        -0.28621018955912768433,
+        -0.047051287235534412366,
+        -0.32607000661305989633,
+        -0.38142594897223040169,
+        0.28621018955912768433,
+        0.38142594897223040169,
+        -0.32607000661305989633,
+        0.38142594897223040169,
+        -0.28621018955912768433,
+        -0.047051287235534412366,
+    };
+    float H_dot[12];
+    chasles_euler_rodrigues_rate_matrix_dotf(e, phi[0], omega, H_dot);
+    comparef("chasles_euler_rodrigues_rate_matrix_dotf, vector 2: H_dot", 12, H_dot, H_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void natural_velocity_matrix_dot_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double omega[3] = {0.5, -0.75, 2.0};
+    const double N_tilde_dot_expected[12] = {
+        0.31532236239526866545,
+        -1.4650104701088282584,
+        0.074571913794305796828,
+        -0.80116406037500320371,
+        1.4650104701088282584,
+        0.31532236239526866545,
+        0.23221090973950946736,
+        -0.81510548681247276845,
+        -0.074571913794305796828,
+        -0.23221090973950946736,
+        0.31532236239526866545,
+        1.2156875169999743703,
+    };
+    double N_tilde_dot[12];
+    chasles_natural_velocity_matrix_dot(e, phi[0], omega, N_tilde_dot);
+    compare("chasles_natural_velocity_matrix_dot, vector 1: N_tilde_dot", 12, N_tilde_dot, N_tilde_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void natural_velocity_matrix_dot_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double omega[3] = {-1.5, 0.25, 1.75};
+    const double N_tilde_dot_expected[12] = {
+        -0.64502759664807069985,
+        -0.72213357665818006047,
+        1.3861735837554376325,
+        -0.90656946195074802725,
+        0.72213357665818006047,
+        -0.64502759664807069985,
+        1.283835475651796786,
+        0.38168851058232756098,
+        -1.3861735837554376325,
+        -1.283835475651796786,
+        -0.64502759664807069985,
+        -0.28626638293674567073,
+    };
+    double N_tilde_dot[12];
+    chasles_natural_velocity_matrix_dot(e, phi[0], omega, N_tilde_dot);
+    compare("chasles_natural_velocity_matrix_dot, vector 2: N_tilde_dot", 12, N_tilde_dot, N_tilde_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void natural_velocity_matrix_dot_vector_3(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {0.0};
+    const double omega[3] = {0.0, 0.0, 0.0};
+    const double N_tilde_dot_expected[12] = {
+        0.0,
+        0.0,
+        0.0,
+        NAN,
+        0.0,
+        0.0,
+        0.0,
+        NAN,
+        0.0,
+        0.0,
+        0.0,
+        NAN,
+    };
+    double N_tilde_dot[12];
+    chasles_natural_velocity_matrix_dot(e, phi[0], omega, N_tilde_dot);
+    compare("chasles_natural_velocity_matrix_dot, vector 3: N_tilde_dot", 12, N_tilde_dot, N_tilde_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void natural_velocity_matrix_dot_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float omega[3] = {0.5f, -0.75f, 2.0f};
+    const double N_tilde_dot_expected[12] = {
+        0.31532236239526866545,
+        -1.4650104701088282584,
+        0.074571913794305796828,
+        -0.80116406037500320371,
+        1.4650104701088282584,
+        0.31532236239526866545,
+        0.23221090973950946736,
+        -0.81510548681247276845,
+        -0.074571913794305796828,
+        -0.23221090973950946736,
+        0.31532236239526866545,
+        1.2156875169999743703,
+    };
+    float N_tilde_dot[12];
+    chasles_natural_velocity_matrix_dotf(e, phi[0], omega, N_tilde_dot);
+    comparef("chasles_natural_velocity_matrix_dotf, vector 1: N_tilde_dot", 12, N_tilde_dot, N_tilde_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void natural_velocity_matrix_dot_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float omega[3] = {-1.5f, 0.25f, 1.75f};
+    const double N_tilde_dot_expected[12] = {
+        -0.64502759664807069985,
+        -0.72213357665818006047,
+        1.3861735837554376325,
+        -0.90656946195074802725,
+        0.72213357665818006047,
+        -0.64502759664807069985,
+        1.283835475651796786,
+        0.38168851058232756098,
+        -1.3861735837554376325,
+        -1.283835475651796786,
+        -0.64502759664807069985,
+        -0.28626638293674567073,
+    };
+    float N_tilde_dot[12];
+    chasles_natural_velocity_matrix_dotf(e, phi[0], omega, N_tilde_dot);
+    comparef("chasles_natural_velocity_matrix_dotf, vector 2: N_tilde_dot", 12, N_tilde_dot, N_tilde_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void natural_velocity_matrix_dot_vector_3f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {0.0f};
+    const float omega[3] = {0.0f, 0.0f, 0.0f};
+    const double N_tilde_dot_expected[12] = {
+        0.0,
+        0.0,
+        0.0,
+        NAN,
+        0.0,
+        0.0,
+        0.0,
+        NAN,
+        0.0,
+        0.0,
+        0.0,
+        NAN,
+    };
+    float N_tilde_dot[12];
+    chasles_natural_velocity_matrix_dotf(e, phi[0], omega, N_tilde_dot);
+    comparef("chasles_natural_velocity_matrix_dotf, vector 3: N_tilde_dot", 12, N_tilde_dot, N_tilde_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void linear_velocity_matrix_dot_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double omega[3] = {0.5, -0.75, 2.0};
+    const double L_tilde_dot_expected[12] = {
+        0.0,
+        -1.3839462281529997365,
+        -0.081239326970863315975,
+        0.32460410447633607798,
+        1.3839462281529997365,
+        0.0,
+        0.32460410447633607798,
+        0.081239326970863315975,
+        0.081239326970863315975,
+        -0.32460410447633607798,
+        0.0,
+        -1.3839462281529997365,
+    };
+    double L_tilde_dot[12];
+    chasles_linear_velocity_matrix_dot(e, phi[0], omega, L_tilde_dot);
+    compare("chasles_linear_velocity_matrix_dot, vector 1: L_tilde_dot", 12, L_tilde_dot, L_tilde_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void linear_velocity_matrix_dot_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double omega[3] = {-1.5, 0.25, 1.75};
+    const double L_tilde_dot_expected[12] = {
+        0.0,
+        -1.6779881928104450481,
+        2.1873108864718046271,
+        1.411898282978333448,
+        1.6779881928104450481,
+        0.0,
+        1.411898282978333448,
+        -2.1873108864718046271,
+        -2.1873108864718046271,
+        -1.411898282978333448,
+        0.0,
+        -1.6779881928104450481,
+    };
+    double L_tilde_dot[12];
+    chasles_linear_velocity_matrix_dot(e, phi[0], omega, L_tilde_dot);
+    compare("chasles_linear_velocity_matrix_dot, vector 2: L_tilde_dot", 12, L_tilde_dot, L_tilde_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void linear_velocity_matrix_dot_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float omega[3] = {0.5f, -0.75f, 2.0f};
+    const double L_tilde_dot_expected[12] = {
+        0.0,
+        -1.3839462281529997365,
+        -0.081239326970863315975,
+        0.32460410447633607798,
+        1.3839462281529997365,
+        0.0,
+        0.32460410447633607798,
+        0.081239326970863315975,
+        0.081239326970863315975,
+        -0.32460410447633607798,
+        0.0,
+        -1.3839462281529997365,
+    };
+    float L_tilde_dot[12];
+    chasles_linear_velocity_matrix_dotf(e, phi[0], omega, L_tilde_dot);
+    comparef("chasles_linear_velocity_matrix_dotf, vector 1: L_tilde_dot", 12, L_tilde_dot, L_tilde_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void linear_velocity_matrix_dot_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float omega[3] = {-1.5f, 0.25f, 1.75f};
+    const double L_tilde_dot_expected[12] = {
+        0.0,
+        -1.6779881928104450481,
+        2.1873108864718046271,
+        1.411898282978333448,
+        1.6779881928104450481,
+        0.0,
+        1.411898282978333448,
+        -2.1873108864718046271,
+        -2.1873108864718046271,
+        -1.411898282978333448,
+        0.0,
+        -1.6779881928104450481,
+    };
+    float L_tilde_dot[12];
+    chasles_linear_velocity_matrix_dotf(e, phi[0], omega, L_tilde_dot);
+    comparef("chasles_linear_velocity_matrix_dotf, vector 2: L_tilde_dot", 12, L_tilde_dot, L_tilde_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rodrigues_velocity_matrix_dot_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double omega[3] = {0.5, -0.75, 2.0};
+    const double H_tilde_dot_expected[12] = {
+        -0.58509727294046215481,
+        -1.963232981559038728,
+        -0.41318991531542604171,
+        0.66719677397157166605,
+        1.963232981559038728,
+        -0.58509727294046215481,
+        0.66719677397157166605,
+        0.41318991531542604171,
+        0.41318991531542604171,
+        -0.66719677397157166605,
+        -0.58509727294046215481,
+        -1.963232981559038728,
+    };
+    double H_tilde_dot[12];
+    chasles_euler_rodrigues_velocity_matrix_dot(e, phi[0], omega, H_tilde_dot);
+    compare("chasles_euler_rodrigues_velocity_matrix_dot, vector 1: H_tilde_dot", 12, H_tilde_dot, H_tilde_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rodrigues_velocity_matrix_dot_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double omega[3] = {-1.5, 0.25, 1.75};
+    const double H_tilde_dot_expected[12] = {
+        -1.3042800264522395853,
+        -0.18820514894213764946,
+        1.1448407582365107373,
+        1.5257037958889216068,
+        0.18820514894213764946,
+        -1.3042800264522395853,
+        1.5257037958889216068,
+        -1.1448407582365107373,
+        -1.1448407582365107373,
+        -1.5257037958889216068,
+        -1.3042800264522395853,
+        -0.18820514894213764946,
+    };
+    double H_tilde_dot[12];
+    chasles_euler_rodrigues_velocity_matrix_dot(e, phi[0], omega, H_tilde_dot);
+    compare("chasles_euler_rodrigues_velocity_matrix_dot, vector 2: H_tilde_dot", 12, H_tilde_dot, H_tilde_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rodrigues_velocity_matrix_dot_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float omega[3] = {0.5f, -0.75f, 2.0f};
+    const double H_tilde_dot_expected[12] = {
+        -0.58509727294046215481,
+        -1.963232981559038728,
+        -0.41318991531542604171,
+        0.66719677397157166605,
+        1.963232981559038728,
+        -0.58509727294046215481,
+        0.66719677397157166605,
+        0.41318991531542604171,
+        0.41318991531542604171,
+        -0.66719677397157166605,
+        -0.58509727294046215481,
+        -1.963232981559038728,
+    };
+    float H_tilde_dot[12];
+    chasles_euler_rodrigues_velocity_matrix_dotf(e, phi[0], omega, H_tilde_dot);
+    comparef("chasles_euler_rodrigues_velocity_matrix_dotf, vector 1: H_tilde_dot", 12, H_tilde_dot, H_tilde_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rodrigues_velocity_matrix_dot_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float omega[3] = {-1.5f, 0.25f, 1.75f};
+    const double H_tilde_dot_expected[12] = {
+        -1.3042800264522395853,
+        -0.18820514894213764946,
+        1.1448407582365107373,
+        1.5257037958889216068,
+        0.18820514894213764946,
+        -1.3042800264522395853,
+        1.5257037958889216068,
+        -1.1448407582365107373,
+        -1.1448407582365107373,
+        -1.5257037958889216068,
+        -1.3042800264522395853,
+        -0.18820514894213764946,
+    };
+    float H_tilde_dot[12];
+    chasles_euler_rodrigues_velocity_matrix_dotf(e, phi[0], omega, H_tilde_dot);
+    comparef("chasles_euler_rodrigues_velocity_matrix_dotf, vector 2: H_tilde_dot", 12, H_tilde_dot, H_tilde_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void pose_acceleration_natural_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double t[6] = {0.5, -0.75, 2.0, -1.5, 0.25, 1.75};
+    const double t_dot[6] = {-0.5, 0.75, -1.25, 1.5, 1.25, 0.5};
+    const double s_ddot_expected[7] = {
+        0.61804758348365931567,
+        -0.01724265838909408017,
+        -4.4680165512396200332,
+        2.1421221189218017151,
+        1.5,
+        1.25,
+        0.5,
+    };
+    double s_ddot[7];
+    chasles_pose_acceleration_natural(e, phi[0], t, t_dot, s_ddot);
+    compare("chasles_pose_acceleration_natural, vector 1: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void pose_acceleration_natural_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double t[6] = {-1.5, 0.25, 1.75, -0.5, 0.75, -1.25};
+    const double t_dot[6] = {1.5, 1.25, 0.5, -0.75, 2.0, -1.5};
+    const double s_ddot_expected[7] = {
+        1.7338268758434564786,
+        -1.4297887478689565379,
+        -0.23953687716317242977,
+        2.1043101504323990073,
+        -0.75,
+        2.0,
+        -1.5,
+    };
+    double s_ddot[7];
+    chasles_pose_acceleration_natural(e, phi[0], t, t_dot, s_ddot);
+    compare("chasles_pose_acceleration_natural, vector 2: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void pose_acceleration_natural_vector_3(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {0.0};
+    const double t[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    const double t_dot[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    const double s_ddot_expected[7] = {NAN, NAN, NAN, NAN, 0.0, 0.0, 0.0};
+    double s_ddot[7];
+    chasles_pose_acceleration_natural(e, phi[0], t, t_dot, s_ddot);
+    compare("chasles_pose_acceleration_natural, vector 3: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void pose_acceleration_natural_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float t[6] = {0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f};
+    const float t_dot[6] = {-0.5f, 0.75f, -1.25f, 1.5f, 1.25f, 0.5f};
+    const double s_ddot_expected[7] = {
+        0.61804758348365931567,
+        -0.01724265838909408017,
+        -4.4680165512396200332,
+        2.1421221189218017151,
+        1.5,
+        1.25,
+        0.5,
+    };
+    float s_ddot[7];
+    chasles_pose_acceleration_naturalf(e, phi[0], t, t_dot, s_ddot);
+    comparef("chasles_pose_acceleration_naturalf, vector 1: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void pose_acceleration_natural_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float t[6] = {-1.5f, 0.25f, 1.75f, -0.5f, 0.75f, -1.25f};
+    const float t_dot[6] = {1.5f, 1.25f, 0.5f, -0.75f, 2.0f, -1.5f};
+    const double s_ddot_expected[7] = {
+        1.7338268758434564786,
+        -1.4297887478689565379,
+        -0.23953687716317242977,
+        2.1043101504323990073,
+        -0.75,
+        2.0,
+        -1.5,
+    };
+    float s_ddot[7];
+    chasles_pose_acceleration_naturalf(e, phi[0], t, t_dot, s_ddot);
+    comparef("chasles_pose_acceleration_naturalf, vector 2: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void pose_acceleration_natural_vector_3f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {0.0f};
+    const float t[6] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+    const float t_dot[6] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+    const double s_ddot_expected[7] = {NAN, NAN, NAN, NAN, 0.0, 0.0, 0.0};
+    float s_ddot[7];
+    chasles_pose_acceleration_naturalf(e, phi[0], t, t_dot, s_ddot);
+    comparef("chasles_pose_acceleration_naturalf, vector 3: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void pose_acceleration_linear_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double t[6] = {0.5, -0.75, 2.0, -1.5, 0.25, 1.75};
+    const double t_dot[6] = {-0.5, 0.75, -1.25, 1.5, 1.25, 0.5};
+    const double s_ddot_expected[7] = {
+        -0.0099074417040513519229,
+        -0.71275540119949839786,
+        -3.6557624747481860784,
+        -2.3481633060334564518,
+        1.5,
+        1.25,
+        0.5,
+    };
+    double s_ddot[7];
+    chasles_pose_acceleration_linear(e, phi[0], t, t_dot, s_ddot);
+    compare("chasles_pose_acceleration_linear, vector 1: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void pose_acceleration_linear_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double t[6] = {-1.5, 0.25, 1.75, -0.5, 0.75, -1.25};
+    const double t_dot[6] = {1.5, 1.25, 0.5, -0.75, 2.0, -1.5};
+    const double s_ddot_expected[7] = {
+        2.7460889592389168215,
+        -3.6286759227388671148,
+        -2.2967420961928289614,
+        -0.91365103022683399227,
+        -0.75,
+        2.0,
+        -1.5,
+    };
+    double s_ddot[7];
+    chasles_pose_acceleration_linear(e, phi[0], t, t_dot, s_ddot);
+    compare("chasles_pose_acceleration_linear, vector 2: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void pose_acceleration_linear_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float t[6] = {0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f};
+    const float t_dot[6] = {-0.5f, 0.75f, -1.25f, 1.5f, 1.25f, 0.5f};
+    const double s_ddot_expected[7] = {
+        -0.0099074417040513519229,
+        -0.71275540119949839786,
+        -3.6557624747481860784,
+        -2.3481633060334564518,
+        1.5,
+        1.25,
+        0.5,
+    };
+    float s_ddot[7];
+    chasles_pose_acceleration_linearf(e, phi[0], t, t_dot, s_ddot);
+    comparef("chasles_pose_acceleration_linearf, vector 1: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void pose_acceleration_linear_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float t[6] = {-1.5f, 0.25f, 1.75f, -0.5f, 0.75f, -1.25f};
+    const float t_dot[6] = {1.5f, 1.25f, 0.5f, -0.75f, 2.0f, -1.5f};
+    const double s_ddot_expected[7] = {
+        2.7460889592389168215,
+        -3.6286759227388671148,
+        -2.2967420961928289614,
+        -0.91365103022683399227,
+        -0.75,
+        2.0,
+        -1.5,
+    };
+    float s_ddot[7];
+    chasles_pose_acceleration_linearf(e, phi[0], t, t_dot, s_ddot);
+    comparef("chasles_pose_acceleration_linearf, vector 2: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void pose_acceleration_euler_rodrigues_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double t[6] = {0.5, -0.75, 2.0, -1.5, 0.25, 1.75};
+    const double t_dot[6] = {-0.5, 0.75, -1.25, 1.5, 1.25, 0.5};
+    const double s_ddot_expected[7] = {
+        -0.047324316751494215677,
+        -0.1895646542290582298,
+        -1.1468020919693916707,
+        -0.82941568491959974987,
+        1.5,
+        1.25,
+        0.5,
+    };
+    double s_ddot[7];
+    chasles_pose_acceleration_euler_rodrigues(e, phi[0], t, t_dot, s_ddot);
+    compare("chasles_pose_acceleration_euler_rodrigues, vector 1: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void pose_acceleration_euler_rodrigues_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double t[6] = {-1.5, 0.25, 1.75, -0.5, 0.75, -1.25};
+    const double t_dot[6] = {1.5, 1.25, 0.5, -0.75, 2.0, -1.5};
+    const double s_ddot_expected[7] = {
+        0.69974157408386856538,
+        -0.8456296312185171391,
+        -0.39084378903790038731,
+        -1.2098770397748532366,
+        -0.75,
+        2.0,
+        -1.5,
+    };
+    double s_ddot[7];
+    chasles_pose_acceleration_euler_rodrigues(e, phi[0], t, t_dot, s_ddot);
+    compare("chasles_pose_acceleration_euler_rodrigues, vector 2: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void pose_acceleration_euler_rodrigues_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float t[6] = {0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f};
+    const float t_dot[6] = {-0.5f, 0.75f, -1.25f, 1.5f, 1.25f, 0.5f};
+    const double s_ddot_expected[7] = {
+        -0.047324316751494215677,
+        -0.1895646542290582298,
+        -1.1468020919693916707,
+        -0.82941568491959974987,
+        1.5,
+        1.25,
+        0.5,
+    };
+    float s_ddot[7];
+    chasles_pose_acceleration_euler_rodriguesf(e, phi[0], t, t_dot, s_ddot);
+    comparef("chasles_pose_acceleration_euler_rodriguesf, vector 1: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void pose_acceleration_euler_rodrigues_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float t[6] = {-1.5f, 0.25f, 1.75f, -0.5f, 0.75f, -1.25f};
+    const float t_dot[6] = {1.5f, 1.25f, 0.5f, -0.75f, 2.0f, -1.5f};
+    const double s_ddot_expected[7] = {
+        0.69974157408386856538,
+        -0.8456296312185171391,
+        -0.39084378903790038731,
+        -1.2098770397748532366,
+        -0.75,
+        2.0,
+        -1.5,
+    };
+    float s_ddot[7];
+    chasles_pose_acceleration_euler_rodriguesf(e, phi[0], t, t_dot, s_ddot);
+    comparef("chasles_pose_acceleration_euler_rodriguesf, vector 2: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void twist_rate_from_pose_natural_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double s_dot[7] = {0.5, -0.75, 2.0, -1.5, 0.25, 1.75, -0.5};
+    const double s_ddot[7] = {0.75, -1.25, 1.5, 1.25, 0.5, -0.75, 2.0};
+    const double t_dot_expected[6] = {
+        -1.2125520082322831478,
+        1.6013325265113209212,
+        -1.4864164506872924606,
+        0.5,
+        -0.75,
+        2.0,
+    };
+    double t_dot[6];
+    chasles_twist_rate_from_pose_natural(e, phi[0], s_dot, s_ddot, t_dot);
+    compare("chasles_twist_rate_from_pose_natural, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void twist_rate_from_pose_natural_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double s_dot[7] = {-1.5, 0.25, 1.75, -0.5, 0.75, -1.25, 1.5};
+    const double s_ddot[7] = {1.25, 0.5, -0.75, 2.0, -1.5, 0.25, 1.75};
+    const double t_dot_expected[6] = {
+        -0.015664561344240420494,
+        3.5433923606237850503,
+        -1.0641385576224252361,
+        -1.5,
+        0.25,
+        1.75,
+    };
+    double t_dot[6];
+    chasles_twist_rate_from_pose_natural(e, phi[0], s_dot, s_ddot, t_dot);
+    compare("chasles_twist_rate_from_pose_natural, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void twist_rate_from_pose_natural_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float s_dot[7] = {0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f, -0.5f};
+    const float s_ddot[7] = {0.75f, -1.25f, 1.5f, 1.25f, 0.5f, -0.75f, 2.0f};
+    const double t_dot_expected[6] = {
+        -1.2125520082322831478,
+        1.6013325265113209212,
+        -1.4864164506872924606,
+        0.5,
+        -0.75,
+        2.0,
+    };
+    float t_dot[6];
+    chasles_twist_rate_from_pose_naturalf(e, phi[0], s_dot, s_ddot, t_dot);
+    comparef("chasles_twist_rate_from_pose_naturalf, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void twist_rate_from_pose_natural_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float s_dot[7] = {-1.5f, 0.25f, 1.75f, -0.5f, 0.75f, -1.25f, 1.5f};
+    const float s_ddot[7] = {1.25f, 0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f};
+    const double t_dot_expected[6] = {
+        -0.015664561344240420494,
+        3.5433923606237850503,
+        -1.0641385576224252361,
+        -1.5,
+        0.25,
+        1.75,
+    };
+    float t_dot[6];
+    chasles_twist_rate_from_pose_naturalf(e, phi[0], s_dot, s_ddot, t_dot);
+    comparef("chasles_twist_rate_from_pose_naturalf, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void twist_rate_from_pose_linear_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double s_dot[7] = {0.5, -0.75, 2.0, -1.5, 0.25, 1.75, -0.5};
+    const double s_ddot[7] = {0.75, -1.25, 1.5, 1.25, 0.5, -0.75, 2.0};
+    const double t_dot_expected[6] = {
+        4.262135544077629043,
+        -2.1580177675712927531,
+        2.8610387407137106217,
+        0.5,
+        -0.75,
+        2.0,
+    };
+    double t_dot[6];
+    chasles_twist_rate_from_pose_linear(e, phi[0], s_dot, s_ddot, t_dot);
+    compare("chasles_twist_rate_from_pose_linear, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void twist_rate_from_pose_linear_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double s_dot[7] = {-1.5, 0.25, 1.75, -0.5, 0.75, -1.25, 1.5};
+    const double s_ddot[7] = {1.25, 0.5, -0.75, 2.0, -1.5, 0.25, 1.75};
+    const double t_dot_expected[6] = {
+        -0.22469361085857432376,
+        -0.79774574993978117783,
+        -1.1773915902740737554,
+        -1.5,
+        0.25,
+        1.75,
+    };
+    double t_dot[6];
+    chasles_twist_rate_from_pose_linear(e, phi[0], s_dot, s_ddot, t_dot);
+    compare("chasles_twist_rate_from_pose_linear, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void twist_rate_from_pose_linear_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float s_dot[7] = {0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f, -0.5f};
+    const float s_ddot[7] = {0.75f, -1.25f, 1.5f, 1.25f, 0.5f, -0.75f, 2.0f};
+    const double t_dot_expected[6] = {
+        4.262135544077629043,
+        -2.1580177675712927531,
+        2.8610387407137106217,
+        0.5,
+        -0.75,
+        2.0,
+    };
+    float t_dot[6];
+    chasles_twist_rate_from_pose_linearf(e, phi[0], s_dot, s_ddot, t_dot);
+    comparef("chasles_twist_rate_from_pose_linearf, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void twist_rate_from_pose_linear_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float s_dot[7] = {-1.5f, 0.25f, 1.75f, -0.5f, 0.75f, -1.25f, 1.5f};
+    const float s_ddot[7] = {1.25f, 0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f};
+    const double t_dot_expected[6] = {
+        -0.22469361085857432376,
+        -0.79774574993978117783,
+        -1.1773915902740737554,
+        -1.5,
+        0.25,
+        1.75,
+    };
+    float t_dot[6];
+    chasles_twist_rate_from_pose_linearf(e, phi[0], s_dot, s_ddot, t_dot);
+    comparef("chasles_twist_rate_from_pose_linearf, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void twist_rate_from_pose_euler_rodrigues_vector_1(void)
+{
+    const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const double phi[1] = {1.25};
+    const double s_dot[7] = {0.5, -0.75, 2.0, -1.5, 0.25, 1.75, -0.5};
+    const double s_ddot[7] = {0.75, -1.25, 1.5, 1.25, 0.5, -0.75, 2.0};
+    const double t_dot_expected[6] = {
+        2.8742202859224696252,
+        -3.0025699203304816801,
+        0.38504890322403616475,
+        0.5,
+        -0.75,
+        2.0,
+    };
+    double t_dot[6];
+    chasles_twist_rate_from_pose_euler_rodrigues(e, phi[0], s_dot, s_ddot, t_dot);
+    compare("chasles_twist_rate_from_pose_euler_rodrigues, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void twist_rate_from_pose_euler_rodrigues_vector_2(void)
+{
+    const double e[3] = {0.0, 0.6, 0.8};
+    const double phi[1] = {2.0};
+    const double s_dot[7] = {-1.5, 0.25, 1.75, -0.5, 0.75, -1.25, 1.5};
+    const double s_ddot[7] = {1.25, 0.5, -0.75, 2.0, -1.5, 0.25, 1.75};
+    const double t_dot_expected[6] = {
+        -0.079744909503074767807,
+        0.20371391194498111474,
+        -4.7653670873993231574,
+        -1.5,
+        0.25,
+        1.75,
+    };
+    double t_dot[6];
+    chasles_twist_rate_from_pose_euler_rodrigues(e, phi[0], s_dot, s_ddot, t_dot);
+    compare("chasles_twist_rate_from_pose_euler_rodrigues, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void twist_rate_from_pose_euler_rodrigues_vector_1f(void)
+{
+    const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
+    const float phi[1] = {1.25f};
+    const float s_dot[7] = {0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f, -0.5f};
+    const float s_ddot[7] = {0.75f, -1.25f, 1.5f, 1.25f, 0.5f, -0.75f, 2.0f};
+    const double t_dot_expected[6] = {
+        2.8742202859224696252,
+        -3.0025699203304816801,
+        0.38504890322403616475,
+        0.5,
+        -0.75,
+        2.0,
+    };
+    float t_dot[6];
+    chasles_twist_rate_from_pose_euler_rodriguesf(e, phi[0], s_dot, s_ddot, t_dot);
+    comparef("chasles_twist_rate_from_pose_euler_rodriguesf, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void twist_rate_from_pose_euler_rodrigues_vector_2f(void)
+{
+    const float e[3] = {0.0f, 0.6f, 0.8f};
+    const float phi[1] = {2.0f};
+    const float s_dot[7] = {-1.5f, 0.25f, 1.75f, -0.5f, 0.75f, -1.25f, 1.5f};
+    const float s_ddot[7] = {1.25f, 0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f};
+    const double t_dot_expected[6] = {
+        -0.079744909503074767807,
+        0.20371391194498111474,
+        -4.7653670873993231574,
+        -1.5,
+        0.25,
+        1.75,
+    };
+    float t_dot[6];
+    chasles_twist_rate_from_pose_euler_rodriguesf(e, phi[0], s_dot, s_ddot, t_dot);
+    comparef("chasles_twist_rate_from_pose_euler_rodriguesf, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+}
+
 static void moving_frame_velocity_vector_1(void)
 {
     const double o_dot[3] = {1.25, 0.5, -0.75};
@@ -3272,6 +4466,54 @@ static void inertia_about_point_vector_2f(void)
     comparef("chasles_inertia_about_pointf, vector 2: I_A", 9, I_A, I_A_expected, 8.0 * FLT_EPSILON);
 }
 
+static void inertia_about_point_sym6_vector_1(void)
+{
+    const double I_C[6] = {1.25, 0.5, -0.75, 2.0, -1.5, 0.25};
+    const double m[1] = {1.75};
+    const double c[3] = {-0.5, 0.75, -1.25};
+    const double a[3] = {1.5, 1.25, 0.5};
+    const double I_A_expected[6] = {7.046875, -1.25, -6.875, 14.359375, -3.03125, 7.6875};
+    double I_A[6];
+    chasles_inertia_about_point_sym6(I_C, m[0], c, a, I_A);
+    compare("chasles_inertia_about_point_sym6, vector 1: I_A", 6, I_A, I_A_expected, 8.0 * DBL_EPSILON);
+}
+
+static void inertia_about_point_sym6_vector_2(void)
+{
+    const double I_C[6] = {2.0, -1.5, 0.25, 1.75, -0.5, 0.75};
+    const double m[1] = {-1.25};
+    const double c[3] = {1.5, 1.25, 0.5};
+    const double a[3] = {-0.75, 2.0, -1.5};
+    const double I_A_expected[6] = {-3.703125, -3.609375, 5.875, -9.578125, -2.375, -6.28125};
+    double I_A[6];
+    chasles_inertia_about_point_sym6(I_C, m[0], c, a, I_A);
+    compare("chasles_inertia_about_point_sym6, vector 2: I_A", 6, I_A, I_A_expected, 8.0 * DBL_EPSILON);
+}
+
+static void inertia_about_point_sym6_vector_1f(void)
+{
+    const float I_C[6] = {1.25f, 0.5f, -0.75f, 2.0f, -1.5f, 0.25f};
+    const float m[1] = {1.75f};
+    const float c[3] = {-0.5f, 0.75f, -1.25f};
+    const float a[3] = {1.5f, 1.25f, 0.5f};
+    const double I_A_expected[6] = {7.046875, -1.25, -6.875, 14.359375, -3.03125, 7.6875};
+    float I_A[6];
+    chasles_inertia_about_point_sym6f(I_C, m[0], c, a, I_A);
+    comparef("chasles_inertia_about_point_sym6f, vector 1: I_A", 6, I_A, I_A_expected, 8.0 * FLT_EPSILON);
+}
+
+static void inertia_about_point_sym6_vector_2f(void)
+{
+    const float I_C[6] = {2.0f, -1.5f, 0.25f, 1.75f, -0.5f, 0.75f};
+    const float m[1] = {-1.25f};
+    const float c[3] = {1.5f, 1.25f, 0.5f};
+    const float a[3] = {-0.75f, 2.0f, -1.5f};
+    const double I_A_expected[6] = {-3.703125, -3.609375, 5.875, -9.578125, -2.375, -6.28125};
+    float I_A[6];
+    chasles_inertia_about_point_sym6f(I_C, m[0], c, a, I_A);
+    comparef("chasles_inertia_about_point_sym6f, vector 2: I_A", 6, I_A, I_A_expected, 8.0 * FLT_EPSILON);
+}
+
 static void momentum_screw_vector_1(void)
 {
     const double I_C[9] = {
@@ -3350,6 +4592,50 @@ static void momentum_screw_vector_2f(void)
     comparef("chasles_momentum_screwf, vector 2: mu", 6, mu, mu_expected, 8.0 * FLT_EPSILON);
 }
 
+static void momentum_screw_sym6_vector_1(void)
+{
+    const double I_C[6] = {1.25, 0.5, -0.75, 2.0, -1.5, 0.25};
+    const double m[1] = {1.75};
+    const double t[6] = {-0.5, 0.75, -1.25, 1.5, 1.25, 0.5};
+    const double mu_expected[6] = {0.6875, 3.125, -1.0625, 2.625, 2.1875, 0.875};
+    double mu[6];
+    chasles_momentum_screw_sym6(I_C, m[0], t, mu);
+    compare("chasles_momentum_screw_sym6, vector 1: mu", 6, mu, mu_expected, 8.0 * DBL_EPSILON);
+}
+
+static void momentum_screw_sym6_vector_2(void)
+{
+    const double I_C[6] = {2.0, -1.5, 0.25, 1.75, -0.5, 0.75};
+    const double m[1] = {-1.25};
+    const double t[6] = {1.5, 1.25, 0.5, -0.75, 2.0, -1.5};
+    const double mu_expected[6] = {1.25, -0.3125, 0.125, 0.9375, -2.5, 1.875};
+    double mu[6];
+    chasles_momentum_screw_sym6(I_C, m[0], t, mu);
+    compare("chasles_momentum_screw_sym6, vector 2: mu", 6, mu, mu_expected, 8.0 * DBL_EPSILON);
+}
+
+static void momentum_screw_sym6_vector_1f(void)
+{
+    const float I_C[6] = {1.25f, 0.5f, -0.75f, 2.0f, -1.5f, 0.25f};
+    const float m[1] = {1.75f};
+    const float t[6] = {-0.5f, 0.75f, -1.25f, 1.5f, 1.25f, 0.5f};
+    const double mu_expected[6] = {0.6875, 3.125, -1.0625, 2.625, 2.1875, 0.875};
+    float mu[6];
+    chasles_momentum_screw_sym6f(I_C, m[0], t, mu);
+    comparef("chasles_momentum_screw_sym6f, vector 1: mu", 6, mu, mu_expected, 8.0 * FLT_EPSILON);
+}
+
+static void momentum_screw_sym6_vector_2f(void)
+{
+    const float I_C[6] = {2.0f, -1.5f, 0.25f, 1.75f, -0.5f, 0.75f};
+    const float m[1] = {-1.25f};
+    const float t[6] = {1.5f, 1.25f, 0.5f, -0.75f, 2.0f, -1.5f};
+    const double mu_expected[6] = {1.25, -0.3125, 0.125, 0.9375, -2.5, 1.875};
+    float mu[6];
+    chasles_momentum_screw_sym6f(I_C, m[0], t, mu);
+    comparef("chasles_momentum_screw_sym6f, vector 2: mu", 6, mu, mu_expected, 8.0 * FLT_EPSILON);
+}
+
 static void kinetic_energy_vector_1(void)
 {
     const double I_C[9] = {
@@ -3412,6 +4698,50 @@ static void kinetic_energy_vector_2f(void)
     float T[1];
     chasles_kinetic_energyf(I_C, m[0], t, T);
     comparef("chasles_kinetic_energyf, vector 2: T", 1, T, T_expected, 8.0 * FLT_EPSILON);
+}
+
+static void kinetic_energy_sym6_vector_1(void)
+{
+    const double I_C[6] = {1.25, 0.5, -0.75, 2.0, -1.5, 0.25};
+    const double m[1] = {1.75};
+    const double t[6] = {-0.5, 0.75, -1.25, 1.5, 1.25, 0.5};
+    const double T_expected[1] = {5.21875};
+    double T[1];
+    chasles_kinetic_energy_sym6(I_C, m[0], t, T);
+    compare("chasles_kinetic_energy_sym6, vector 1: T", 1, T, T_expected, 8.0 * DBL_EPSILON);
+}
+
+static void kinetic_energy_sym6_vector_2(void)
+{
+    const double I_C[6] = {2.0, -1.5, 0.25, 1.75, -0.5, 0.75};
+    const double m[1] = {-1.25};
+    const double t[6] = {1.5, 1.25, 0.5, -0.75, 2.0, -1.5};
+    const double T_expected[1] = {-3.484375};
+    double T[1];
+    chasles_kinetic_energy_sym6(I_C, m[0], t, T);
+    compare("chasles_kinetic_energy_sym6, vector 2: T", 1, T, T_expected, 8.0 * DBL_EPSILON);
+}
+
+static void kinetic_energy_sym6_vector_1f(void)
+{
+    const float I_C[6] = {1.25f, 0.5f, -0.75f, 2.0f, -1.5f, 0.25f};
+    const float m[1] = {1.75f};
+    const float t[6] = {-0.5f, 0.75f, -1.25f, 1.5f, 1.25f, 0.5f};
+    const double T_expected[1] = {5.21875};
+    float T[1];
+    chasles_kinetic_energy_sym6f(I_C, m[0], t, T);
+    comparef("chasles_kinetic_energy_sym6f, vector 1: T", 1, T, T_expected, 8.0 * FLT_EPSILON);
+}
+
+static void kinetic_energy_sym6_vector_2f(void)
+{
+    const float I_C[6] = {2.0f, -1.5f, 0.25f, 1.75f, -0.5f, 0.75f};
+    const float m[1] = {-1.25f};
+    const float t[6] = {1.5f, 1.25f, 0.5f, -0.75f, 2.0f, -1.5f};
+    const double T_expected[1] = {-3.484375};
+    float T[1];
+    chasles_kinetic_energy_sym6f(I_C, m[0], t, T);
+    comparef("chasles_kinetic_energy_sym6f, vector 2: T", 1, T, T_expected, 8.0 * FLT_EPSILON);
 }
 
 static void newton_euler_wrench_vector_1(void)
@@ -3494,6 +4824,54 @@ static void newton_euler_wrench_vector_2f(void)
     float w[6];
     chasles_newton_euler_wrenchf(I_C, m[0], t, t_dot, w);
     comparef("chasles_newton_euler_wrenchf, vector 2: w", 6, w, w_expected, 8.0 * FLT_EPSILON);
+}
+
+static void newton_euler_wrench_sym6_vector_1(void)
+{
+    const double I_C[6] = {1.25, 0.5, -0.75, 2.0, -1.5, 0.25};
+    const double m[1] = {1.75};
+    const double t[6] = {-0.5, 0.75, -1.25, 1.5, 1.25, 0.5};
+    const double t_dot[6] = {-0.75, 2.0, -1.5, 0.25, 1.75, -0.5};
+    const double w_expected[6] = {4.296875, 4.484375, -4.890625, 0.4375, 3.0625, -0.875};
+    double w[6];
+    chasles_newton_euler_wrench_sym6(I_C, m[0], t, t_dot, w);
+    compare("chasles_newton_euler_wrench_sym6, vector 1: w", 6, w, w_expected, 8.0 * DBL_EPSILON);
+}
+
+static void newton_euler_wrench_sym6_vector_2(void)
+{
+    const double I_C[6] = {2.0, -1.5, 0.25, 1.75, -0.5, 0.75};
+    const double m[1] = {-1.25};
+    const double t[6] = {1.5, 1.25, 0.5, -0.75, 2.0, -1.5};
+    const double t_dot[6] = {0.25, 1.75, -0.5, 0.75, -1.25, 1.5};
+    const double w_expected[6] = {-1.9375, 3.375, -3.21875, -0.9375, 1.5625, -1.875};
+    double w[6];
+    chasles_newton_euler_wrench_sym6(I_C, m[0], t, t_dot, w);
+    compare("chasles_newton_euler_wrench_sym6, vector 2: w", 6, w, w_expected, 8.0 * DBL_EPSILON);
+}
+
+static void newton_euler_wrench_sym6_vector_1f(void)
+{
+    const float I_C[6] = {1.25f, 0.5f, -0.75f, 2.0f, -1.5f, 0.25f};
+    const float m[1] = {1.75f};
+    const float t[6] = {-0.5f, 0.75f, -1.25f, 1.5f, 1.25f, 0.5f};
+    const float t_dot[6] = {-0.75f, 2.0f, -1.5f, 0.25f, 1.75f, -0.5f};
+    const double w_expected[6] = {4.296875, 4.484375, -4.890625, 0.4375, 3.0625, -0.875};
+    float w[6];
+    chasles_newton_euler_wrench_sym6f(I_C, m[0], t, t_dot, w);
+    comparef("chasles_newton_euler_wrench_sym6f, vector 1: w", 6, w, w_expected, 8.0 * FLT_EPSILON);
+}
+
+static void newton_euler_wrench_sym6_vector_2f(void)
+{
+    const float I_C[6] = {2.0f, -1.5f, 0.25f, 1.75f, -0.5f, 0.75f};
+    const float m[1] = {-1.25f};
+    const float t[6] = {1.5f, 1.25f, 0.5f, -0.75f, 2.0f, -1.5f};
+    const float t_dot[6] = {0.25f, 1.75f, -0.5f, 0.75f, -1.25f, 1.5f};
+    const double w_expected[6] = {-1.9375, 3.375, -3.21875, -0.9375, 1.5625, -1.875};
+    float w[6];
+    chasles_newton_euler_wrench_sym6f(I_C, m[0], t, t_dot, w);
+    comparef("chasles_newton_euler_wrench_sym6f, vector 2: w", 6, w, w_expected, 8.0 * FLT_EPSILON);
 }
 
 static void newton_euler_twist_rate_vector_1(void)
@@ -3620,6 +4998,106 @@ static void newton_euler_twist_rate_vector_3f(void)
     float t_dot[6];
     chasles_newton_euler_twist_ratef(I_C, m[0], t, w, t_dot);
     comparef("chasles_newton_euler_twist_ratef, vector 3: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void newton_euler_twist_rate_sym6_vector_1(void)
+{
+    const double I_C[6] = {1.25, 0.5, -0.75, 2.0, -1.5, 0.25};
+    const double m[1] = {1.75};
+    const double t[6] = {-0.5, 0.75, -1.25, 1.5, 1.25, 0.5};
+    const double w[6] = {-0.75, 2.0, -1.5, 0.25, 1.75, -0.5};
+    const double t_dot_expected[6] = {
+        -4.7013888888888888889,
+        1.7065972222222222222,
+        -1.5520833333333333333,
+        0.14285714285714285714,
+        1.0,
+        -0.28571428571428571429,
+    };
+    double t_dot[6];
+    chasles_newton_euler_twist_rate_sym6(I_C, m[0], t, w, t_dot);
+    compare("chasles_newton_euler_twist_rate_sym6, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void newton_euler_twist_rate_sym6_vector_2(void)
+{
+    const double I_C[6] = {2.0, -1.5, 0.25, 1.75, -0.5, 0.75};
+    const double m[1] = {-1.25};
+    const double t[6] = {1.5, 1.25, 0.5, -0.75, 2.0, -1.5};
+    const double w[6] = {0.25, 1.75, -0.5, 0.75, -1.25, 1.5};
+    const double t_dot_expected[6] = {
+        2.4527777777777777778,
+        3.9555555555555555556,
+        3.8611111111111111111,
+        -0.6,
+        1.0,
+        -1.2,
+    };
+    double t_dot[6];
+    chasles_newton_euler_twist_rate_sym6(I_C, m[0], t, w, t_dot);
+    compare("chasles_newton_euler_twist_rate_sym6, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void newton_euler_twist_rate_sym6_vector_3(void)
+{
+    const double I_C[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    const double m[1] = {0.0};
+    const double t[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    const double w[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    const double t_dot_expected[6] = {NAN, NAN, NAN, NAN, NAN, NAN};
+    double t_dot[6];
+    chasles_newton_euler_twist_rate_sym6(I_C, m[0], t, w, t_dot);
+    compare("chasles_newton_euler_twist_rate_sym6, vector 3: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void newton_euler_twist_rate_sym6_vector_1f(void)
+{
+    const float I_C[6] = {1.25f, 0.5f, -0.75f, 2.0f, -1.5f, 0.25f};
+    const float m[1] = {1.75f};
+    const float t[6] = {-0.5f, 0.75f, -1.25f, 1.5f, 1.25f, 0.5f};
+    const float w[6] = {-0.75f, 2.0f, -1.5f, 0.25f, 1.75f, -0.5f};
+    const double t_dot_expected[6] = {
+        -4.7013888888888888889,
+        1.7065972222222222222,
+        -1.5520833333333333333,
+        0.14285714285714285714,
+        1.0,
+        -0.28571428571428571429,
+    };
+    float t_dot[6];
+    chasles_newton_euler_twist_rate_sym6f(I_C, m[0], t, w, t_dot);
+    comparef("chasles_newton_euler_twist_rate_sym6f, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void newton_euler_twist_rate_sym6_vector_2f(void)
+{
+    const float I_C[6] = {2.0f, -1.5f, 0.25f, 1.75f, -0.5f, 0.75f};
+    const float m[1] = {-1.25f};
+    const float t[6] = {1.5f, 1.25f, 0.5f, -0.75f, 2.0f, -1.5f};
+    const float w[6] = {0.25f, 1.75f, -0.5f, 0.75f, -1.25f, 1.5f};
+    const double t_dot_expected[6] = {
+        2.4527777777777777778,
+        3.9555555555555555556,
+        3.8611111111111111111,
+        -0.6,
+        1.0,
+        -1.2,
+    };
+    float t_dot[6];
+    chasles_newton_euler_twist_rate_sym6f(I_C, m[0], t, w, t_dot);
+    comparef("chasles_newton_euler_twist_rate_sym6f, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void newton_euler_twist_rate_sym6_vector_3f(void)
+{
+    const float I_C[6] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+    const float m[1] = {0.0f};
+    const float t[6] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+    const float w[6] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+    const double t_dot_expected[6] = {NAN, NAN, NAN, NAN, NAN, NAN};
+    float t_dot[6];
+    chasles_newton_euler_twist_rate_sym6f(I_C, m[0], t, w, t_dot);
+    comparef("chasles_newton_euler_twist_rate_sym6f, vector 3: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void inertia_dyad_vector_1(void)
@@ -3838,6 +5316,3730 @@ static void inertia_dyad_vector_2f(void)
     comparef("chasles_inertia_dyadf, vector 2: M_A", 36, M_A, M_A_expected, 8.0 * FLT_EPSILON);
 }
 
+static void inertia_dyad_sym6_vector_1(void)
+{
+    const double I_C[6] = {1.25, 0.5, -0.75, 2.0, -1.5, 0.25};
+    const double m[1] = {1.75};
+    const double c[3] = {-0.5, 0.75, -1.25};
+    const double a[3] = {1.5, 1.25, 0.5};
+    const double M_A_expected[36] = {
+        7.046875,
+        -1.25,
+        -6.875,
+        0.0,
+        3.0625,
+        -0.875,
+        -1.25,
+        14.359375,
+        -3.03125,
+        -3.0625,
+        0.0,
+        3.5,
+        -6.875,
+        -3.03125,
+        7.6875,
+        0.875,
+        -3.5,
+        0.0,
+        0.0,
+        -3.0625,
+        0.875,
+        1.75,
+        0.0,
+        0.0,
+        3.0625,
+        0.0,
+        -3.5,
+        0.0,
+        1.75,
+        0.0,
+        -0.875,
+        3.5,
+        0.0,
+        0.0,
+        0.0,
+        1.75,
+    };
+    double M_A[36];
+    chasles_inertia_dyad_sym6(I_C, m[0], c, a, M_A);
+    compare("chasles_inertia_dyad_sym6, vector 1: M_A", 36, M_A, M_A_expected, 8.0 * DBL_EPSILON);
+}
+
+static void inertia_dyad_sym6_vector_2(void)
+{
+    const double I_C[6] = {2.0, -1.5, 0.25, 1.75, -0.5, 0.75};
+    const double m[1] = {-1.25};
+    const double c[3] = {1.5, 1.25, 0.5};
+    const double a[3] = {-0.75, 2.0, -1.5};
+    const double M_A_expected[36] = {
+        -3.703125,
+        -3.609375,
+        5.875,
+        0.0,
+        2.5,
+        0.9375,
+        -3.609375,
+        -9.578125,
+        -2.375,
+        -2.5,
+        0.0,
+        2.8125,
+        5.875,
+        -2.375,
+        -6.28125,
+        -0.9375,
+        -2.8125,
+        0.0,
+        0.0,
+        -2.5,
+        -0.9375,
+        -1.25,
+        0.0,
+        0.0,
+        2.5,
+        0.0,
+        -2.8125,
+        0.0,
+        -1.25,
+        0.0,
+        0.9375,
+        2.8125,
+        0.0,
+        0.0,
+        0.0,
+        -1.25,
+    };
+    double M_A[36];
+    chasles_inertia_dyad_sym6(I_C, m[0], c, a, M_A);
+    compare("chasles_inertia_dyad_sym6, vector 2: M_A", 36, M_A, M_A_expected, 8.0 * DBL_EPSILON);
+}
+
+static void inertia_dyad_sym6_vector_1f(void)
+{
+    const float I_C[6] = {1.25f, 0.5f, -0.75f, 2.0f, -1.5f, 0.25f};
+    const float m[1] = {1.75f};
+    const float c[3] = {-0.5f, 0.75f, -1.25f};
+    const float a[3] = {1.5f, 1.25f, 0.5f};
+    const double M_A_expected[36] = {
+        7.046875,
+        -1.25,
+        -6.875,
+        0.0,
+        3.0625,
+        -0.875,
+        -1.25,
+        14.359375,
+        -3.03125,
+        -3.0625,
+        0.0,
+        3.5,
+        -6.875,
+        -3.03125,
+        7.6875,
+        0.875,
+        -3.5,
+        0.0,
+        0.0,
+        -3.0625,
+        0.875,
+        1.75,
+        0.0,
+        0.0,
+        3.0625,
+        0.0,
+        -3.5,
+        0.0,
+        1.75,
+        0.0,
+        -0.875,
+        3.5,
+        0.0,
+        0.0,
+        0.0,
+        1.75,
+    };
+    float M_A[36];
+    chasles_inertia_dyad_sym6f(I_C, m[0], c, a, M_A);
+    comparef("chasles_inertia_dyad_sym6f, vector 1: M_A", 36, M_A, M_A_expected, 8.0 * FLT_EPSILON);
+}
+
+static void inertia_dyad_sym6_vector_2f(void)
+{
+    const float I_C[6] = {2.0f, -1.5f, 0.25f, 1.75f, -0.5f, 0.75f};
+    const float m[1] = {-1.25f};
+    const float c[3] = {1.5f, 1.25f, 0.5f};
+    const float a[3] = {-0.75f, 2.0f, -1.5f};
+    const double M_A_expected[36] = {
+        -3.703125,
+        -3.609375,
+        5.875,
+        0.0,
+        2.5,
+        0.9375,
+        -3.609375,
+        -9.578125,
+        -2.375,
+        -2.5,
+        0.0,
+        2.8125,
+        5.875,
+        -2.375,
+        -6.28125,
+        -0.9375,
+        -2.8125,
+        0.0,
+        0.0,
+        -2.5,
+        -0.9375,
+        -1.25,
+        0.0,
+        0.0,
+        2.5,
+        0.0,
+        -2.8125,
+        0.0,
+        -1.25,
+        0.0,
+        0.9375,
+        2.8125,
+        0.0,
+        0.0,
+        0.0,
+        -1.25,
+    };
+    float M_A[36];
+    chasles_inertia_dyad_sym6f(I_C, m[0], c, a, M_A);
+    comparef("chasles_inertia_dyad_sym6f, vector 2: M_A", 36, M_A, M_A_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_xyx_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double Q_expected[9] = {
+        0.87758256189037271612,
+        -0.32679502965768805935,
+        0.35079033005053164238,
+        0.45496746226165648835,
+        0.7983950426084577951,
+        -0.39442358476823751035,
+        -0.151173593425301366,
+        0.50573744623991374325,
+        0.84933867221598477972,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_xyx(angles, Q);
+    compare("chasles_rotation_from_euler_xyx, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_xyx_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double Q_expected[9] = {
+        0.070737201667702910088,
+        -0.24678420902238037792,
+        -0.96648528311476155654,
+        -0.90701962459058452691,
+        -0.41912314771007518991,
+        0.040634808491656591945,
+        -0.4151043831469114242,
+        0.87374672602007303051,
+        -0.25348571924553381714,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_xyx(angles, Q);
+    compare("chasles_rotation_from_euler_xyx, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_xyx_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double Q_expected[9] = {
+        0.87758256189037271612,
+        -0.32679502965768805935,
+        0.35079033005053164238,
+        0.45496746226165648835,
+        0.7983950426084577951,
+        -0.39442358476823751035,
+        -0.151173593425301366,
+        0.50573744623991374325,
+        0.84933867221598477972,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_xyxf(angles, Q);
+    comparef("chasles_rotation_from_euler_xyxf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_xyx_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double Q_expected[9] = {
+        0.070737201667702910088,
+        -0.24678420902238037792,
+        -0.96648528311476155654,
+        -0.90701962459058452691,
+        -0.41912314771007518991,
+        0.040634808491656591945,
+        -0.4151043831469114242,
+        0.87374672602007303051,
+        -0.25348571924553381714,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_xyxf(angles, Q);
+    comparef("chasles_rotation_from_euler_xyxf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_xyx_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_expected[9] = {
+        1.0,
+        0.0,
+        0.87758256189037271612,
+        0.0,
+        0.31532236239526866545,
+        0.45496746226165648835,
+        0.0,
+        0.94898461935558621435,
+        -0.151173593425301366,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_xyx(angles, W);
+    compare("chasles_euler_rate_matrix_xyx, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_xyx_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_expected[9] = {
+        1.0,
+        0.0,
+        0.070737201667702910088,
+        0.0,
+        -0.416146836547142387,
+        -0.90701962459058452691,
+        0.0,
+        0.9092974268256816954,
+        -0.4151043831469114242,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_xyx(angles, W);
+    compare("chasles_euler_rate_matrix_xyx, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_xyx_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_expected[9] = {
+        1.0,
+        0.0,
+        0.87758256189037271612,
+        0.0,
+        0.31532236239526866545,
+        0.45496746226165648835,
+        0.0,
+        0.94898461935558621435,
+        -0.151173593425301366,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_xyxf(angles, W);
+    comparef("chasles_euler_rate_matrix_xyxf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_xyx_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_expected[9] = {
+        1.0,
+        0.0,
+        0.070737201667702910088,
+        0.0,
+        -0.416146836547142387,
+        -0.90701962459058452691,
+        0.0,
+        0.9092974268256816954,
+        -0.4151043831469114242,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_xyxf(angles, W);
+    comparef("chasles_euler_rate_matrix_xyxf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_xyx_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_body_expected[9] = {
+        0.87758256189037271612,
+        0.0,
+        1.0,
+        -0.32679502965768805935,
+        0.73168886887382088631,
+        0.0,
+        0.35079033005053164238,
+        0.68163876002333416673,
+        0.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_xyx(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_xyx, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_xyx_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_body_expected[9] = {
+        0.070737201667702910088,
+        0.0,
+        1.0,
+        -0.24678420902238037792,
+        0.96891242171064478414,
+        0.0,
+        -0.96648528311476155654,
+        -0.2474039592545229296,
+        0.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_xyx(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_xyx, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_xyx_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_body_expected[9] = {
+        0.87758256189037271612,
+        0.0,
+        1.0,
+        -0.32679502965768805935,
+        0.73168886887382088631,
+        0.0,
+        0.35079033005053164238,
+        0.68163876002333416673,
+        0.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_xyxf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_xyxf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_xyx_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_body_expected[9] = {
+        0.070737201667702910088,
+        0.0,
+        1.0,
+        -0.24678420902238037792,
+        0.96891242171064478414,
+        0.0,
+        -0.96648528311476155654,
+        -0.2474039592545229296,
+        0.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_xyxf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_xyxf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_xyx_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double omega[3] = {2.0, -1.5, 0.25};
+    const double theta_dot_expected[3] = {
+        4.749955468923023983,
+        -0.23573738875400644458,
+        -3.133557557250718693,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_xyx(angles, omega, theta_dot);
+    compare("chasles_euler_rates_xyx, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_xyx_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double omega[3] = {1.75, -0.5, 0.75};
+    const double theta_dot_expected[3] = {
+        1.7398918983665136074,
+        0.89004648839283246505,
+        0.14289654375883425947,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_xyx(angles, omega, theta_dot);
+    compare("chasles_euler_rates_xyx, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_xyx_vector_3(void)
+{
+    const double angles[3] = {0.0, 0.0, 0.0};
+    const double omega[3] = {0.0, 0.0, 0.0};
+    const double theta_dot_expected[3] = {NAN, 0.0, NAN};
+    double theta_dot[3];
+    chasles_euler_rates_xyx(angles, omega, theta_dot);
+    compare("chasles_euler_rates_xyx, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_xyx_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const float omega[3] = {2.0f, -1.5f, 0.25f};
+    const double theta_dot_expected[3] = {
+        4.749955468923023983,
+        -0.23573738875400644458,
+        -3.133557557250718693,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_xyxf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_xyxf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_xyx_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const float omega[3] = {1.75f, -0.5f, 0.75f};
+    const double theta_dot_expected[3] = {
+        1.7398918983665136074,
+        0.89004648839283246505,
+        0.14289654375883425947,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_xyxf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_xyxf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_xyx_vector_3f(void)
+{
+    const float angles[3] = {0.0f, 0.0f, 0.0f};
+    const float omega[3] = {0.0f, 0.0f, 0.0f};
+    const double theta_dot_expected[3] = {NAN, 0.0, NAN};
+    float theta_dot[3];
+    chasles_euler_rates_xyxf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_xyxf, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_xyz_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double Q_expected[9] = {
+        0.6421173920529567248,
+        0.59819428930505457197,
+        0.47942553860420300027,
+        0.11795868372588487932,
+        0.54084131949861377544,
+        -0.83281235344863553273,
+        -0.757476734795707194,
+        0.59131570194424826225,
+        0.27672140661216439796,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_xyz(angles, Q);
+    compare("chasles_rotation_from_euler_xyz, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_xyz_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double Q_expected[9] = {
+        0.068538153372888287532,
+        -0.017500663759175342192,
+        -0.99749498660405443094,
+        -0.98177895599415098176,
+        -0.17880959294085393151,
+        -0.064321155457291576076,
+        -0.17723600960095381218,
+        0.98372803977538141873,
+        -0.029437062700211810791,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_xyz(angles, Q);
+    compare("chasles_rotation_from_euler_xyz, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_xyz_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double Q_expected[9] = {
+        0.6421173920529567248,
+        0.59819428930505457197,
+        0.47942553860420300027,
+        0.11795868372588487932,
+        0.54084131949861377544,
+        -0.83281235344863553273,
+        -0.757476734795707194,
+        0.59131570194424826225,
+        0.27672140661216439796,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_xyzf(angles, Q);
+    comparef("chasles_rotation_from_euler_xyzf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_xyz_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double Q_expected[9] = {
+        0.068538153372888287532,
+        -0.017500663759175342192,
+        -0.99749498660405443094,
+        -0.98177895599415098176,
+        -0.17880959294085393151,
+        -0.064321155457291576076,
+        -0.17723600960095381218,
+        0.98372803977538141873,
+        -0.029437062700211810791,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_xyzf(angles, Q);
+    comparef("chasles_rotation_from_euler_xyzf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_xyz_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_expected[9] = {
+        1.0,
+        0.0,
+        0.47942553860420300027,
+        0.0,
+        0.31532236239526866545,
+        -0.83281235344863553273,
+        0.0,
+        0.94898461935558621435,
+        0.27672140661216439796,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_xyz(angles, W);
+    compare("chasles_euler_rate_matrix_xyz, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_xyz_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_expected[9] = {
+        1.0,
+        0.0,
+        -0.99749498660405443094,
+        0.0,
+        -0.416146836547142387,
+        -0.064321155457291576076,
+        0.0,
+        0.9092974268256816954,
+        -0.029437062700211810791,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_xyz(angles, W);
+    compare("chasles_euler_rate_matrix_xyz, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_xyz_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_expected[9] = {
+        1.0,
+        0.0,
+        0.47942553860420300027,
+        0.0,
+        0.31532236239526866545,
+        -0.83281235344863553273,
+        0.0,
+        0.94898461935558621435,
+        0.27672140661216439796,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_xyzf(angles, W);
+    comparef("chasles_euler_rate_matrix_xyzf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_xyz_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_expected[9] = {
+        1.0,
+        0.0,
+        -0.99749498660405443094,
+        0.0,
+        -0.416146836547142387,
+        -0.064321155457291576076,
+        0.0,
+        0.9092974268256816954,
+        -0.029437062700211810791,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_xyzf(angles, W);
+    comparef("chasles_euler_rate_matrix_xyzf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_xyz_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_body_expected[9] = {
+        0.6421173920529567248,
+        -0.68163876002333416673,
+        0.0,
+        0.59819428930505457197,
+        0.73168886887382088631,
+        0.0,
+        0.47942553860420300027,
+        0.0,
+        1.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_xyz(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_xyz, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_xyz_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_body_expected[9] = {
+        0.068538153372888287532,
+        0.2474039592545229296,
+        0.0,
+        -0.017500663759175342192,
+        0.96891242171064478414,
+        0.0,
+        -0.99749498660405443094,
+        0.0,
+        1.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_xyz(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_xyz, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_xyz_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_body_expected[9] = {
+        0.6421173920529567248,
+        -0.68163876002333416673,
+        0.0,
+        0.59819428930505457197,
+        0.73168886887382088631,
+        0.0,
+        0.47942553860420300027,
+        0.0,
+        1.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_xyzf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_xyzf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_xyz_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_body_expected[9] = {
+        0.068538153372888287532,
+        0.2474039592545229296,
+        0.0,
+        -0.017500663759175342192,
+        0.96891242171064478414,
+        0.0,
+        -0.99749498660405443094,
+        0.0,
+        1.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_xyzf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_xyzf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_xyz_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double omega[3] = {2.0, -1.5, 0.25};
+    const double theta_dot_expected[3] = {
+        1.1792856615138818611,
+        -0.23573738875400644458,
+        1.7118702955948937586,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_xyz(angles, omega, theta_dot);
+    compare("chasles_euler_rates_xyz, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_xyz_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double omega[3] = {1.75, -0.5, 0.75};
+    const double theta_dot_expected[3] = {
+        3.759996459897080318,
+        0.89004648839283246505,
+        2.0150441725427218909,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_xyz(angles, omega, theta_dot);
+    compare("chasles_euler_rates_xyz, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_xyz_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const float omega[3] = {2.0f, -1.5f, 0.25f};
+    const double theta_dot_expected[3] = {
+        1.1792856615138818611,
+        -0.23573738875400644458,
+        1.7118702955948937586,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_xyzf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_xyzf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_xyz_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const float omega[3] = {1.75f, -0.5f, 0.75f};
+    const double theta_dot_expected[3] = {
+        3.759996459897080318,
+        0.89004648839283246505,
+        2.0150441725427218909,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_xyzf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_xyzf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_xzx_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double Q_expected[9] = {
+        0.87758256189037271612,
+        -0.35079033005053164238,
+        -0.32679502965768805935,
+        0.151173593425301366,
+        0.84933867221598477972,
+        -0.50573744623991374325,
+        0.45496746226165648835,
+        0.39442358476823751035,
+        0.7983950426084577951,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_xzx(angles, Q);
+    compare("chasles_rotation_from_euler_xzx, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_xzx_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double Q_expected[9] = {
+        0.070737201667702910088,
+        0.96648528311476155654,
+        -0.24678420902238037792,
+        0.4151043831469114242,
+        -0.25348571924553381714,
+        -0.87374672602007303051,
+        -0.90701962459058452691,
+        -0.040634808491656591945,
+        -0.41912314771007518991,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_xzx(angles, Q);
+    compare("chasles_rotation_from_euler_xzx, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_xzx_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double Q_expected[9] = {
+        0.87758256189037271612,
+        -0.35079033005053164238,
+        -0.32679502965768805935,
+        0.151173593425301366,
+        0.84933867221598477972,
+        -0.50573744623991374325,
+        0.45496746226165648835,
+        0.39442358476823751035,
+        0.7983950426084577951,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_xzxf(angles, Q);
+    comparef("chasles_rotation_from_euler_xzxf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_xzx_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double Q_expected[9] = {
+        0.070737201667702910088,
+        0.96648528311476155654,
+        -0.24678420902238037792,
+        0.4151043831469114242,
+        -0.25348571924553381714,
+        -0.87374672602007303051,
+        -0.90701962459058452691,
+        -0.040634808491656591945,
+        -0.41912314771007518991,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_xzxf(angles, Q);
+    comparef("chasles_rotation_from_euler_xzxf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_xzx_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_expected[9] = {
+        1.0,
+        0.0,
+        0.87758256189037271612,
+        0.0,
+        -0.94898461935558621435,
+        0.151173593425301366,
+        0.0,
+        0.31532236239526866545,
+        0.45496746226165648835,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_xzx(angles, W);
+    compare("chasles_euler_rate_matrix_xzx, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_xzx_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_expected[9] = {
+        1.0,
+        0.0,
+        0.070737201667702910088,
+        0.0,
+        -0.9092974268256816954,
+        0.4151043831469114242,
+        0.0,
+        -0.416146836547142387,
+        -0.90701962459058452691,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_xzx(angles, W);
+    compare("chasles_euler_rate_matrix_xzx, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_xzx_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_expected[9] = {
+        1.0,
+        0.0,
+        0.87758256189037271612,
+        0.0,
+        -0.94898461935558621435,
+        0.151173593425301366,
+        0.0,
+        0.31532236239526866545,
+        0.45496746226165648835,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_xzxf(angles, W);
+    comparef("chasles_euler_rate_matrix_xzxf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_xzx_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_expected[9] = {
+        1.0,
+        0.0,
+        0.070737201667702910088,
+        0.0,
+        -0.9092974268256816954,
+        0.4151043831469114242,
+        0.0,
+        -0.416146836547142387,
+        -0.90701962459058452691,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_xzxf(angles, W);
+    comparef("chasles_euler_rate_matrix_xzxf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_xzx_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_body_expected[9] = {
+        0.87758256189037271612,
+        0.0,
+        1.0,
+        -0.35079033005053164238,
+        -0.68163876002333416673,
+        0.0,
+        -0.32679502965768805935,
+        0.73168886887382088631,
+        0.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_xzx(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_xzx, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_xzx_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_body_expected[9] = {
+        0.070737201667702910088,
+        0.0,
+        1.0,
+        0.96648528311476155654,
+        0.2474039592545229296,
+        0.0,
+        -0.24678420902238037792,
+        0.96891242171064478414,
+        0.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_xzx(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_xzx, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_xzx_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_body_expected[9] = {
+        0.87758256189037271612,
+        0.0,
+        1.0,
+        -0.35079033005053164238,
+        -0.68163876002333416673,
+        0.0,
+        -0.32679502965768805935,
+        0.73168886887382088631,
+        0.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_xzxf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_xzxf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_xzx_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_body_expected[9] = {
+        0.070737201667702910088,
+        0.0,
+        1.0,
+        0.96648528311476155654,
+        0.2474039592545229296,
+        0.0,
+        -0.24678420902238037792,
+        0.96891242171064478414,
+        0.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_xzxf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_xzxf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_xzx_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double omega[3] = {2.0, -1.5, 0.25};
+    const double theta_dot_expected[3] = {
+        2.4315143956627638414,
+        1.5023075196321964879,
+        -0.49170803341084215572,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_xzx(angles, omega, theta_dot);
+    compare("chasles_euler_rates_xzx, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_xzx_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double omega[3] = {1.75, -0.5, 0.75};
+    const double theta_dot_expected[3] = {
+        1.8131175081465002742,
+        0.14253858600248405745,
+        -0.89228166591891597849,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_xzx(angles, omega, theta_dot);
+    compare("chasles_euler_rates_xzx, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_xzx_vector_3(void)
+{
+    const double angles[3] = {0.0, 0.0, 0.0};
+    const double omega[3] = {0.0, 0.0, 0.0};
+    const double theta_dot_expected[3] = {NAN, 0.0, NAN};
+    double theta_dot[3];
+    chasles_euler_rates_xzx(angles, omega, theta_dot);
+    compare("chasles_euler_rates_xzx, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_xzx_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const float omega[3] = {2.0f, -1.5f, 0.25f};
+    const double theta_dot_expected[3] = {
+        2.4315143956627638414,
+        1.5023075196321964879,
+        -0.49170803341084215572,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_xzxf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_xzxf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_xzx_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const float omega[3] = {1.75f, -0.5f, 0.75f};
+    const double theta_dot_expected[3] = {
+        1.8131175081465002742,
+        0.14253858600248405745,
+        -0.89228166591891597849,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_xzxf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_xzxf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_xzx_vector_3f(void)
+{
+    const float angles[3] = {0.0f, 0.0f, 0.0f};
+    const float omega[3] = {0.0f, 0.0f, 0.0f};
+    const double theta_dot_expected[3] = {NAN, 0.0, NAN};
+    float theta_dot[3];
+    chasles_euler_rates_xzxf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_xzxf, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_xzy_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double Q_expected[9] = {
+        0.6421173920529567248,
+        -0.47942553860420300027,
+        -0.59819428930505457197,
+        -0.53625266364180790912,
+        0.27672140661216439796,
+        -0.79740726348563643342,
+        0.54783057194736357444,
+        0.83281235344863553273,
+        -0.079405594155383446326,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_xzy(angles, Q);
+    compare("chasles_rotation_from_euler_xzy, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_xzy_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double Q_expected[9] = {
+        0.068538153372888287532,
+        0.99749498660405443094,
+        0.017500663759175342192,
+        0.62716357667420081072,
+        -0.029437062700211810791,
+        -0.77833110398647672142,
+        -0.77586620600813532444,
+        0.064321155457291576076,
+        -0.62761008543137724778,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_xzy(angles, Q);
+    compare("chasles_rotation_from_euler_xzy, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_xzy_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double Q_expected[9] = {
+        0.6421173920529567248,
+        -0.47942553860420300027,
+        -0.59819428930505457197,
+        -0.53625266364180790912,
+        0.27672140661216439796,
+        -0.79740726348563643342,
+        0.54783057194736357444,
+        0.83281235344863553273,
+        -0.079405594155383446326,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_xzyf(angles, Q);
+    comparef("chasles_rotation_from_euler_xzyf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_xzy_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double Q_expected[9] = {
+        0.068538153372888287532,
+        0.99749498660405443094,
+        0.017500663759175342192,
+        0.62716357667420081072,
+        -0.029437062700211810791,
+        -0.77833110398647672142,
+        -0.77586620600813532444,
+        0.064321155457291576076,
+        -0.62761008543137724778,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_xzyf(angles, Q);
+    comparef("chasles_rotation_from_euler_xzyf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_xzy_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_expected[9] = {
+        1.0,
+        0.0,
+        -0.47942553860420300027,
+        0.0,
+        -0.94898461935558621435,
+        0.27672140661216439796,
+        0.0,
+        0.31532236239526866545,
+        0.83281235344863553273,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_xzy(angles, W);
+    compare("chasles_euler_rate_matrix_xzy, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_xzy_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_expected[9] = {
+        1.0,
+        0.0,
+        0.99749498660405443094,
+        0.0,
+        -0.9092974268256816954,
+        -0.029437062700211810791,
+        0.0,
+        -0.416146836547142387,
+        0.064321155457291576076,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_xzy(angles, W);
+    compare("chasles_euler_rate_matrix_xzy, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_xzy_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_expected[9] = {
+        1.0,
+        0.0,
+        -0.47942553860420300027,
+        0.0,
+        -0.94898461935558621435,
+        0.27672140661216439796,
+        0.0,
+        0.31532236239526866545,
+        0.83281235344863553273,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_xzyf(angles, W);
+    comparef("chasles_euler_rate_matrix_xzyf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_xzy_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_expected[9] = {
+        1.0,
+        0.0,
+        0.99749498660405443094,
+        0.0,
+        -0.9092974268256816954,
+        -0.029437062700211810791,
+        0.0,
+        -0.416146836547142387,
+        0.064321155457291576076,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_xzyf(angles, W);
+    comparef("chasles_euler_rate_matrix_xzyf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_xzy_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_body_expected[9] = {
+        0.6421173920529567248,
+        0.68163876002333416673,
+        0.0,
+        -0.47942553860420300027,
+        0.0,
+        1.0,
+        -0.59819428930505457197,
+        0.73168886887382088631,
+        0.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_xzy(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_xzy, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_xzy_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_body_expected[9] = {
+        0.068538153372888287532,
+        -0.2474039592545229296,
+        0.0,
+        0.99749498660405443094,
+        0.0,
+        1.0,
+        0.017500663759175342192,
+        0.96891242171064478414,
+        0.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_xzy(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_xzy, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_xzy_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_body_expected[9] = {
+        0.6421173920529567248,
+        0.68163876002333416673,
+        0.0,
+        -0.47942553860420300027,
+        0.0,
+        1.0,
+        -0.59819428930505457197,
+        0.73168886887382088631,
+        0.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_xzyf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_xzyf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_xzy_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_body_expected[9] = {
+        0.068538153372888287532,
+        -0.2474039592545229296,
+        0.0,
+        0.99749498660405443094,
+        0.0,
+        1.0,
+        0.017500663759175342192,
+        0.96891242171064478414,
+        0.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_xzyf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_xzyf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_xzy_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double omega[3] = {2.0, -1.5, 0.25};
+    const double theta_dot_expected[3] = {
+        1.8712160775744126984,
+        1.5023075196321964879,
+        -0.26862132292853680314,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_xzy(angles, omega, theta_dot);
+    compare("chasles_euler_rates_xzy, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_xzy_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double omega[3] = {1.75, -0.5, 0.75};
+    const double theta_dot_expected[3] = {
+        -10.800919305332829932,
+        0.14253858600248405745,
+        12.582438482284613925,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_xzy(angles, omega, theta_dot);
+    compare("chasles_euler_rates_xzy, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_xzy_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const float omega[3] = {2.0f, -1.5f, 0.25f};
+    const double theta_dot_expected[3] = {
+        1.8712160775744126984,
+        1.5023075196321964879,
+        -0.26862132292853680314,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_xzyf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_xzyf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_xzy_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const float omega[3] = {1.75f, -0.5f, 0.75f};
+    const double theta_dot_expected[3] = {
+        -10.800919305332829932,
+        0.14253858600248405745,
+        12.582438482284613925,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_xzyf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_xzyf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_yxy_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double Q_expected[9] = {
+        0.7983950426084577951,
+        0.45496746226165648835,
+        0.39442358476823751035,
+        -0.32679502965768805935,
+        0.87758256189037271612,
+        -0.35079033005053164238,
+        -0.50573744623991374325,
+        0.151173593425301366,
+        0.84933867221598477972,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_yxy(angles, Q);
+    compare("chasles_rotation_from_euler_yxy, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_yxy_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double Q_expected[9] = {
+        -0.41912314771007518991,
+        -0.90701962459058452691,
+        -0.040634808491656591945,
+        -0.24678420902238037792,
+        0.070737201667702910088,
+        0.96648528311476155654,
+        -0.87374672602007303051,
+        0.4151043831469114242,
+        -0.25348571924553381714,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_yxy(angles, Q);
+    compare("chasles_rotation_from_euler_yxy, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_yxy_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double Q_expected[9] = {
+        0.7983950426084577951,
+        0.45496746226165648835,
+        0.39442358476823751035,
+        -0.32679502965768805935,
+        0.87758256189037271612,
+        -0.35079033005053164238,
+        -0.50573744623991374325,
+        0.151173593425301366,
+        0.84933867221598477972,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_yxyf(angles, Q);
+    comparef("chasles_rotation_from_euler_yxyf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_yxy_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double Q_expected[9] = {
+        -0.41912314771007518991,
+        -0.90701962459058452691,
+        -0.040634808491656591945,
+        -0.24678420902238037792,
+        0.070737201667702910088,
+        0.96648528311476155654,
+        -0.87374672602007303051,
+        0.4151043831469114242,
+        -0.25348571924553381714,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_yxyf(angles, Q);
+    comparef("chasles_rotation_from_euler_yxyf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_yxy_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_expected[9] = {
+        0.0,
+        0.31532236239526866545,
+        0.45496746226165648835,
+        1.0,
+        0.0,
+        0.87758256189037271612,
+        0.0,
+        -0.94898461935558621435,
+        0.151173593425301366,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_yxy(angles, W);
+    compare("chasles_euler_rate_matrix_yxy, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_yxy_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_expected[9] = {
+        0.0,
+        -0.416146836547142387,
+        -0.90701962459058452691,
+        1.0,
+        0.0,
+        0.070737201667702910088,
+        0.0,
+        -0.9092974268256816954,
+        0.4151043831469114242,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_yxy(angles, W);
+    compare("chasles_euler_rate_matrix_yxy, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_yxy_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_expected[9] = {
+        0.0,
+        0.31532236239526866545,
+        0.45496746226165648835,
+        1.0,
+        0.0,
+        0.87758256189037271612,
+        0.0,
+        -0.94898461935558621435,
+        0.151173593425301366,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_yxyf(angles, W);
+    comparef("chasles_euler_rate_matrix_yxyf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_yxy_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_expected[9] = {
+        0.0,
+        -0.416146836547142387,
+        -0.90701962459058452691,
+        1.0,
+        0.0,
+        0.070737201667702910088,
+        0.0,
+        -0.9092974268256816954,
+        0.4151043831469114242,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_yxyf(angles, W);
+    comparef("chasles_euler_rate_matrix_yxyf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_yxy_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_body_expected[9] = {
+        -0.32679502965768805935,
+        0.73168886887382088631,
+        0.0,
+        0.87758256189037271612,
+        0.0,
+        1.0,
+        -0.35079033005053164238,
+        -0.68163876002333416673,
+        0.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_yxy(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_yxy, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_yxy_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_body_expected[9] = {
+        -0.24678420902238037792,
+        0.96891242171064478414,
+        0.0,
+        0.070737201667702910088,
+        0.0,
+        1.0,
+        0.96648528311476155654,
+        0.2474039592545229296,
+        0.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_yxy(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_yxy, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_yxy_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_body_expected[9] = {
+        -0.32679502965768805935,
+        0.73168886887382088631,
+        0.0,
+        0.87758256189037271612,
+        0.0,
+        1.0,
+        -0.35079033005053164238,
+        -0.68163876002333416673,
+        0.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_yxyf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_yxyf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_yxy_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_body_expected[9] = {
+        -0.24678420902238037792,
+        0.96891242171064478414,
+        0.0,
+        0.070737201667702910088,
+        0.0,
+        1.0,
+        0.96648528311476155654,
+        0.2474039592545229296,
+        0.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_yxyf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_yxyf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_yxy_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double omega[3] = {2.0, -1.5, 0.25};
+    const double theta_dot_expected[3] = {
+        -5.1185078158352066888,
+        0.39339856995164077731,
+        4.1232676821206359904,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_yxy(angles, omega, theta_dot);
+    compare("chasles_euler_rates_yxy, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_yxy_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double omega[3] = {1.75, -0.5, 0.75};
+    const double theta_dot_expected[3] = {
+        -0.40928854155633145044,
+        -1.4102300340767604488,
+        -1.2823727304028405881,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_yxy(angles, omega, theta_dot);
+    compare("chasles_euler_rates_yxy, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_yxy_vector_3(void)
+{
+    const double angles[3] = {0.0, 0.0, 0.0};
+    const double omega[3] = {0.0, 0.0, 0.0};
+    const double theta_dot_expected[3] = {NAN, 0.0, NAN};
+    double theta_dot[3];
+    chasles_euler_rates_yxy(angles, omega, theta_dot);
+    compare("chasles_euler_rates_yxy, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_yxy_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const float omega[3] = {2.0f, -1.5f, 0.25f};
+    const double theta_dot_expected[3] = {
+        -5.1185078158352066888,
+        0.39339856995164077731,
+        4.1232676821206359904,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_yxyf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_yxyf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_yxy_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const float omega[3] = {1.75f, -0.5f, 0.75f};
+    const double theta_dot_expected[3] = {
+        -0.40928854155633145044,
+        -1.4102300340767604488,
+        -1.2823727304028405881,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_yxyf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_yxyf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_yxy_vector_3f(void)
+{
+    const float angles[3] = {0.0f, 0.0f, 0.0f};
+    const float omega[3] = {0.0f, 0.0f, 0.0f};
+    const double theta_dot_expected[3] = {NAN, 0.0, NAN};
+    float theta_dot[3];
+    chasles_euler_rates_yxyf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_yxyf, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_yxz_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double Q_expected[9] = {
+        -0.079405594155383446326,
+        0.54783057194736357444,
+        0.83281235344863553273,
+        -0.59819428930505457197,
+        0.6421173920529567248,
+        -0.47942553860420300027,
+        -0.79740726348563643342,
+        -0.53625266364180790912,
+        0.27672140661216439796,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_yxz(angles, Q);
+    compare("chasles_rotation_from_euler_yxz, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_yxz_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double Q_expected[9] = {
+        -0.62761008543137724778,
+        -0.77586620600813532444,
+        0.064321155457291576076,
+        0.017500663759175342192,
+        0.068538153372888287532,
+        0.99749498660405443094,
+        -0.77833110398647672142,
+        0.62716357667420081072,
+        -0.029437062700211810791,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_yxz(angles, Q);
+    compare("chasles_rotation_from_euler_yxz, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_yxz_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double Q_expected[9] = {
+        -0.079405594155383446326,
+        0.54783057194736357444,
+        0.83281235344863553273,
+        -0.59819428930505457197,
+        0.6421173920529567248,
+        -0.47942553860420300027,
+        -0.79740726348563643342,
+        -0.53625266364180790912,
+        0.27672140661216439796,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_yxzf(angles, Q);
+    comparef("chasles_rotation_from_euler_yxzf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_yxz_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double Q_expected[9] = {
+        -0.62761008543137724778,
+        -0.77586620600813532444,
+        0.064321155457291576076,
+        0.017500663759175342192,
+        0.068538153372888287532,
+        0.99749498660405443094,
+        -0.77833110398647672142,
+        0.62716357667420081072,
+        -0.029437062700211810791,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_yxzf(angles, Q);
+    comparef("chasles_rotation_from_euler_yxzf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_yxz_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_expected[9] = {
+        0.0,
+        0.31532236239526866545,
+        0.83281235344863553273,
+        1.0,
+        0.0,
+        -0.47942553860420300027,
+        0.0,
+        -0.94898461935558621435,
+        0.27672140661216439796,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_yxz(angles, W);
+    compare("chasles_euler_rate_matrix_yxz, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_yxz_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_expected[9] = {
+        0.0,
+        -0.416146836547142387,
+        0.064321155457291576076,
+        1.0,
+        0.0,
+        0.99749498660405443094,
+        0.0,
+        -0.9092974268256816954,
+        -0.029437062700211810791,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_yxz(angles, W);
+    compare("chasles_euler_rate_matrix_yxz, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_yxz_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_expected[9] = {
+        0.0,
+        0.31532236239526866545,
+        0.83281235344863553273,
+        1.0,
+        0.0,
+        -0.47942553860420300027,
+        0.0,
+        -0.94898461935558621435,
+        0.27672140661216439796,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_yxzf(angles, W);
+    comparef("chasles_euler_rate_matrix_yxzf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_yxz_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_expected[9] = {
+        0.0,
+        -0.416146836547142387,
+        0.064321155457291576076,
+        1.0,
+        0.0,
+        0.99749498660405443094,
+        0.0,
+        -0.9092974268256816954,
+        -0.029437062700211810791,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_yxzf(angles, W);
+    comparef("chasles_euler_rate_matrix_yxzf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_yxz_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_body_expected[9] = {
+        -0.59819428930505457197,
+        0.73168886887382088631,
+        0.0,
+        0.6421173920529567248,
+        0.68163876002333416673,
+        0.0,
+        -0.47942553860420300027,
+        0.0,
+        1.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_yxz(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_yxz, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_yxz_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_body_expected[9] = {
+        0.017500663759175342192,
+        0.96891242171064478414,
+        0.0,
+        0.068538153372888287532,
+        -0.2474039592545229296,
+        0.0,
+        0.99749498660405443094,
+        0.0,
+        1.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_yxz(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_yxz, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_yxz_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_body_expected[9] = {
+        -0.59819428930505457197,
+        0.73168886887382088631,
+        0.0,
+        0.6421173920529567248,
+        0.68163876002333416673,
+        0.0,
+        -0.47942553860420300027,
+        0.0,
+        1.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_yxzf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_yxzf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_yxz_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_body_expected[9] = {
+        0.017500663759175342192,
+        0.96891242171064478414,
+        0.0,
+        0.068538153372888287532,
+        -0.2474039592545229296,
+        0.0,
+        0.99749498660405443094,
+        0.0,
+        1.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_yxzf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_yxzf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_yxz_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double omega[3] = {2.0, -1.5, 0.25};
+    const double theta_dot_expected[3] = {
+        -0.42006933132517258908,
+        0.39339856995164077731,
+        2.2525514010349383936,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_yxz(angles, omega, theta_dot);
+    compare("chasles_euler_rates_yxz, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_yxz_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double omega[3] = {1.75, -0.5, 0.75};
+    const double theta_dot_expected[3] = {
+        -18.537977550586561254,
+        -1.4102300340767604488,
+        18.083276400211677874,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_yxz(angles, omega, theta_dot);
+    compare("chasles_euler_rates_yxz, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_yxz_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const float omega[3] = {2.0f, -1.5f, 0.25f};
+    const double theta_dot_expected[3] = {
+        -0.42006933132517258908,
+        0.39339856995164077731,
+        2.2525514010349383936,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_yxzf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_yxzf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_yxz_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const float omega[3] = {1.75f, -0.5f, 0.75f};
+    const double theta_dot_expected[3] = {
+        -18.537977550586561254,
+        -1.4102300340767604488,
+        18.083276400211677874,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_yxzf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_yxzf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_yzx_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double Q_expected[9] = {
+        0.27672140661216439796,
+        -0.757476734795707194,
+        0.59131570194424826225,
+        0.47942553860420300027,
+        0.6421173920529567248,
+        0.59819428930505457197,
+        -0.83281235344863553273,
+        0.11795868372588487932,
+        0.54084131949861377544,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_yzx(angles, Q);
+    compare("chasles_rotation_from_euler_yzx, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_yzx_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double Q_expected[9] = {
+        -0.029437062700211810791,
+        -0.17723600960095381218,
+        0.98372803977538141873,
+        -0.99749498660405443094,
+        0.068538153372888287532,
+        -0.017500663759175342192,
+        -0.064321155457291576076,
+        -0.98177895599415098176,
+        -0.17880959294085393151,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_yzx(angles, Q);
+    compare("chasles_rotation_from_euler_yzx, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_yzx_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double Q_expected[9] = {
+        0.27672140661216439796,
+        -0.757476734795707194,
+        0.59131570194424826225,
+        0.47942553860420300027,
+        0.6421173920529567248,
+        0.59819428930505457197,
+        -0.83281235344863553273,
+        0.11795868372588487932,
+        0.54084131949861377544,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_yzxf(angles, Q);
+    comparef("chasles_rotation_from_euler_yzxf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_yzx_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double Q_expected[9] = {
+        -0.029437062700211810791,
+        -0.17723600960095381218,
+        0.98372803977538141873,
+        -0.99749498660405443094,
+        0.068538153372888287532,
+        -0.017500663759175342192,
+        -0.064321155457291576076,
+        -0.98177895599415098176,
+        -0.17880959294085393151,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_yzxf(angles, Q);
+    comparef("chasles_rotation_from_euler_yzxf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_yzx_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_expected[9] = {
+        0.0,
+        0.94898461935558621435,
+        0.27672140661216439796,
+        1.0,
+        0.0,
+        0.47942553860420300027,
+        0.0,
+        0.31532236239526866545,
+        -0.83281235344863553273,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_yzx(angles, W);
+    compare("chasles_euler_rate_matrix_yzx, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_yzx_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_expected[9] = {
+        0.0,
+        0.9092974268256816954,
+        -0.029437062700211810791,
+        1.0,
+        0.0,
+        -0.99749498660405443094,
+        0.0,
+        -0.416146836547142387,
+        -0.064321155457291576076,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_yzx(angles, W);
+    compare("chasles_euler_rate_matrix_yzx, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_yzx_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_expected[9] = {
+        0.0,
+        0.94898461935558621435,
+        0.27672140661216439796,
+        1.0,
+        0.0,
+        0.47942553860420300027,
+        0.0,
+        0.31532236239526866545,
+        -0.83281235344863553273,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_yzxf(angles, W);
+    comparef("chasles_euler_rate_matrix_yzxf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_yzx_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_expected[9] = {
+        0.0,
+        0.9092974268256816954,
+        -0.029437062700211810791,
+        1.0,
+        0.0,
+        -0.99749498660405443094,
+        0.0,
+        -0.416146836547142387,
+        -0.064321155457291576076,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_yzxf(angles, W);
+    comparef("chasles_euler_rate_matrix_yzxf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_yzx_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_body_expected[9] = {
+        0.47942553860420300027,
+        0.0,
+        1.0,
+        0.6421173920529567248,
+        -0.68163876002333416673,
+        0.0,
+        0.59819428930505457197,
+        0.73168886887382088631,
+        0.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_yzx(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_yzx, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_yzx_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_body_expected[9] = {
+        -0.99749498660405443094,
+        0.0,
+        1.0,
+        0.068538153372888287532,
+        0.2474039592545229296,
+        0.0,
+        -0.017500663759175342192,
+        0.96891242171064478414,
+        0.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_yzx(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_yzx, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_yzx_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_body_expected[9] = {
+        0.47942553860420300027,
+        0.0,
+        1.0,
+        0.6421173920529567248,
+        -0.68163876002333416673,
+        0.0,
+        0.59819428930505457197,
+        0.73168886887382088631,
+        0.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_yzxf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_yzxf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_yzx_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_body_expected[9] = {
+        -0.99749498660405443094,
+        0.0,
+        1.0,
+        0.068538153372888287532,
+        0.2474039592545229296,
+        0.0,
+        -0.017500663759175342192,
+        0.96891242171064478414,
+        0.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_yzxf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_yzxf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_yzx_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double omega[3] = {2.0, -1.5, 0.25};
+    const double theta_dot_expected[3] = {
+        -1.7149146182655679475,
+        1.9767998293099895951,
+        0.44827528147805651003,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_yzx(angles, omega, theta_dot);
+    compare("chasles_euler_rates_yzx, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_yzx_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double omega[3] = {1.75, -0.5, 0.75};
+    const double theta_dot_expected[3] = {
+        -20.38624593263068336,
+        1.2791603695345861767,
+        -19.936186346492714762,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_yzx(angles, omega, theta_dot);
+    compare("chasles_euler_rates_yzx, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_yzx_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const float omega[3] = {2.0f, -1.5f, 0.25f};
+    const double theta_dot_expected[3] = {
+        -1.7149146182655679475,
+        1.9767998293099895951,
+        0.44827528147805651003,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_yzxf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_yzxf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_yzx_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const float omega[3] = {1.75f, -0.5f, 0.75f};
+    const double theta_dot_expected[3] = {
+        -20.38624593263068336,
+        1.2791603695345861767,
+        -19.936186346492714762,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_yzxf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_yzxf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_yzy_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double Q_expected[9] = {
+        0.84933867221598477972,
+        -0.151173593425301366,
+        0.50573744623991374325,
+        0.35079033005053164238,
+        0.87758256189037271612,
+        -0.32679502965768805935,
+        -0.39442358476823751035,
+        0.45496746226165648835,
+        0.7983950426084577951,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_yzy(angles, Q);
+    compare("chasles_rotation_from_euler_yzy, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_yzy_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double Q_expected[9] = {
+        -0.25348571924553381714,
+        -0.4151043831469114242,
+        0.87374672602007303051,
+        -0.96648528311476155654,
+        0.070737201667702910088,
+        -0.24678420902238037792,
+        0.040634808491656591945,
+        -0.90701962459058452691,
+        -0.41912314771007518991,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_yzy(angles, Q);
+    compare("chasles_rotation_from_euler_yzy, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_yzy_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double Q_expected[9] = {
+        0.84933867221598477972,
+        -0.151173593425301366,
+        0.50573744623991374325,
+        0.35079033005053164238,
+        0.87758256189037271612,
+        -0.32679502965768805935,
+        -0.39442358476823751035,
+        0.45496746226165648835,
+        0.7983950426084577951,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_yzyf(angles, Q);
+    comparef("chasles_rotation_from_euler_yzyf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_yzy_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double Q_expected[9] = {
+        -0.25348571924553381714,
+        -0.4151043831469114242,
+        0.87374672602007303051,
+        -0.96648528311476155654,
+        0.070737201667702910088,
+        -0.24678420902238037792,
+        0.040634808491656591945,
+        -0.90701962459058452691,
+        -0.41912314771007518991,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_yzyf(angles, Q);
+    comparef("chasles_rotation_from_euler_yzyf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_yzy_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_expected[9] = {
+        0.0,
+        0.94898461935558621435,
+        -0.151173593425301366,
+        1.0,
+        0.0,
+        0.87758256189037271612,
+        0.0,
+        0.31532236239526866545,
+        0.45496746226165648835,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_yzy(angles, W);
+    compare("chasles_euler_rate_matrix_yzy, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_yzy_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_expected[9] = {
+        0.0,
+        0.9092974268256816954,
+        -0.4151043831469114242,
+        1.0,
+        0.0,
+        0.070737201667702910088,
+        0.0,
+        -0.416146836547142387,
+        -0.90701962459058452691,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_yzy(angles, W);
+    compare("chasles_euler_rate_matrix_yzy, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_yzy_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_expected[9] = {
+        0.0,
+        0.94898461935558621435,
+        -0.151173593425301366,
+        1.0,
+        0.0,
+        0.87758256189037271612,
+        0.0,
+        0.31532236239526866545,
+        0.45496746226165648835,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_yzyf(angles, W);
+    comparef("chasles_euler_rate_matrix_yzyf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_yzy_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_expected[9] = {
+        0.0,
+        0.9092974268256816954,
+        -0.4151043831469114242,
+        1.0,
+        0.0,
+        0.070737201667702910088,
+        0.0,
+        -0.416146836547142387,
+        -0.90701962459058452691,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_yzyf(angles, W);
+    comparef("chasles_euler_rate_matrix_yzyf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_yzy_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_body_expected[9] = {
+        0.35079033005053164238,
+        0.68163876002333416673,
+        0.0,
+        0.87758256189037271612,
+        0.0,
+        1.0,
+        -0.32679502965768805935,
+        0.73168886887382088631,
+        0.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_yzy(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_yzy, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_yzy_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_body_expected[9] = {
+        -0.96648528311476155654,
+        -0.2474039592545229296,
+        0.0,
+        0.070737201667702910088,
+        0.0,
+        1.0,
+        -0.24678420902238037792,
+        0.96891242171064478414,
+        0.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_yzy(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_yzy, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_yzy_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_body_expected[9] = {
+        0.35079033005053164238,
+        0.68163876002333416673,
+        0.0,
+        0.87758256189037271612,
+        0.0,
+        1.0,
+        -0.32679502965768805935,
+        0.73168886887382088631,
+        0.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_yzyf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_yzyf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_yzy_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_body_expected[9] = {
+        -0.96648528311476155654,
+        -0.2474039592545229296,
+        0.0,
+        0.070737201667702910088,
+        0.0,
+        1.0,
+        -0.24678420902238037792,
+        0.96891242171064478414,
+        0.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_yzyf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_yzyf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_yzy_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double omega[3] = {2.0, -1.5, 0.25};
+    const double theta_dot_expected[3] = {
+        -0.77988874796428442714,
+        1.9767998293099895951,
+        -0.82056239869277575719,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_yzy(angles, omega, theta_dot);
+    compare("chasles_euler_rates_yzy, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_yzy_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double omega[3] = {1.75, -0.5, 0.75};
+    const double theta_dot_expected[3] = {
+        -0.39999375670252227558,
+        1.2791603695345861767,
+        -1.4137715507501964318,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_yzy(angles, omega, theta_dot);
+    compare("chasles_euler_rates_yzy, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_yzy_vector_3(void)
+{
+    const double angles[3] = {0.0, 0.0, 0.0};
+    const double omega[3] = {0.0, 0.0, 0.0};
+    const double theta_dot_expected[3] = {NAN, 0.0, NAN};
+    double theta_dot[3];
+    chasles_euler_rates_yzy(angles, omega, theta_dot);
+    compare("chasles_euler_rates_yzy, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_yzy_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const float omega[3] = {2.0f, -1.5f, 0.25f};
+    const double theta_dot_expected[3] = {
+        -0.77988874796428442714,
+        1.9767998293099895951,
+        -0.82056239869277575719,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_yzyf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_yzyf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_yzy_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const float omega[3] = {1.75f, -0.5f, 0.75f};
+    const double theta_dot_expected[3] = {
+        -0.39999375670252227558,
+        1.2791603695345861767,
+        -1.4137715507501964318,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_yzyf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_yzyf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_yzy_vector_3f(void)
+{
+    const float angles[3] = {0.0f, 0.0f, 0.0f};
+    const float omega[3] = {0.0f, 0.0f, 0.0f};
+    const double theta_dot_expected[3] = {NAN, 0.0, NAN};
+    float theta_dot[3];
+    chasles_euler_rates_yzyf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_yzyf, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_zxy_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double Q_expected[9] = {
+        0.54084131949861377544,
+        -0.83281235344863553273,
+        0.11795868372588487932,
+        0.59131570194424826225,
+        0.27672140661216439796,
+        -0.757476734795707194,
+        0.59819428930505457197,
+        0.47942553860420300027,
+        0.6421173920529567248,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_zxy(angles, Q);
+    compare("chasles_rotation_from_euler_zxy, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_zxy_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double Q_expected[9] = {
+        -0.17880959294085393151,
+        -0.064321155457291576076,
+        -0.98177895599415098176,
+        0.98372803977538141873,
+        -0.029437062700211810791,
+        -0.17723600960095381218,
+        -0.017500663759175342192,
+        -0.99749498660405443094,
+        0.068538153372888287532,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_zxy(angles, Q);
+    compare("chasles_rotation_from_euler_zxy, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_zxy_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double Q_expected[9] = {
+        0.54084131949861377544,
+        -0.83281235344863553273,
+        0.11795868372588487932,
+        0.59131570194424826225,
+        0.27672140661216439796,
+        -0.757476734795707194,
+        0.59819428930505457197,
+        0.47942553860420300027,
+        0.6421173920529567248,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_zxyf(angles, Q);
+    comparef("chasles_rotation_from_euler_zxyf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_zxy_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double Q_expected[9] = {
+        -0.17880959294085393151,
+        -0.064321155457291576076,
+        -0.98177895599415098176,
+        0.98372803977538141873,
+        -0.029437062700211810791,
+        -0.17723600960095381218,
+        -0.017500663759175342192,
+        -0.99749498660405443094,
+        0.068538153372888287532,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_zxyf(angles, Q);
+    comparef("chasles_rotation_from_euler_zxyf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_zxy_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_expected[9] = {
+        0.0,
+        0.31532236239526866545,
+        -0.83281235344863553273,
+        0.0,
+        0.94898461935558621435,
+        0.27672140661216439796,
+        1.0,
+        0.0,
+        0.47942553860420300027,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_zxy(angles, W);
+    compare("chasles_euler_rate_matrix_zxy, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_zxy_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_expected[9] = {
+        0.0,
+        -0.416146836547142387,
+        -0.064321155457291576076,
+        0.0,
+        0.9092974268256816954,
+        -0.029437062700211810791,
+        1.0,
+        0.0,
+        -0.99749498660405443094,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_zxy(angles, W);
+    compare("chasles_euler_rate_matrix_zxy, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_zxy_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_expected[9] = {
+        0.0,
+        0.31532236239526866545,
+        -0.83281235344863553273,
+        0.0,
+        0.94898461935558621435,
+        0.27672140661216439796,
+        1.0,
+        0.0,
+        0.47942553860420300027,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_zxyf(angles, W);
+    comparef("chasles_euler_rate_matrix_zxyf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_zxy_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_expected[9] = {
+        0.0,
+        -0.416146836547142387,
+        -0.064321155457291576076,
+        0.0,
+        0.9092974268256816954,
+        -0.029437062700211810791,
+        1.0,
+        0.0,
+        -0.99749498660405443094,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_zxyf(angles, W);
+    comparef("chasles_euler_rate_matrix_zxyf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_zxy_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_body_expected[9] = {
+        0.59819428930505457197,
+        0.73168886887382088631,
+        0.0,
+        0.47942553860420300027,
+        0.0,
+        1.0,
+        0.6421173920529567248,
+        -0.68163876002333416673,
+        0.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_zxy(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_zxy, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_zxy_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_body_expected[9] = {
+        -0.017500663759175342192,
+        0.96891242171064478414,
+        0.0,
+        -0.99749498660405443094,
+        0.0,
+        1.0,
+        0.068538153372888287532,
+        0.2474039592545229296,
+        0.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_zxy(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_zxy, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_zxy_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_body_expected[9] = {
+        0.59819428930505457197,
+        0.73168886887382088631,
+        0.0,
+        0.47942553860420300027,
+        0.0,
+        1.0,
+        0.6421173920529567248,
+        -0.68163876002333416673,
+        0.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_zxyf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_zxyf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_zxy_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_body_expected[9] = {
+        -0.017500663759175342192,
+        0.96891242171064478414,
+        0.0,
+        -0.99749498660405443094,
+        0.0,
+        1.0,
+        0.068538153372888287532,
+        0.2474039592545229296,
+        0.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_zxyf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_zxyf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_zxy_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double omega[3] = {2.0, -1.5, 0.25};
+    const double theta_dot_expected[3] = {
+        1.5452574082747790256,
+        -0.79283220424284199063,
+        -2.7016862974087376608,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_zxy(angles, omega, theta_dot);
+    compare("chasles_euler_rates_zxy, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_zxy_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double omega[3] = {1.75, -0.5, 0.75};
+    const double theta_dot_expected[3] = {
+        -18.755042876046131939,
+        -1.1829056773703400249,
+        -19.554025973053298042,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_zxy(angles, omega, theta_dot);
+    compare("chasles_euler_rates_zxy, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_zxy_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const float omega[3] = {2.0f, -1.5f, 0.25f};
+    const double theta_dot_expected[3] = {
+        1.5452574082747790256,
+        -0.79283220424284199063,
+        -2.7016862974087376608,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_zxyf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_zxyf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_zxy_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const float omega[3] = {1.75f, -0.5f, 0.75f};
+    const double theta_dot_expected[3] = {
+        -18.755042876046131939,
+        -1.1829056773703400249,
+        -19.554025973053298042,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_zxyf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_zxyf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_zxz_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double Q_expected[9] = {
+        0.7983950426084577951,
+        -0.39442358476823751035,
+        0.45496746226165648835,
+        0.50573744623991374325,
+        0.84933867221598477972,
+        -0.151173593425301366,
+        -0.32679502965768805935,
+        0.35079033005053164238,
+        0.87758256189037271612,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_zxz(angles, Q);
+    compare("chasles_rotation_from_euler_zxz, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_zxz_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double Q_expected[9] = {
+        -0.41912314771007518991,
+        0.040634808491656591945,
+        -0.90701962459058452691,
+        0.87374672602007303051,
+        -0.25348571924553381714,
+        -0.4151043831469114242,
+        -0.24678420902238037792,
+        -0.96648528311476155654,
+        0.070737201667702910088,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_zxz(angles, Q);
+    compare("chasles_rotation_from_euler_zxz, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_zxz_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double Q_expected[9] = {
+        0.7983950426084577951,
+        -0.39442358476823751035,
+        0.45496746226165648835,
+        0.50573744623991374325,
+        0.84933867221598477972,
+        -0.151173593425301366,
+        -0.32679502965768805935,
+        0.35079033005053164238,
+        0.87758256189037271612,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_zxzf(angles, Q);
+    comparef("chasles_rotation_from_euler_zxzf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_zxz_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double Q_expected[9] = {
+        -0.41912314771007518991,
+        0.040634808491656591945,
+        -0.90701962459058452691,
+        0.87374672602007303051,
+        -0.25348571924553381714,
+        -0.4151043831469114242,
+        -0.24678420902238037792,
+        -0.96648528311476155654,
+        0.070737201667702910088,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_zxzf(angles, Q);
+    comparef("chasles_rotation_from_euler_zxzf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_zxz_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_expected[9] = {
+        0.0,
+        0.31532236239526866545,
+        0.45496746226165648835,
+        0.0,
+        0.94898461935558621435,
+        -0.151173593425301366,
+        1.0,
+        0.0,
+        0.87758256189037271612,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_zxz(angles, W);
+    compare("chasles_euler_rate_matrix_zxz, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_zxz_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_expected[9] = {
+        0.0,
+        -0.416146836547142387,
+        -0.90701962459058452691,
+        0.0,
+        0.9092974268256816954,
+        -0.4151043831469114242,
+        1.0,
+        0.0,
+        0.070737201667702910088,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_zxz(angles, W);
+    compare("chasles_euler_rate_matrix_zxz, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_zxz_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_expected[9] = {
+        0.0,
+        0.31532236239526866545,
+        0.45496746226165648835,
+        0.0,
+        0.94898461935558621435,
+        -0.151173593425301366,
+        1.0,
+        0.0,
+        0.87758256189037271612,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_zxzf(angles, W);
+    comparef("chasles_euler_rate_matrix_zxzf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_zxz_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_expected[9] = {
+        0.0,
+        -0.416146836547142387,
+        -0.90701962459058452691,
+        0.0,
+        0.9092974268256816954,
+        -0.4151043831469114242,
+        1.0,
+        0.0,
+        0.070737201667702910088,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_zxzf(angles, W);
+    comparef("chasles_euler_rate_matrix_zxzf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_zxz_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_body_expected[9] = {
+        -0.32679502965768805935,
+        0.73168886887382088631,
+        0.0,
+        0.35079033005053164238,
+        0.68163876002333416673,
+        0.0,
+        0.87758256189037271612,
+        0.0,
+        1.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_zxz(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_zxz, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_zxz_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_body_expected[9] = {
+        -0.24678420902238037792,
+        0.96891242171064478414,
+        0.0,
+        -0.96648528311476155654,
+        -0.2474039592545229296,
+        0.0,
+        0.070737201667702910088,
+        0.0,
+        1.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_zxz(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_zxz, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_zxz_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_body_expected[9] = {
+        -0.32679502965768805935,
+        0.73168886887382088631,
+        0.0,
+        0.35079033005053164238,
+        0.68163876002333416673,
+        0.0,
+        0.87758256189037271612,
+        0.0,
+        1.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_zxzf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_zxzf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_zxz_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_body_expected[9] = {
+        -0.24678420902238037792,
+        0.96891242171064478414,
+        0.0,
+        -0.96648528311476155654,
+        -0.2474039592545229296,
+        0.0,
+        0.070737201667702910088,
+        0.0,
+        1.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_zxzf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_zxzf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_zxz_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double omega[3] = {2.0, -1.5, 0.25};
+    const double theta_dot_expected[3] = {
+        -4.0899999567675860174,
+        -0.79283220424284199063,
+        4.9454035953254699941,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_zxz(angles, omega, theta_dot);
+    compare("chasles_euler_rates_zxz, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_zxz_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double omega[3] = {1.75, -0.5, 0.75};
+    const double theta_dot_expected[3] = {
+        0.8480892054738640396,
+        -1.1829056773703400249,
+        -1.3866707073690966787,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_zxz(angles, omega, theta_dot);
+    compare("chasles_euler_rates_zxz, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_zxz_vector_3(void)
+{
+    const double angles[3] = {0.0, 0.0, 0.0};
+    const double omega[3] = {0.0, 0.0, 0.0};
+    const double theta_dot_expected[3] = {NAN, 0.0, NAN};
+    double theta_dot[3];
+    chasles_euler_rates_zxz(angles, omega, theta_dot);
+    compare("chasles_euler_rates_zxz, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_zxz_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const float omega[3] = {2.0f, -1.5f, 0.25f};
+    const double theta_dot_expected[3] = {
+        -4.0899999567675860174,
+        -0.79283220424284199063,
+        4.9454035953254699941,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_zxzf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_zxzf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_zxz_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const float omega[3] = {1.75f, -0.5f, 0.75f};
+    const double theta_dot_expected[3] = {
+        0.8480892054738640396,
+        -1.1829056773703400249,
+        -1.3866707073690966787,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_zxzf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_zxzf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_zxz_vector_3f(void)
+{
+    const float angles[3] = {0.0f, 0.0f, 0.0f};
+    const float omega[3] = {0.0f, 0.0f, 0.0f};
+    const double theta_dot_expected[3] = {NAN, 0.0, NAN};
+    float theta_dot[3];
+    chasles_euler_rates_zxzf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_zxzf, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_zyx_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double Q_expected[9] = {
+        0.27672140661216439796,
+        -0.79740726348563643342,
+        -0.53625266364180790912,
+        0.83281235344863553273,
+        -0.079405594155383446326,
+        0.54783057194736357444,
+        -0.47942553860420300027,
+        -0.59819428930505457197,
+        0.6421173920529567248,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_zyx(angles, Q);
+    compare("chasles_rotation_from_euler_zyx, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_zyx_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double Q_expected[9] = {
+        -0.029437062700211810791,
+        -0.77833110398647672142,
+        0.62716357667420081072,
+        0.064321155457291576076,
+        -0.62761008543137724778,
+        -0.77586620600813532444,
+        0.99749498660405443094,
+        0.017500663759175342192,
+        0.068538153372888287532,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_zyx(angles, Q);
+    compare("chasles_rotation_from_euler_zyx, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_zyx_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double Q_expected[9] = {
+        0.27672140661216439796,
+        -0.79740726348563643342,
+        -0.53625266364180790912,
+        0.83281235344863553273,
+        -0.079405594155383446326,
+        0.54783057194736357444,
+        -0.47942553860420300027,
+        -0.59819428930505457197,
+        0.6421173920529567248,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_zyxf(angles, Q);
+    comparef("chasles_rotation_from_euler_zyxf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_zyx_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double Q_expected[9] = {
+        -0.029437062700211810791,
+        -0.77833110398647672142,
+        0.62716357667420081072,
+        0.064321155457291576076,
+        -0.62761008543137724778,
+        -0.77586620600813532444,
+        0.99749498660405443094,
+        0.017500663759175342192,
+        0.068538153372888287532,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_zyxf(angles, Q);
+    comparef("chasles_rotation_from_euler_zyxf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_zyx_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_expected[9] = {
+        0.0,
+        -0.94898461935558621435,
+        0.27672140661216439796,
+        0.0,
+        0.31532236239526866545,
+        0.83281235344863553273,
+        1.0,
+        0.0,
+        -0.47942553860420300027,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_zyx(angles, W);
+    compare("chasles_euler_rate_matrix_zyx, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_zyx_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_expected[9] = {
+        0.0,
+        -0.9092974268256816954,
+        -0.029437062700211810791,
+        0.0,
+        -0.416146836547142387,
+        0.064321155457291576076,
+        1.0,
+        0.0,
+        0.99749498660405443094,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_zyx(angles, W);
+    compare("chasles_euler_rate_matrix_zyx, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_zyx_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_expected[9] = {
+        0.0,
+        -0.94898461935558621435,
+        0.27672140661216439796,
+        0.0,
+        0.31532236239526866545,
+        0.83281235344863553273,
+        1.0,
+        0.0,
+        -0.47942553860420300027,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_zyxf(angles, W);
+    comparef("chasles_euler_rate_matrix_zyxf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_zyx_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_expected[9] = {
+        0.0,
+        -0.9092974268256816954,
+        -0.029437062700211810791,
+        0.0,
+        -0.416146836547142387,
+        0.064321155457291576076,
+        1.0,
+        0.0,
+        0.99749498660405443094,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_zyxf(angles, W);
+    comparef("chasles_euler_rate_matrix_zyxf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_zyx_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_body_expected[9] = {
+        -0.47942553860420300027,
+        0.0,
+        1.0,
+        -0.59819428930505457197,
+        0.73168886887382088631,
+        0.0,
+        0.6421173920529567248,
+        0.68163876002333416673,
+        0.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_zyx(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_zyx, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_zyx_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_body_expected[9] = {
+        0.99749498660405443094,
+        0.0,
+        1.0,
+        0.017500663759175342192,
+        0.96891242171064478414,
+        0.0,
+        0.068538153372888287532,
+        -0.2474039592545229296,
+        0.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_zyx(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_zyx, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_zyx_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_body_expected[9] = {
+        -0.47942553860420300027,
+        0.0,
+        1.0,
+        -0.59819428930505457197,
+        0.73168886887382088631,
+        0.0,
+        0.6421173920529567248,
+        0.68163876002333416673,
+        0.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_zyxf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_zyxf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_zyx_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_body_expected[9] = {
+        0.99749498660405443094,
+        0.0,
+        1.0,
+        0.017500663759175342192,
+        0.96891242171064478414,
+        0.0,
+        0.068538153372888287532,
+        -0.2474039592545229296,
+        0.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_zyxf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_zyxf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_zyx_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double omega[3] = {2.0, -1.5, 0.25};
+    const double theta_dot_expected[3] = {
+        -0.18312620720620523246,
+        -2.3709527823040754269,
+        -0.90342748212205507757,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_zyx(angles, omega, theta_dot);
+    compare("chasles_euler_rates_zyx, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_zyx_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double omega[3] = {1.75, -0.5, 0.75};
+    const double theta_dot_expected[3] = {
+        17.430649714492787172,
+        -1.3831970786713717734,
+        -16.722539900958923566,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_zyx(angles, omega, theta_dot);
+    compare("chasles_euler_rates_zyx, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_zyx_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const float omega[3] = {2.0f, -1.5f, 0.25f};
+    const double theta_dot_expected[3] = {
+        -0.18312620720620523246,
+        -2.3709527823040754269,
+        -0.90342748212205507757,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_zyxf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_zyxf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_zyx_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const float omega[3] = {1.75f, -0.5f, 0.75f};
+    const double theta_dot_expected[3] = {
+        17.430649714492787172,
+        -1.3831970786713717734,
+        -16.722539900958923566,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_zyxf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_zyxf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_zyz_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double Q_expected[9] = {
+        0.84933867221598477972,
+        -0.50573744623991374325,
+        0.151173593425301366,
+        0.39442358476823751035,
+        0.7983950426084577951,
+        0.45496746226165648835,
+        -0.35079033005053164238,
+        -0.32679502965768805935,
+        0.87758256189037271612,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_zyz(angles, Q);
+    compare("chasles_rotation_from_euler_zyz, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_zyz_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double Q_expected[9] = {
+        -0.25348571924553381714,
+        -0.87374672602007303051,
+        0.4151043831469114242,
+        -0.040634808491656591945,
+        -0.41912314771007518991,
+        -0.90701962459058452691,
+        0.96648528311476155654,
+        -0.24678420902238037792,
+        0.070737201667702910088,
+    };
+    double Q[9];
+    chasles_rotation_from_euler_zyz(angles, Q);
+    compare("chasles_rotation_from_euler_zyz, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+}
+
+static void rotation_from_euler_zyz_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double Q_expected[9] = {
+        0.84933867221598477972,
+        -0.50573744623991374325,
+        0.151173593425301366,
+        0.39442358476823751035,
+        0.7983950426084577951,
+        0.45496746226165648835,
+        -0.35079033005053164238,
+        -0.32679502965768805935,
+        0.87758256189037271612,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_zyzf(angles, Q);
+    comparef("chasles_rotation_from_euler_zyzf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void rotation_from_euler_zyz_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double Q_expected[9] = {
+        -0.25348571924553381714,
+        -0.87374672602007303051,
+        0.4151043831469114242,
+        -0.040634808491656591945,
+        -0.41912314771007518991,
+        -0.90701962459058452691,
+        0.96648528311476155654,
+        -0.24678420902238037792,
+        0.070737201667702910088,
+    };
+    float Q[9];
+    chasles_rotation_from_euler_zyzf(angles, Q);
+    comparef("chasles_rotation_from_euler_zyzf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_zyz_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_expected[9] = {
+        0.0,
+        -0.94898461935558621435,
+        0.151173593425301366,
+        0.0,
+        0.31532236239526866545,
+        0.45496746226165648835,
+        1.0,
+        0.0,
+        0.87758256189037271612,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_zyz(angles, W);
+    compare("chasles_euler_rate_matrix_zyz, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_zyz_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_expected[9] = {
+        0.0,
+        -0.9092974268256816954,
+        0.4151043831469114242,
+        0.0,
+        -0.416146836547142387,
+        -0.90701962459058452691,
+        1.0,
+        0.0,
+        0.070737201667702910088,
+    };
+    double W[9];
+    chasles_euler_rate_matrix_zyz(angles, W);
+    compare("chasles_euler_rate_matrix_zyz, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_zyz_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_expected[9] = {
+        0.0,
+        -0.94898461935558621435,
+        0.151173593425301366,
+        0.0,
+        0.31532236239526866545,
+        0.45496746226165648835,
+        1.0,
+        0.0,
+        0.87758256189037271612,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_zyzf(angles, W);
+    comparef("chasles_euler_rate_matrix_zyzf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_zyz_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_expected[9] = {
+        0.0,
+        -0.9092974268256816954,
+        0.4151043831469114242,
+        0.0,
+        -0.416146836547142387,
+        -0.90701962459058452691,
+        1.0,
+        0.0,
+        0.070737201667702910088,
+    };
+    float W[9];
+    chasles_euler_rate_matrix_zyzf(angles, W);
+    comparef("chasles_euler_rate_matrix_zyzf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_zyz_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double W_body_expected[9] = {
+        -0.35079033005053164238,
+        -0.68163876002333416673,
+        0.0,
+        -0.32679502965768805935,
+        0.73168886887382088631,
+        0.0,
+        0.87758256189037271612,
+        0.0,
+        1.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_zyz(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_zyz, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_zyz_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double W_body_expected[9] = {
+        0.96648528311476155654,
+        0.2474039592545229296,
+        0.0,
+        -0.24678420902238037792,
+        0.96891242171064478414,
+        0.0,
+        0.070737201667702910088,
+        0.0,
+        1.0,
+    };
+    double W_body[9];
+    chasles_euler_rate_matrix_body_zyz(angles, W_body);
+    compare("chasles_euler_rate_matrix_body_zyz, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rate_matrix_body_zyz_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const double W_body_expected[9] = {
+        -0.35079033005053164238,
+        -0.68163876002333416673,
+        0.0,
+        -0.32679502965768805935,
+        0.73168886887382088631,
+        0.0,
+        0.87758256189037271612,
+        0.0,
+        1.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_zyzf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_zyzf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rate_matrix_body_zyz_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const double W_body_expected[9] = {
+        0.96648528311476155654,
+        0.2474039592545229296,
+        0.0,
+        -0.24678420902238037792,
+        0.96891242171064478414,
+        0.0,
+        0.070737201667702910088,
+        0.0,
+        1.0,
+    };
+    float W_body[9];
+    chasles_euler_rate_matrix_body_zyzf(angles, W_body);
+    comparef("chasles_euler_rate_matrix_body_zyzf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_zyz_vector_1(void)
+{
+    const double angles[3] = {1.25, 0.5, -0.75};
+    const double omega[3] = {2.0, -1.5, 0.25};
+    const double theta_dot_expected[3] = {
+        1.7012696152447411916,
+        -2.3709527823040754269,
+        -1.6537129134820174863,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_zyz(angles, omega, theta_dot);
+    compare("chasles_euler_rates_zyz, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_zyz_vector_2(void)
+{
+    const double angles[3] = {2.0, -1.5, 0.25};
+    const double omega[3] = {1.75, -0.5, 0.75};
+    const double theta_dot_expected[3] = {
+        0.66611442806455870696,
+        -1.3831970786713717734,
+        1.1858763134213951661,
+    };
+    double theta_dot[3];
+    chasles_euler_rates_zyz(angles, omega, theta_dot);
+    compare("chasles_euler_rates_zyz, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_zyz_vector_3(void)
+{
+    const double angles[3] = {0.0, 0.0, 0.0};
+    const double omega[3] = {0.0, 0.0, 0.0};
+    const double theta_dot_expected[3] = {NAN, 0.0, NAN};
+    double theta_dot[3];
+    chasles_euler_rates_zyz(angles, omega, theta_dot);
+    compare("chasles_euler_rates_zyz, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+}
+
+static void euler_rates_zyz_vector_1f(void)
+{
+    const float angles[3] = {1.25f, 0.5f, -0.75f};
+    const float omega[3] = {2.0f, -1.5f, 0.25f};
+    const double theta_dot_expected[3] = {
+        1.7012696152447411916,
+        -2.3709527823040754269,
+        -1.6537129134820174863,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_zyzf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_zyzf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_zyz_vector_2f(void)
+{
+    const float angles[3] = {2.0f, -1.5f, 0.25f};
+    const float omega[3] = {1.75f, -0.5f, 0.75f};
+    const double theta_dot_expected[3] = {
+        0.66611442806455870696,
+        -1.3831970786713717734,
+        1.1858763134213951661,
+    };
+    float theta_dot[3];
+    chasles_euler_rates_zyzf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_zyzf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
+static void euler_rates_zyz_vector_3f(void)
+{
+    const float angles[3] = {0.0f, 0.0f, 0.0f};
+    const float omega[3] = {0.0f, 0.0f, 0.0f};
+    const double theta_dot_expected[3] = {NAN, 0.0, NAN};
+    float theta_dot[3];
+    chasles_euler_rates_zyzf(angles, omega, theta_dot);
+    comparef("chasles_euler_rates_zyzf, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+}
+
 int main(void)
 {
     (void)compare;
@@ -3890,6 +9092,10 @@ int main(void)
     rotation_from_triads_vector_2();
     rotation_from_triads_vector_1f();
     rotation_from_triads_vector_2f();
+    axial_vector_vector_1();
+    axial_vector_vector_2();
+    axial_vector_vector_1f();
+    axial_vector_vector_2f();
     velocity_of_point_vector_1();
     velocity_of_point_vector_2();
     velocity_of_point_vector_1f();
@@ -3994,6 +9200,60 @@ int main(void)
     acceleration_of_point_vector_2();
     acceleration_of_point_vector_1f();
     acceleration_of_point_vector_2f();
+    natural_rate_matrix_dot_vector_1();
+    natural_rate_matrix_dot_vector_2();
+    natural_rate_matrix_dot_vector_3();
+    natural_rate_matrix_dot_vector_1f();
+    natural_rate_matrix_dot_vector_2f();
+    natural_rate_matrix_dot_vector_3f();
+    linear_rate_matrix_dot_vector_1();
+    linear_rate_matrix_dot_vector_2();
+    linear_rate_matrix_dot_vector_1f();
+    linear_rate_matrix_dot_vector_2f();
+    euler_rodrigues_rate_matrix_dot_vector_1();
+    euler_rodrigues_rate_matrix_dot_vector_2();
+    euler_rodrigues_rate_matrix_dot_vector_1f();
+    euler_rodrigues_rate_matrix_dot_vector_2f();
+    natural_velocity_matrix_dot_vector_1();
+    natural_velocity_matrix_dot_vector_2();
+    natural_velocity_matrix_dot_vector_3();
+    natural_velocity_matrix_dot_vector_1f();
+    natural_velocity_matrix_dot_vector_2f();
+    natural_velocity_matrix_dot_vector_3f();
+    linear_velocity_matrix_dot_vector_1();
+    linear_velocity_matrix_dot_vector_2();
+    linear_velocity_matrix_dot_vector_1f();
+    linear_velocity_matrix_dot_vector_2f();
+    euler_rodrigues_velocity_matrix_dot_vector_1();
+    euler_rodrigues_velocity_matrix_dot_vector_2();
+    euler_rodrigues_velocity_matrix_dot_vector_1f();
+    euler_rodrigues_velocity_matrix_dot_vector_2f();
+    pose_acceleration_natural_vector_1();
+    pose_acceleration_natural_vector_2();
+    pose_acceleration_natural_vector_3();
+    pose_acceleration_natural_vector_1f();
+    pose_acceleration_natural_vector_2f();
+    pose_acceleration_natural_vector_3f();
+    pose_acceleration_linear_vector_1();
+    pose_acceleration_linear_vector_2();
+    pose_acceleration_linear_vector_1f();
+    pose_acceleration_linear_vector_2f();
+    pose_acceleration_euler_rodrigues_vector_1();
+    pose_acceleration_euler_rodrigues_vector_2();
+    pose_acceleration_euler_rodrigues_vector_1f();
+    pose_acceleration_euler_rodrigues_vector_2f();
+    twist_rate_from_pose_natural_vector_1();
+    twist_rate_from_pose_natural_vector_2();
+    twist_rate_from_pose_natural_vector_1f();
+    twist_rate_from_pose_natural_vector_2f();
+    twist_rate_from_pose_linear_vector_1();
+    twist_rate_from_pose_linear_vector_2();
+    twist_rate_from_pose_linear_vector_1f();
+    twist_rate_from_pose_linear_vector_2f();
+    twist_rate_from_pose_euler_rodrigues_vector_1();
+    twist_rate_from_pose_euler_rodrigues_vector_2();
+    twist_rate_from_pose_euler_rodrigues_vector_1f();
+    twist_rate_from_pose_euler_rodrigues_vector_2f();
     moving_frame_velocity_vector_1();
     moving_frame_velocity_vector_2();
     moving_frame_velocity_vector_1f();
@@ -4024,28 +9284,258 @@ int main(void)
     inertia_about_point_vector_2();
     inertia_about_point_vector_1f();
     inertia_about_point_vector_2f();
+    inertia_about_point_sym6_vector_1();
+    inertia_about_point_sym6_vector_2();
+    inertia_about_point_sym6_vector_1f();
+    inertia_about_point_sym6_vector_2f();
     momentum_screw_vector_1();
     momentum_screw_vector_2();
     momentum_screw_vector_1f();
     momentum_screw_vector_2f();
+    momentum_screw_sym6_vector_1();
+    momentum_screw_sym6_vector_2();
+    momentum_screw_sym6_vector_1f();
+    momentum_screw_sym6_vector_2f();
     kinetic_energy_vector_1();
     kinetic_energy_vector_2();
     kinetic_energy_vector_1f();
     kinetic_energy_vector_2f();
+    kinetic_energy_sym6_vector_1();
+    kinetic_energy_sym6_vector_2();
+    kinetic_energy_sym6_vector_1f();
+    kinetic_energy_sym6_vector_2f();
     newton_euler_wrench_vector_1();
     newton_euler_wrench_vector_2();
     newton_euler_wrench_vector_1f();
     newton_euler_wrench_vector_2f();
+    newton_euler_wrench_sym6_vector_1();
+    newton_euler_wrench_sym6_vector_2();
+    newton_euler_wrench_sym6_vector_1f();
+    newton_euler_wrench_sym6_vector_2f();
     newton_euler_twist_rate_vector_1();
     newton_euler_twist_rate_vector_2();
     newton_euler_twist_rate_vector_3();
     newton_euler_twist_rate_vector_1f();
     newton_euler_twist_rate_vector_2f();
     newton_euler_twist_rate_vector_3f();
+    newton_euler_twist_rate_sym6_vector_1();
+    newton_euler_twist_rate_sym6_vector_2();
+    newton_euler_twist_rate_sym6_vector_3();
+    newton_euler_twist_rate_sym6_vector_1f();
+    newton_euler_twist_rate_sym6_vector_2f();
+    newton_euler_twist_rate_sym6_vector_3f();
     inertia_dyad_vector_1();
     inertia_dyad_vector_2();
     inertia_dyad_vector_1f();
     inertia_dyad_vector_2f();
+    inertia_dyad_sym6_vector_1();
+    inertia_dyad_sym6_vector_2();
+    inertia_dyad_sym6_vector_1f();
+    inertia_dyad_sym6_vector_2f();
+    rotation_from_euler_xyx_vector_1();
+    rotation_from_euler_xyx_vector_2();
+    rotation_from_euler_xyx_vector_1f();
+    rotation_from_euler_xyx_vector_2f();
+    euler_rate_matrix_xyx_vector_1();
+    euler_rate_matrix_xyx_vector_2();
+    euler_rate_matrix_xyx_vector_1f();
+    euler_rate_matrix_xyx_vector_2f();
+    euler_rate_matrix_body_xyx_vector_1();
+    euler_rate_matrix_body_xyx_vector_2();
+    euler_rate_matrix_body_xyx_vector_1f();
+    euler_rate_matrix_body_xyx_vector_2f();
+    euler_rates_xyx_vector_1();
+    euler_rates_xyx_vector_2();
+    euler_rates_xyx_vector_3();
+    euler_rates_xyx_vector_1f();
+    euler_rates_xyx_vector_2f();
+    euler_rates_xyx_vector_3f();
+    rotation_from_euler_xyz_vector_1();
+    rotation_from_euler_xyz_vector_2();
+    rotation_from_euler_xyz_vector_1f();
+    rotation_from_euler_xyz_vector_2f();
+    euler_rate_matrix_xyz_vector_1();
+    euler_rate_matrix_xyz_vector_2();
+    euler_rate_matrix_xyz_vector_1f();
+    euler_rate_matrix_xyz_vector_2f();
+    euler_rate_matrix_body_xyz_vector_1();
+    euler_rate_matrix_body_xyz_vector_2();
+    euler_rate_matrix_body_xyz_vector_1f();
+    euler_rate_matrix_body_xyz_vector_2f();
+    euler_rates_xyz_vector_1();
+    euler_rates_xyz_vector_2();
+    euler_rates_xyz_vector_1f();
+    euler_rates_xyz_vector_2f();
+    rotation_from_euler_xzx_vector_1();
+    rotation_from_euler_xzx_vector_2();
+    rotation_from_euler_xzx_vector_1f();
+    rotation_from_euler_xzx_vector_2f();
+    euler_rate_matrix_xzx_vector_1();
+    euler_rate_matrix_xzx_vector_2();
+    euler_rate_matrix_xzx_vector_1f();
+    euler_rate_matrix_xzx_vector_2f();
+    euler_rate_matrix_body_xzx_vector_1();
+    euler_rate_matrix_body_xzx_vector_2();
+    euler_rate_matrix_body_xzx_vector_1f();
+    euler_rate_matrix_body_xzx_vector_2f();
+    euler_rates_xzx_vector_1();
+    euler_rates_xzx_vector_2();
+    euler_rates_xzx_vector_3();
+    euler_rates_xzx_vector_1f();
+    euler_rates_xzx_vector_2f();
+    euler_rates_xzx_vector_3f();
+    rotation_from_euler_xzy_vector_1();
+    rotation_from_euler_xzy_vector_2();
+    rotation_from_euler_xzy_vector_1f();
+    rotation_from_euler_xzy_vector_2f();
+    euler_rate_matrix_xzy_vector_1();
+    euler_rate_matrix_xzy_vector_2();
+    euler_rate_matrix_xzy_vector_1f();
+    euler_rate_matrix_xzy_vector_2f();
+    euler_rate_matrix_body_xzy_vector_1();
+    euler_rate_matrix_body_xzy_vector_2();
+    euler_rate_matrix_body_xzy_vector_1f();
+    euler_rate_matrix_body_xzy_vector_2f();
+    euler_rates_xzy_vector_1();
+    euler_rates_xzy_vector_2();
+    euler_rates_xzy_vector_1f();
+    euler_rates_xzy_vector_2f();
+    rotation_from_euler_yxy_vector_1();
+    rotation_from_euler_yxy_vector_2();
+    rotation_from_euler_yxy_vector_1f();
+    rotation_from_euler_yxy_vector_2f();
+    euler_rate_matrix_yxy_vector_1();
+    euler_rate_matrix_yxy_vector_2();
+    euler_rate_matrix_yxy_vector_1f();
+    euler_rate_matrix_yxy_vector_2f();
+    euler_rate_matrix_body_yxy_vector_1();
+    euler_rate_matrix_body_yxy_vector_2();
+    euler_rate_matrix_body_yxy_vector_1f();
+    euler_rate_matrix_body_yxy_vector_2f();
+    euler_rates_yxy_vector_1();
+    euler_rates_yxy_vector_2();
+    euler_rates_yxy_vector_3();
+    euler_rates_yxy_vector_1f();
+    euler_rates_yxy_vector_2f();
+    euler_rates_yxy_vector_3f();
+    rotation_from_euler_yxz_vector_1();
+    rotation_from_euler_yxz_vector_2();
+    rotation_from_euler_yxz_vector_1f();
+    rotation_from_euler_yxz_vector_2f();
+    euler_rate_matrix_yxz_vector_1();
+    euler_rate_matrix_yxz_vector_2();
+    euler_rate_matrix_yxz_vector_1f();
+    euler_rate_matrix_yxz_vector_2f();
+    euler_rate_matrix_body_yxz_vector_1();
+    euler_rate_matrix_body_yxz_vector_2();
+    euler_rate_matrix_body_yxz_vector_1f();
+    euler_rate_matrix_body_yxz_vector_2f();
+    euler_rates_yxz_vector_1();
+    euler_rates_yxz_vector_2();
+    euler_rates_yxz_vector_1f();
+    euler_rates_yxz_vector_2f();
+    rotation_from_euler_yzx_vector_1();
+    rotation_from_euler_yzx_vector_2();
+    rotation_from_euler_yzx_vector_1f();
+    rotation_from_euler_yzx_vector_2f();
+    euler_rate_matrix_yzx_vector_1();
+    euler_rate_matrix_yzx_vector_2();
+    euler_rate_matrix_yzx_vector_1f();
+    euler_rate_matrix_yzx_vector_2f();
+    euler_rate_matrix_body_yzx_vector_1();
+    euler_rate_matrix_body_yzx_vector_2();
+    euler_rate_matrix_body_yzx_vector_1f();
+    euler_rate_matrix_body_yzx_vector_2f();
+    euler_rates_yzx_vector_1();
+    euler_rates_yzx_vector_2();
+    euler_rates_yzx_vector_1f();
+    euler_rates_yzx_vector_2f();
+    rotation_from_euler_yzy_vector_1();
+    rotation_from_euler_yzy_vector_2();
+    rotation_from_euler_yzy_vector_1f();
+    rotation_from_euler_yzy_vector_2f();
+    euler_rate_matrix_yzy_vector_1();
+    euler_rate_matrix_yzy_vector_2();
+    euler_rate_matrix_yzy_vector_1f();
+    euler_rate_matrix_yzy_vector_2f();
+    euler_rate_matrix_body_yzy_vector_1();
+    euler_rate_matrix_body_yzy_vector_2();
+    euler_rate_matrix_body_yzy_vector_1f();
+    euler_rate_matrix_body_yzy_vector_2f();
+    euler_rates_yzy_vector_1();
+    euler_rates_yzy_vector_2();
+    euler_rates_yzy_vector_3();
+    euler_rates_yzy_vector_1f();
+    euler_rates_yzy_vector_2f();
+    euler_rates_yzy_vector_3f();
+    rotation_from_euler_zxy_vector_1();
+    rotation_from_euler_zxy_vector_2();
+    rotation_from_euler_zxy_vector_1f();
+    rotation_from_euler_zxy_vector_2f();
+    euler_rate_matrix_zxy_vector_1();
+    euler_rate_matrix_zxy_vector_2();
+    euler_rate_matrix_zxy_vector_1f();
+    euler_rate_matrix_zxy_vector_2f();
+    euler_rate_matrix_body_zxy_vector_1();
+    euler_rate_matrix_body_zxy_vector_2();
+    euler_rate_matrix_body_zxy_vector_1f();
+    euler_rate_matrix_body_zxy_vector_2f();
+    euler_rates_zxy_vector_1();
+    euler_rates_zxy_vector_2();
+    euler_rates_zxy_vector_1f();
+    euler_rates_zxy_vector_2f();
+    rotation_from_euler_zxz_vector_1();
+    rotation_from_euler_zxz_vector_2();
+    rotation_from_euler_zxz_vector_1f();
+    rotation_from_euler_zxz_vector_2f();
+    euler_rate_matrix_zxz_vector_1();
+    euler_rate_matrix_zxz_vector_2();
+    euler_rate_matrix_zxz_vector_1f();
+    euler_rate_matrix_zxz_vector_2f();
+    euler_rate_matrix_body_zxz_vector_1();
+    euler_rate_matrix_body_zxz_vector_2();
+    euler_rate_matrix_body_zxz_vector_1f();
+    euler_rate_matrix_body_zxz_vector_2f();
+    euler_rates_zxz_vector_1();
+    euler_rates_zxz_vector_2();
+    euler_rates_zxz_vector_3();
+    euler_rates_zxz_vector_1f();
+    euler_rates_zxz_vector_2f();
+    euler_rates_zxz_vector_3f();
+    rotation_from_euler_zyx_vector_1();
+    rotation_from_euler_zyx_vector_2();
+    rotation_from_euler_zyx_vector_1f();
+    rotation_from_euler_zyx_vector_2f();
+    euler_rate_matrix_zyx_vector_1();
+    euler_rate_matrix_zyx_vector_2();
+    euler_rate_matrix_zyx_vector_1f();
+    euler_rate_matrix_zyx_vector_2f();
+    euler_rate_matrix_body_zyx_vector_1();
+    euler_rate_matrix_body_zyx_vector_2();
+    euler_rate_matrix_body_zyx_vector_1f();
+    euler_rate_matrix_body_zyx_vector_2f();
+    euler_rates_zyx_vector_1();
+    euler_rates_zyx_vector_2();
+    euler_rates_zyx_vector_1f();
+    euler_rates_zyx_vector_2f();
+    rotation_from_euler_zyz_vector_1();
+    rotation_from_euler_zyz_vector_2();
+    rotation_from_euler_zyz_vector_1f();
+    rotation_from_euler_zyz_vector_2f();
+    euler_rate_matrix_zyz_vector_1();
+    euler_rate_matrix_zyz_vector_2();
+    euler_rate_matrix_zyz_vector_1f();
+    euler_rate_matrix_zyz_vector_2f();
+    euler_rate_matrix_body_zyz_vector_1();
+    euler_rate_matrix_body_zyz_vector_2();
+    euler_rate_matrix_body_zyz_vector_1f();
+    euler_rate_matrix_body_zyz_vector_2f();
+    euler_rates_zyz_vector_1();
+    euler_rates_zyz_vector_2();
+    euler_rates_zyz_vector_3();
+    euler_rates_zyz_vector_1f();
+    euler_rates_zyz_vector_2f();
+    euler_rates_zyz_vector_3f();
     printf("%d passed, %d failed\n", passed, failed);
     return passed > 0 && failed == 0 ? 0 : 1;
 }

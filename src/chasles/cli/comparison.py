@@ -15,12 +15,12 @@ from chasles.lowering.lower import lower
 from chasles.lowering.refusal import LoweringError
 from chasles.numerics import Evidence, Request, Unsatisfiable, request_of, request_of_inverse, verify
 from chasles.proof.judge import Judge
-from chasles.report.equations import kernel_name
 from chasles.report.waiting import watched
-from chasles.statements import Chapter, Entry, Inverse, Theorem
+from chasles.statements import Chapter, Entry, Inverse, Kernel, Theorem
 
-__all__ = ["PRECISIONS", "asking", "compared", "installed_kernels"]
+__all__ = ["PRECISIONS", "Asked", "asking", "compared", "installed_kernels"]
 
+Asked = tuple[Entry, Kernel]
 PRECISIONS: tuple[type[np.floating[Any]], ...] = (np.float64, np.float32)
 
 
@@ -36,9 +36,9 @@ def installed_kernels() -> ModuleType:
     return kernels
 
 
-def asking(book: Chapter, names: Sequence[str]) -> list[Entry]:
-    """The statements whose kernels have these names, all that ask for one without names. Raises Failure for others."""
-    known = {name: entry for entry in book.entries if (name := kernel_name(entry))}
+def asking(book: Chapter, names: Sequence[str]) -> list[Asked]:
+    """The kernels of these names with their statements, all of the book without names. Raises Failure for others."""
+    known = {kernel.name: (entry, kernel) for entry in book.entries for kernel in entry.kernels}
     for name in names:
         if name not in known:
             raise Failure(f"there is no kernel {name!r}{nearest(name, list(known))}", BAD_INPUT)
@@ -46,12 +46,12 @@ def asking(book: Chapter, names: Sequence[str]) -> list[Entry]:
 
 
 def compared(
-    entries: Sequence[Entry], kernels: ModuleType, strategies: Sequence[str], samples: int, judge: Judge
+    asked: Sequence[Asked], kernels: ModuleType, strategies: Sequence[str], samples: int, judge: Judge
 ) -> Iterator[Evidence]:
     """The evidence on each kernel, precision by precision. Raises Failure where there is nothing to compare."""
-    tasks = list(product(entries, PRECISIONS, strategies))
-    for entry, precision, strategy in watched(tasks, len(tasks), "Comparing with 50 digits"):
-        name = str(kernel_name(entry))
+    tasks = list(product(asked, PRECISIONS, strategies))
+    for (entry, kernel), precision, strategy in watched(tasks, len(tasks), "Comparing with 50 digits"):
+        name = kernel.name
         function = getattr(kernels, name, None)
         if function is None:
             raise Failure(
@@ -59,15 +59,15 @@ def compared(
             )
         options = {"dtype": precision, "strategies": (strategy,), "samples": samples, "batched": True}
         try:
-            yield verify(_request(entry, judge), function, **options)
+            yield verify(_request(entry, kernel, judge), function, **options)
         except (LoweringError, Unsatisfiable, TypeError) as error:
             raise Failure(f"{name} cannot be compared with ({entry.number}): {error}") from error
 
 
-def _request(entry: Entry, judge: Judge) -> Request:
+def _request(entry: Entry, kernel: Kernel, judge: Judge) -> Request:
     statement = entry.statement
-    program = lower(entry, judge.decide)
+    program = lower(entry, judge.decide, kernel)
     if isinstance(statement, Inverse):
-        return request_of_inverse(program.name, statement, program=program, standing=judge.standing)
+        return request_of_inverse(program.name, statement, kernel, program, judge.standing)
     assert not isinstance(statement, Theorem)
-    return request_of(program.name, statement, program=program, standing=judge.standing)
+    return request_of(program.name, statement, kernel, program, judge.standing)

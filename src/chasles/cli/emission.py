@@ -15,12 +15,12 @@ __all__ = ["commissioned", "emitted"]
 
 
 def commissioned(entries: Iterable[Entry], judge: Judge) -> tuple[Kernel, ...]:
-    """The kernel of each statement that asks for one. Raises Failure with a line for each that is refused."""
-    asking = [entry for entry in entries if entry.statement.kernel is not None]
+    """The kernels of all statements that ask for some. Raises Failure with a line for each that is refused."""
+    asking = [(entry, kernel) for entry in entries for kernel in entry.kernels]
     kernels, refused = [], []
-    for entry in watched(asking, len(asking), "Lowering"):
+    for entry, kernel in watched(asking, len(asking), "Lowering"):
         try:
-            kernels.append(kernel_of(entry, judge.decide))
+            kernels.append(kernel_of(entry, judge.decide, kernel))
         except EmissionError as error:
             refused.append(str(error))
     if refused:

@@ -8,12 +8,11 @@ from time import perf_counter
 from types import ModuleType
 from typing import Any
 
-from chasles.cli.comparison import compared
+from chasles.cli.comparison import Asked, compared
 from chasles.numerics import Evidence
 from chasles.proof.judge import Judge
 from chasles.report.evidence import is_wrong, worst_of
 from chasles.report.words import seconds
-from chasles.statements import Entry
 
 __all__ = ["Verification", "verified"]
 
@@ -67,9 +66,9 @@ class Verification:
 
 
 def verified(
-    entries: Sequence[Entry], kernels: ModuleType, strategies: Sequence[str], samples: int, judge: Judge
+    asked: Sequence[Asked], kernels: ModuleType, strategies: Sequence[str], samples: int, judge: Judge
 ) -> Verification:
-    """Compare the kernels of the entries at so many points of each kind, in each precision."""
+    """Compare the kernels asked for at so many points of each kind, in each precision."""
     started = perf_counter()
-    evidence = tuple(compared(entries, kernels, strategies, samples, judge))
+    evidence = tuple(compared(asked, kernels, strategies, samples, judge))
     return Verification(str(kernels.backend), evidence, perf_counter() - started)

@@ -1,9 +1,12 @@
 """The emitted kernels: compiled generalised ufuncs where a C compiler was at hand, else the same formulas in NumPy.
 
 ``chasles.kernels.NAME`` broadcasts over leading batch axes; shapes, units and the source equation stand in each
-docstring. ``chasles.kernels.backend`` is ``"c"`` or ``"numpy"``. The environment variable ``CHASLES_BACKEND``, read
-once at import, chooses: ``numpy`` takes the NumPy kernels, ``c`` insists on the compiled ones; unset or empty takes
-the compiled ones where they load.
+docstring. ``NAME_sym6`` takes and gives a symmetric matrix as (xx, xy, xz, yy, yz, zz), where ``NAME`` reads all nine
+numbers. Inputs are not tested; ``chasles.checked`` does that.
+
+``chasles.kernels.backend`` is ``"c"`` or ``"numpy"``. The environment variable ``CHASLES_BACKEND``, read once at
+import, chooses: ``numpy`` takes the NumPy kernels, ``c`` insists on the compiled ones; unset or empty takes the
+compiled ones where they load.
 
 Raises:
     ImportError: ``CHASLES_BACKEND`` holds another word, asks for compiled kernels that are not there, or no kernels

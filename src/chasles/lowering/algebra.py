@@ -35,7 +35,7 @@ class Algebra:
         divisors = dict.fromkeys(divisor for node in nodes for divisor in divisors_of(node, table, seen))
         hypotheses = (*request.hypotheses, *map(nonzero, divisors))
         self.context: Context = build(Problem(goals, tuple(table.items()), hypotheses=tuple(dict.fromkeys(hypotheses))))
-        self._deadline = deadline
+        self.deadline = deadline
         self._completed: Basis | None = None
         self._roots: list[tuple[Ratio, Ratio | None]] = []
         self._nonzero: list[tuple[Polynomial, bool]] = []
@@ -117,4 +117,4 @@ class Algebra:
         return completed(stated(basis.ring, (*basis.generators, *zeros), complete=False), self._in_time)
 
     def _in_time(self) -> bool:
-        return monotonic() < self._deadline
+        return monotonic() < self.deadline

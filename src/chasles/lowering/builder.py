@@ -117,6 +117,9 @@ class Builder:
             return quotient if inner_a is not None and inner_b is not None else self.negate(quotient)
         if y is not None and _is_power_of_two(y):
             return self.multiply(self.constant(1 / y), a)
+        above, below = self._steps[a], self._steps[b]
+        if above.op is below.op is Op.DIVIDE and above.operands[1] == below.operands[1]:
+            return self.divide(above.operands[0], below.operands[0])
         return self._add(Step(Op.DIVIDE, (a, b)))
 
     def square_root(self, a: int) -> int:

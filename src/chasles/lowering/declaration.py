@@ -12,7 +12,7 @@ from chasles.lowering.request import Output, Request, argument_name, composed, m
 from chasles.lowering.rewriting import Angle
 from chasles.proof.judge import Decision
 from chasles.proof.verdict import IllFormed, Undecided, Verdict
-from chasles.statements import Condition, Entry, Hypothesis, Inverse, Kernel, Statement, Theorem
+from chasles.statements import Condition, Entry, Hypothesis, Inverse, Kernel, Packed, Statement, Theorem
 from chasles.statements.statement import bare, is_rule
 from chasles.vocabulary import Block, Group, Node, Rate, Symbol, members_of
 from chasles.vocabulary.families import indices_of
@@ -42,7 +42,7 @@ def requested(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None 
     name = ""
     if isinstance(sentence, Entry):
         name, sentence = sentence.name, sentence.statement
-    kernel = kernel or sentence.kernel
+    kernel = kernel or (sentence.kernel and sentence.kernel.variants(name)[0])
     if kernel is None or isinstance(sentence, Theorem):
         raise LoweringError(f"({sentence.number}) asks for no kernel: give it `kernel=Kernel(of=...)`")
     name = kernel.name or name
@@ -66,6 +66,7 @@ def requested(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None 
         hypotheses=tuple(dict.fromkeys(_hypotheses(sentence))),
         choices=definitions.choices,
         angles=definitions.angles,
+        form=_form(kernel),
     )
     used = next((left for left, _ in request.rules if left in definitions.false), None)
     if used is not None:
@@ -117,7 +118,7 @@ def _hypotheses(sentence: Sentence) -> Iterator[Hypothesis]:
 
 
 def _outputs(name: str, left: Node, right: Node, kernel: Kernel) -> list[Output]:
-    """The right side, or its blocks where several results are named."""
+    """The right side, or its blocks where several results are named; what the kernel calls symmetric is packed."""
     if len(kernel.results) > 1:
         sides = [_lines(side) for side in (left, right)]
         if len(sides[1]) != len(kernel.results):
@@ -126,10 +127,15 @@ def _outputs(name: str, left: Node, right: Node, kernel: Kernel) -> list[Output]
             )
         said = sides[0] if len(sides[0]) == len(sides[1]) else sides[1]
         triples = zip(kernel.results, said, sides[1], strict=True)
-        return [Output(word, meaning_of(of), value) for word, of, value in triples]
+        return [_output(word, of, value, kernel) for word, of, value in triples]
     left = bare(left)
     word = kernel.results[0] if kernel.results else argument_name(left) if _is_named(left) else "result"
-    return [Output(word, meaning_of(left), right)]
+    return [_output(word, left, right, kernel)]
+
+
+def _output(word: str, left: Node, value: Node, kernel: Kernel) -> Output:
+    packed = left in kernel.symmetric
+    return Output(word, meaning_of(Packed(left) if packed else left), value, packed)
 
 
 def _outputs_of_inverse(name: str, sentence: Inverse, kernel: Kernel) -> list[Output]:
@@ -137,6 +143,12 @@ def _outputs_of_inverse(name: str, sentence: Inverse, kernel: Kernel) -> list[Ou
     if len(words) != len(sentence.gives):
         raise LoweringError(f"{name}: {len(words)} results are named, and the inverse gives {len(sentence.gives)}")
     return [Output(word, meaning_of(node), node) for word, node in zip(words, sentence.gives, strict=True)]
+
+
+def _form(kernel: Kernel) -> list[Node]:
+    if kernel.form is None:
+        return []
+    return _lines(kernel.form) if len(kernel.results) > 1 else [kernel.form]
 
 
 def _lines(node: Node) -> list[Node]:

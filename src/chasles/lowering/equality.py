@@ -10,11 +10,12 @@ from chasles.lowering.algebra import Algebra
 from chasles.lowering.cases import Choice
 from chasles.lowering.program import Program
 from chasles.lowering.reading import Reading, Settled, Unreadable, angles_of
-from chasles.lowering.request import Request, argument_name
+from chasles.lowering.request import Output, Request, argument_name
 from chasles.lowering.signs import Differences, Fork, Impossible, Signs
 from chasles.proof.ratios import Ratio
 from chasles.proof.unfold import UndeclaredDivisor
 from chasles.proof.variables import Untreatable
+from chasles.statements.kernel import places_of
 from chasles.vocabulary import Node, Symbol
 
 __all__ = ["BUDGET", "differences", "program_equals"]
@@ -38,9 +39,9 @@ def differences(request: Request, program: Program, budget: float = BUDGET) -> t
         return (said,)
     found: dict[str, None] = {}
     try:
-        angles = tuple(angles_of(program, request))
+        stages = _Stages(request, program)
         for way in product(*(range(len(c.cases) + (not c.is_exhaustive)) for c in request.choices)):
-            found |= dict.fromkeys(_on_way(request, program, way, angles, monotonic() + budget))
+            found |= dict.fromkeys(_on_way(request, program, way, stages, monotonic() + budget))
     except (Unreadable, Untreatable, UndeclaredDivisor) as error:
         found[str(error)] = None
     return tuple(found)
@@ -48,11 +49,11 @@ def differences(request: Request, program: Program, budget: float = BUDGET) -> t
 
 def _shape(request: Request, program: Program) -> str | None:
     """What of the program's arguments and results is not the request's."""
-    wanted = [(argument_name(node), node.shape[0] * node.shape[1]) for node in request.of]
+    wanted = [(argument_name(argument), len(places_of(argument))) for argument in request.arguments]
     have = [(argument.name, _size(argument.shape)) for argument in program.arguments]
     if wanted != have:
         return f"its arguments are {have}, and {wanted} were asked for"
-    wanted = [(output.name, output.value.shape[0] * output.value.shape[1]) for output in request.outputs]
+    wanted = [(output.name, len(output.places)) for output in request.outputs]
     have = [(result.name, len(result.entries)) for result in program.results]
     return f"its results are {have}, and {wanted} were asked for" if wanted != have else None
 
@@ -64,9 +65,26 @@ def _size(shape: tuple[int, ...]) -> int:
     return total
 
 
-def _on_way(
-    request: Request, program: Program, way: Sequence[int], angles: tuple[Node, ...], deadline: float
-) -> Iterator[str]:
+class _Stages:
+    """The algebra for each set of values that the choices take, and what steps come to in it; each made once."""
+
+    def __init__(self, request: Request, program: Program) -> None:
+        compared = [side for c in request.choices for case in c.cases for w in case.where for side in (w.left, w.right)]
+        self._further = (*compared, *angles_of(program, request))
+        self._request = request
+        self._program = program
+        self._known: dict[tuple[tuple[Node, Node], ...], tuple[Algebra, Settled]] = {}
+
+    def of(self, rules: dict[Node, Node], deadline: float) -> tuple[Algebra, Settled]:
+        """The stage on which the rules hold; what is still to be completed on it must be so before the deadline."""
+        key = tuple(rules.items())
+        if key not in self._known:
+            self._known[key] = Algebra(self._request, rules, self._further, deadline), Settled(self._program)
+        self._known[key][0].deadline = deadline
+        return self._known[key]
+
+
+def _on_way(request: Request, program: Program, way: Sequence[int], stages: _Stages, deadline: float) -> Iterator[str]:
     """The differences where each choice is in the case that `way` says; past its last case a choice has no value."""
     rules: dict[Node, Node] = {}
     valueless: list[Symbol] = []
@@ -75,9 +93,7 @@ def _on_way(
             valueless += choice.symbols
         else:
             rules |= dict(zip(choice.symbols, choice.cases[place].values, strict=True))
-    compared = [side for c in request.choices for case in c.cases for w in case.where for side in (w.left, w.right)]
-    algebra = Algebra(request, rules, (*compared, *angles), deadline)
-    settled = Settled(program)
+    algebra, settled = stages.of(rules, deadline)
     waiting = [_signs(algebra, request.choices, way)]
     while waiting:
         signs = waiting.pop()
@@ -109,9 +125,9 @@ def _compared(
     algebra = signs.differences.algebra
     lost = _Lost(request, algebra, valueless)
     for output, result in zip(request.outputs, program.results, strict=True):
-        columns = output.value.shape[1]
-        for place, number in enumerate(result.entries):
-            row, column = divmod(place, columns)
+        if output.packed:
+            yield from _asymmetric(output, signs)
+        for (_, row, column), number in zip(output.places, result.entries, strict=True):
             wanted, found = algebra.entry(output.value, row, column), reading.value(number)
             label = f"{result.name}, entry {row + 1}, {column + 1}"
             if found is None or wanted in lost:
@@ -119,6 +135,15 @@ def _compared(
                     yield f"{label}: it has no value where the formula has one, or the other way round"
             elif not algebra.vanishes(found - wanted, signs.zeros):
                 yield f"{label}: it is not what the formula says"
+
+
+def _asymmetric(output: Output, signs: Signs) -> Iterator[str]:
+    """The entries of a packed result that are not those on the other side of the diagonal."""
+    algebra = signs.differences.algebra
+    for _, row, column in output.places:
+        one, other = algebra.entry(output.value, row, column), algebra.entry(output.value, column, row)
+        if not algebra.vanishes(one - other, signs.zeros):
+            yield f"{output.name} is not symmetric in {row + 1}, {column + 1}: six numbers cannot stand for it"
 
 
 class _Lost:

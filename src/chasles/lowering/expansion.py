@@ -12,12 +12,13 @@ from functools import reduce
 from typing import Any
 
 from chasles.lowering.builder import Builder
+from chasles.lowering.matrices import Column, CrossProduct, Dense, Dyad, Matrix, Rows, Unit
 from chasles.lowering.meaning import Meanings
 from chasles.lowering.products import Products
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Request
 from chasles.lowering.rewriting import flipped
-from chasles.lowering.tensors import Column, CrossProduct, Dense, Dyad, Matrix, Rows, Tensors, Unit
+from chasles.lowering.tensors import Tensors
 from chasles.vocabulary import (
     Block,
     Call,
@@ -54,6 +55,7 @@ class Expansion(Products):
         self.tensors = Tensors(builder)
         self.dense = dense
         self.meanings = Meanings(request, self)
+        self.tensors.units |= self._unit_arguments(request)
         self._scalars: dict[Node, int] = {}
         self._columns: dict[Node, Column] = {}
         self._matrices: dict[Node, Matrix] = {}
@@ -88,6 +90,11 @@ class Expansion(Products):
                 known = self._as_dense(known.shape, self.tensors.rows(known))
             self._matrices[node] = known
         return known
+
+    def _unit_arguments(self, request: Request) -> set[Column]:
+        """The arguments whose length is one by hypothesis."""
+        units = {h.subjects[0] for h in request.hypotheses if h.kind == "unit"}
+        return {tuple(row[0] for row in self.meanings.rows(node)) for node in request.of if node in units}
 
     def _scalar(self, node: Node) -> int:
         build = self.builder

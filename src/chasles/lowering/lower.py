@@ -8,13 +8,15 @@ from chasles.lowering.builder import Builder
 from chasles.lowering.cost import cost
 from chasles.lowering.declaration import Decide, Sentence, requested
 from chasles.lowering.expansion import Expansion
+from chasles.lowering.passes.angles import respelled
 from chasles.lowering.passes.guard import guarded
 from chasles.lowering.passes.prune import pruned
-from chasles.lowering.program import Argument, Program, Result
-from chasles.lowering.request import Request, argument_name, meaning_of
+from chasles.lowering.program import Argument, Op, Program, Result
+from chasles.lowering.request import Request, argument_name, core_shape, meaning_of
+from chasles.lowering.rounding import stable
 from chasles.statements import Entry, Kernel
 
-__all__ = ["lower", "program_of"]
+__all__ = ["expanded", "lower", "program_of"]
 
 
 def lower(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None = None) -> Program:
@@ -27,27 +29,31 @@ def lower(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None = No
 
 
 def program_of(request: Request) -> Program:
-    """The cheapest of the programs that the request's expressions spell; NaN where one of its divisors is zero."""
-    return guarded(min(_candidates(request), key=cost))
+    """The cheapest of the programs that lose no digits another one keeps; NaN where one of its divisors is zero."""
+    return guarded(min(stable(request, list(_candidates(request))), key=cost))
 
 
 def _candidates(request: Request) -> Iterator[Program]:
-    """Matrices that a rule defines may be kept in their structure, or written in components once and for all."""
+    """The request's words in several spellings.
+
+    Matrices that a rule defines may be kept in their structure, or written in components once and for all; functions of
+    one angle may stay as they are, or be written in lowest terms of the angle or of its half.
+    """
     for dense in (False, True):
-        yield pruned(_expanded(request, dense=dense))
+        spelled = pruned(expanded(request, dense=dense))
+        yield spelled
+        if spelled.operations[Op.SINE] + spelled.operations[Op.COSINE]:
+            for halved in (False, True):
+                yield pruned(respelled(spelled, halved=halved))
 
 
-def _expanded(request: Request, *, dense: bool) -> Program:
+def expanded(request: Request, *, dense: bool) -> Program:
+    """The program that the request's words spell; `dense` writes every matrix that a rule defines in components."""
     expansion = Expansion(Builder(), request, dense=dense)
     results = []
-    for output in request.outputs:
-        rows = expansion.rows(output.value)
-        entries = tuple(entry for row in rows for entry in row)
-        results.append(Result(output.name, _core(output.value.shape), output.meaning, entries))
-    arguments = tuple(Argument(argument_name(node), _core(node.shape), meaning_of(node)) for node in request.of)
+    for output, value in zip(request.outputs, request.spelled, strict=True):
+        rows = expansion.rows(value)
+        entries = tuple(rows[i][j] for _, i, j in output.places)
+        results.append(Result(output.name, output.shape, output.meaning, entries))
+    arguments = tuple(Argument(argument_name(item), core_shape(item), meaning_of(item)) for item in request.arguments)
     return Program(request.name, arguments, expansion.builder.steps, tuple(results))
-
-
-def _core(shape: tuple[int, int]) -> tuple[int, ...]:
-    """The shape of an array: () for a scalar, one axis for a column or a row."""
-    return shape if 1 not in shape else tuple(extent for extent in shape if extent > 1)

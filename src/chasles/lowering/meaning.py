@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Protocol
 
 from chasles.lowering.builder import Builder
 from chasles.lowering.cases import Choice, Comparison
+from chasles.lowering.matrices import Rows
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Request
 from chasles.lowering.rewriting import rate_of
-from chasles.lowering.tensors import Rows
+from chasles.statements import Packed
+from chasles.statements.kernel import Place, nodes_of, places_of
 from chasles.statements.statement import bare
 from chasles.vocabulary import Group, Node, Rate, Symbol, Zero, plain
 
@@ -34,10 +37,10 @@ class Meanings:
         self._angles = dict(request.angles)
         self._choices = {symbol: choice for choice in request.choices for symbol in choice.symbols}
         self._known: dict[Node, Rows] = {}
-        for place, node in enumerate(request.of):
-            rows, columns = node.shape
-            entry = expander.builder.input
-            self._known[node] = tuple(tuple(entry(place, i * columns + j) for j in range(columns)) for i in range(rows))
+        for number, argument in enumerate(request.arguments):
+            steps = {place: expander.builder.input(number, entry) for entry, place in enumerate(places_of(argument))}
+            for node in nodes_of(argument):
+                self._known[node] = _arranged(node, steps, mirrored=isinstance(argument, Packed))
 
     def of(self, node: Node) -> Node:
         """The expression that the node stands for, or the node itself."""
@@ -110,3 +113,11 @@ class Meanings:
             tuple(build.select(condition, a, b) for a, b in zip(one, other, strict=True))
             for one, other in zip(first, second, strict=True)
         )
+
+
+def _arranged(node: Node, steps: Mapping[Place, int], *, mirrored: bool) -> Rows:
+    """The entries of a node; of a symmetric one those below the diagonal are those above it."""
+    rows, columns = node.shape
+    return tuple(
+        tuple(steps[node, *(sorted((i, j)) if mirrored else (i, j))] for j in range(columns)) for i in range(rows)
+    )

@@ -7,9 +7,10 @@ from collections.abc import Sequence
 from functools import reduce
 
 from chasles.lowering.builder import Builder
+from chasles.lowering.matrices import Column, Dyad, Matrix
 from chasles.lowering.meaning import Meanings
 from chasles.lowering.rewriting import flipped
-from chasles.lowering.tensors import Column, Dyad, Matrix, Tensors
+from chasles.lowering.tensors import Tensors
 from chasles.vocabulary import Block, Contract, Group, Negative, Node, Power, Quotient, Scale, Sum, Transpose, Zero
 
 __all__ = ["Products"]

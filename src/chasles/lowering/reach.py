@@ -48,12 +48,9 @@ class Reach:
     def angles(self) -> tuple[tuple[Symbol, Angle], ...]:
         return tuple(self._found_angles.items())
 
-    def require_all_used(self) -> None:
-        """Raise `LoweringError` for an argument on which no result depends."""
-        for argument in self._of:
-            if argument not in self._used:
-                said = f"no result depends on the argument {plain(argument)}: leave it out"
-                raise LoweringError(f"{self._kernel}: {said}")
+    def is_used(self, node: Node) -> bool:
+        """Whether a result depends on the value of a symbol or a rate."""
+        return node in self._used
 
     def follow(self, node: Node) -> None:
         """Reach all that the expression needs."""

@@ -111,9 +111,9 @@ class Reading:
                 raise Unreadable(f"step {number}, {op.value}, is read as a number")
 
     def _input(self, argument: int, entry: int) -> Ratio:
-        node = self._request.of[argument]
+        node, row, column = self._request.place(argument, entry)
         try:
-            return self._algebra.entry(node, *divmod(entry, node.shape[1]))
+            return self._algebra.entry(node, row, column)
         except KeyError:
             raise Unreadable(f"it reads {node}, of which the formula has only the cosine and sine") from None
 
@@ -151,7 +151,7 @@ def _linear(program: Program, request: Request, number: int) -> Linear:
     """A step as a sum of rational multiples of scalar arguments."""
     step = program.steps[number]
     match step.op:
-        case Op.INPUT if isinstance(symbol := request.of[step.argument], Symbol) and symbol.is_scalar:
+        case Op.INPUT if isinstance(symbol := request.place(step.argument, step.entry)[0], Symbol) and symbol.is_scalar:
             return {symbol: Fraction(1)}
         case Op.ADD | Op.SUBTRACT:
             one, other = (_linear(program, request, operand) for operand in step.operands)

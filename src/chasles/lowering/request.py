@@ -14,58 +14,98 @@ from chasles.lowering.cases import Case, Choice
 from chasles.lowering.reach import Reach
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.rewriting import Angle, without_angles
-from chasles.statements import Hypothesis
+from chasles.statements import Hypothesis, Packed, Stack, symmetric
+from chasles.statements.kernel import Argument, Place, nodes_of, places_of
 from chasles.statements.statement import bare
-from chasles.vocabulary import Node, Rate, Symbol, plain
+from chasles.vocabulary import Misfit, Node, Rate, Symbol, plain
+from chasles.vocabulary.measure import added
+from chasles.vocabulary.nodes import measured
 
-__all__ = ["Output", "Request", "argument_name", "composed", "meaning_of"]
+__all__ = ["Output", "Request", "argument_name", "composed", "core_shape", "meaning_of"]
 
 
 @dataclass(frozen=True, slots=True)
 class Output:
-    """A result: its name in every language, what it means in plain text, and the expression that it holds."""
+    """A result: its name in every language, what it means in plain text, and the expression that it holds.
+
+    A `packed` one is a symmetric 3 x 3 matrix, given as six numbers.
+    """
 
     name: str
     meaning: str
     value: Node
+    packed: bool = False
+
+    @property
+    def places(self) -> tuple[Place, ...]:
+        """The entries of the expression that the result holds, in their order."""
+        return places_of(self._layout)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The shape of the array."""
+        return core_shape(self._layout)
+
+    @property
+    def _layout(self) -> Argument:
+        return Packed(self.value) if self.packed else self.value
 
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """A kernel to be made: `outputs` as functions `of` symbols and rates of symbols.
+    """A kernel to be made: `outputs` as functions of arrays that hold symbols and rates of symbols.
 
     `rules` define other symbols, each before those that use it; `choices` give symbols values case by case, `angles` by
     cosine and sine. The program is right wherever the `hypotheses` hold and nothing that is divided by is zero.
+    An offered `form` says the outputs in other words, of which the program is made; what it must equal is the outputs.
     """
 
     name: str
-    of: tuple[Node, ...]
+    arguments: tuple[Argument, ...]
     outputs: tuple[Output, ...]
     rules: tuple[tuple[Node, Node], ...] = ()
     hypotheses: tuple[Hypothesis, ...] = ()
     choices: tuple[Choice, ...] = ()
     angles: tuple[tuple[Symbol, Angle], ...] = ()
+    form: tuple[Node, ...] = ()
+
+    @property
+    def spelled(self) -> tuple[Node, ...]:
+        """What the program is made of: the offered form, or the outputs as they are stated."""
+        return self.form or tuple(output.value for output in self.outputs)
+
+    @property
+    def of(self) -> tuple[Node, ...]:
+        """The symbols, and rates of symbols, whose values the arguments hold."""
+        return tuple(node for argument in self.arguments for node in nodes_of(argument))
+
+    def place(self, argument: int, entry: int) -> Place:
+        """What a step reads: the symbol, or its rate, with the row and the column."""
+        return places_of(self.arguments[argument])[entry]
 
 
 def composed(
     name: str,
-    of: Iterable[Node],
+    of: Iterable[Argument],
     outputs: Iterable[Output],
     *,
     rules: Mapping[Node, Node] | None = None,
     hypotheses: Iterable[Hypothesis] = (),
     choices: Iterable[Choice] = (),
     angles: Mapping[Symbol, Angle] | None = None,
+    form: Iterable[Node] = (),
 ) -> Request:
     """The request with what it does not need left out; cosines and sines of `angles` are written by what is known.
 
     Raises `LoweringError` for a symbol that is neither an argument nor defined, a definition in a circle, an argument
-    that is not used or is no symbol, and names that no language takes.
+    that is not used or is no symbol, a form that does not fit the outputs, and names that no language takes.
     """
-    of, angles = tuple(map(bare, of)), dict(angles or {})
-    for argument in of:
-        _require_argument(name, argument)
-    rules = {left: right for left, right in (rules or {}).items() if left not in of}
+    arguments = tuple(argument if isinstance(argument, Stack | Packed) else bare(argument) for argument in of)
+    symbols, angles = tuple(node for argument in arguments for node in nodes_of(argument)), dict(angles or {})
+    for node in symbols:
+        _require_argument(name, node)
+    hypotheses = (*hypotheses, *(symmetric(argument.matrix) for argument in arguments if isinstance(argument, Packed)))
+    rules = {left: right for left, right in (rules or {}).items() if left not in symbols}
     table = dict(rules)
 
     def opened(node: Node) -> Node:
@@ -74,24 +114,45 @@ def composed(
     rules = {left: opened(right) for left, right in rules.items()}
     choices = [_opened_choice(choice, opened) for choice in choices]
     outputs = tuple(with_fields(output, value=opened(output.value)) for output in outputs)
-    hypotheses = tuple(_opened_hypothesis(hypothesis, opened) for hypothesis in hypotheses)
-    reach = Reach(name, of, rules, choices, angles)
-    for output in outputs:
-        reach.follow(output.value)
-    reach.require_all_used()
-    _require_names(name, [argument_name(argument) for argument in of], [output.name for output in outputs])
-    return Request(name, of, outputs, reach.rules, hypotheses, reach.choices, reach.angles)
+    hypotheses = tuple(dict.fromkeys(_opened_hypothesis(hypothesis, opened) for hypothesis in hypotheses))
+    form = tuple(map(opened, form))
+    _require_fit(name, outputs, form)
+    reach = Reach(name, symbols, rules, choices, angles)
+    for value in (*(output.value for output in outputs), *form):
+        reach.follow(value)
+    for argument in arguments:
+        if not any(map(reach.is_used, nodes_of(argument))):
+            said = argument.name if isinstance(argument, Stack) else plain(nodes_of(argument)[0])
+            raise LoweringError(f"{name}: no result depends on the argument {said}: leave it out")
+    _require_names(name, [argument_name(argument) for argument in arguments], [output.name for output in outputs])
+    return Request(name, arguments, outputs, reach.rules, hypotheses, reach.choices, reach.angles, form)
 
 
-def argument_name(node: Node) -> str:
-    """A symbol's name as an identifier: a_prime for a', a_dot for its rate."""
-    text = plain(node).replace("'", "_prime").replace("~", "_tilde").replace("*", "_star")
+def argument_name(argument: Argument) -> str:
+    """An argument's name as an identifier: a_prime for a', a_dot for its rate."""
+    match argument:
+        case Stack(name):
+            return name
+        case Packed(matrix):
+            return argument_name(matrix)
+    text = plain(argument).replace("'", "_prime").replace("~", "_tilde").replace("*", "_star")
     return re.sub(r"[^A-Za-z0-9]+", "_", text).strip("_")
 
 
-def meaning_of(node: Node) -> str:
-    """What a symbol or a rate means, in plain text; the expression itself for anything else."""
-    match node:
+def core_shape(argument: Argument) -> tuple[int, ...]:
+    """The shape of an array: () for a scalar, one axis for a column, a row or what is packed or stacked."""
+    if isinstance(argument, Stack | Packed):
+        return (len(places_of(argument)),)
+    return argument.shape if 1 not in argument.shape else tuple(extent for extent in argument.shape if extent > 1)
+
+
+def meaning_of(argument: Argument) -> str:
+    """What an argument means, in plain text; for an expression that is no symbol or rate, the expression itself."""
+    match argument:
+        case Stack(meaning=text):
+            return text
+        case Packed(matrix):
+            return f"{meaning_of(matrix)}, symmetric, as (xx, xy, xz, yy, yz, zz)"
         case Symbol(meaning=str(text)) if text:
             return text
         case Rate(Rate(of)):
@@ -99,7 +160,7 @@ def meaning_of(node: Node) -> str:
         case Rate(of):
             return f"time derivative of: {meaning_of(of)}"
         case _:
-            return plain(node)
+            return plain(argument)
 
 
 def _opened_choice(choice: Choice, opened: Callable[[Node], Node]) -> Choice:
@@ -113,6 +174,16 @@ def _opened_choice(choice: Choice, opened: Callable[[Node], Node]) -> Choice:
 def _opened_hypothesis(hypothesis: Hypothesis, opened: Callable[[Node], Node]) -> Hypothesis:
     subjects, nonvanishing = tuple(map(opened, hypothesis.subjects)), tuple(map(opened, hypothesis.nonvanishing))
     return with_fields(hypothesis, subjects=subjects, nonvanishing=nonvanishing)
+
+
+def _require_fit(name: str, outputs: tuple[Output, ...], form: tuple[Node, ...]) -> None:
+    if form and len(form) != len(outputs):
+        raise LoweringError(f"{name}: its form has {len(form)} blocks, and {len(outputs)} results are asked for")
+    for output, value in zip(outputs, form, strict=False):
+        try:
+            added(measured(output.value), measured(value), (output.value, value), "equate")
+        except Misfit as misfit:
+            raise LoweringError(f"{name}: the form offered for {output.name} does not fit: {misfit}") from None
 
 
 def _require_argument(name: str, node: Node) -> None:

@@ -6,81 +6,28 @@ Terms on one tensor are collected into one coefficient, so that e e^T + c (1 - e
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import reduce
 
-from chasles.lowering.builder import Builder
+from chasles.lowering.components import Components
+from chasles.lowering.matrices import (
+    Column,
+    CrossProduct,
+    Dense,
+    DoubleCross,
+    Dyad,
+    Matrix,
+    Rows,
+    SymmetricDyad,
+    Tensor,
+    Unit,
+    transposed,
+)
 
-__all__ = ["Column", "CrossProduct", "Dense", "Dyad", "Matrix", "Rows", "Tensor", "Tensors", "Unit", "transposed"]
-
-Column = tuple[int, ...]
-"""The numbers of the steps that hold the entries of a column."""
-Rows = tuple[Column, ...]
-"""The numbers of the steps that hold the entries of a matrix, row by row."""
-
-
-@dataclass(frozen=True, slots=True)
-class Unit:
-    """The identity matrix."""
-
-    size: int
-
-
-@dataclass(frozen=True, slots=True)
-class Dyad:
-    """left right^T."""
-
-    left: Column
-    right: Column
+__all__ = ["Tensors"]
 
 
-@dataclass(frozen=True, slots=True)
-class CrossProduct:
-    """The cross-product matrix of a vector."""
-
-    of: Column
-
-
-@dataclass(frozen=True, slots=True)
-class Dense:
-    """A matrix of which nothing is known but its entries."""
-
-    rows: Rows
-
-
-Tensor = Unit | Dyad | CrossProduct | Dense
-
-
-@dataclass(frozen=True, slots=True)
-class Matrix:
-    """A sum of coefficients times tensors; a matrix without terms is zero."""
-
-    shape: tuple[int, int]
-    terms: tuple[tuple[int, Tensor], ...] = ()
-
-
-class Tensors:
-    """Vector and matrix algebra on steps."""
-
-    def __init__(self, builder: Builder) -> None:
-        self.builder = builder
-
-    def dot(self, a: Column, b: Column) -> int:
-        """The scalar product a . b."""
-        return reduce(self.builder.add, map(self.builder.multiply, a, b))
-
-    def cross(self, a: Column, b: Column) -> Column:
-        """The vector product a x b."""
-        times, minus = self.builder.multiply, self.builder.subtract
-        return tuple(minus(times(a[j], b[k]), times(a[k], b[j])) for j, k in ((1, 2), (2, 0), (0, 1)))
-
-    def sum(self, a: Column, b: Column) -> Column:
-        """The sum a + b."""
-        return tuple(map(self.builder.add, a, b))
-
-    def scaled(self, factor: int, a: Column) -> Column:
-        """The column times a scalar."""
-        return tuple(self.builder.multiply(factor, entry) for entry in a)
+class Tensors(Components):
+    """Matrix algebra on steps."""
 
     def matrix(self, shape: tuple[int, int], terms: tuple[tuple[int, Tensor], ...]) -> Matrix:
         """The sum of the terms, collected; all cross-product matrices become one."""
@@ -123,21 +70,48 @@ class Tensors:
 
     def _flipped(self, factor: int, tensor: Tensor) -> tuple[int, Tensor]:
         match tensor:
-            case Unit():
+            case Unit() | SymmetricDyad():
                 return factor, tensor
             case Dyad(left, right):
                 return factor, Dyad(right, left)
             case CrossProduct():
                 return self.builder.negate(factor), tensor
+            case DoubleCross(left, right):
+                return factor, DoubleCross(right, left)
             case Dense(rows):
                 return factor, Dense(transposed(rows))
 
     def applied(self, a: Matrix, x: Column) -> Column:
         """The product a x, term by term: the coefficient of a dyad multiplies one scalar."""
         total: Column = (self.builder.zero,) * a.shape[0]
-        for factor, tensor in a.terms:
+        for tensor, factor in self._projecting(a).items():
             total = self.sum(total, self._applied(factor, tensor, x))
         return total
+
+    def _projecting(self, a: Matrix) -> dict[Tensor, int]:
+        """The terms, k x x^T - k |x|^2 1 written as k times the square of the cross-product matrix of x.
+
+        So written nothing cancels: on the diagonal |x|^2 - x_i^2 is the sum of the other squares.
+        """
+        terms = {tensor: factor for factor, tensor in a.terms}
+        for factor, tensor in a.terms:
+            if isinstance(tensor, Dyad) and tensor.left == tensor.right and a.shape == (3, 3):
+                size = self.builder.multiply(factor, self.dot(tensor.left, tensor.left))
+                if terms.get(Unit(3)) == self.builder.negate(size):
+                    del terms[Unit(3)], terms[tensor]
+                    terms[DoubleCross(tensor.left, tensor.left)] = factor
+        return terms
+
+    def _in_pairs(self, a: Matrix) -> dict[Tensor, int]:
+        """The same with k x y^T + k y x^T written as one term."""
+        terms = self._projecting(a)
+        for tensor in list(terms):
+            match tensor:
+                case Dyad(left, right) if left != right and tensor in terms:
+                    if terms.get(Dyad(right, left)) == terms[tensor]:
+                        terms[SymmetricDyad(left, right)] = terms.pop(tensor)
+                        del terms[Dyad(right, left)]
+        return terms
 
     def _applied(self, factor: int, tensor: Tensor, x: Column) -> Column:
         match tensor:
@@ -145,8 +119,16 @@ class Tensors:
                 return self.scaled(factor, x)
             case Dyad(left, right):
                 return self.scaled(self.builder.multiply(factor, self.dot(right, x)), left)
+            case SymmetricDyad(left, right):
+                one, other = Dyad(left, right), Dyad(right, left)
+                return self.sum(self._applied(factor, one, x), self._applied(factor, other, x))
             case CrossProduct(of):
                 return self.scaled(factor, self.cross(of, x))
+            case DoubleCross(left, right) if left == right and left in self.units:
+                along = self.scaled(self.dot(left, x), left)
+                return self.scaled(factor, tuple(map(self.builder.subtract, along, x)))
+            case DoubleCross(left, right):
+                return self.scaled(factor, self.cross(left, self.cross(right, x)))
             case Dense(rows):
                 return self.scaled(factor, tuple(self.dot(row, x) for row in rows))
 
@@ -169,6 +151,8 @@ class Tensors:
                 return Dyad(left, self._applied(*self._flipped(self.builder.one, b), right))
             case _, Dyad(left, right):
                 return Dyad(self._applied(self.builder.one, a, left), right)
+            case CrossProduct(left), CrossProduct(right):
+                return DoubleCross(left, right)
             case _:
                 columns = transposed(self.rows_of(b))
                 return Dense(tuple(tuple(self.dot(row, c) for c in columns) for row in self.rows_of(a)))
@@ -182,8 +166,12 @@ class Tensors:
                     part = self.builder.constant(size)
                 case Dyad(left, right):
                     part = self.dot(left, right)
+                case SymmetricDyad(left, right):
+                    part = self.builder.multiply(self.builder.constant(2), self.dot(left, right))
                 case CrossProduct():
                     part = self.builder.zero
+                case DoubleCross(left, right):
+                    part = self.builder.multiply(self.builder.constant(-2), self.dot(left, right))
                 case Dense(rows):
                     part = reduce(self.builder.add, (row[i] for i, row in enumerate(rows)))
             total = self.builder.add(total, self.builder.multiply(factor, part))
@@ -210,50 +198,7 @@ class Tensors:
         """All entries."""
         zero = (self.builder.zero,) * a.shape[1]
         total: Rows = (zero,) * a.shape[0]
-        for factor, tensor in a.terms:
+        for tensor, factor in self._in_pairs(a).items():
             part = self.rows_of(tensor, factor)
             total = tuple(map(self.sum, total, part))
         return total
-
-    def rows_of(self, tensor: Tensor, factor: int | None = None) -> Rows:
-        """The entries of one tensor times a factor; the factor multiplies vectors, not products of their entries."""
-        factor = self.builder.one if factor is None else factor
-        match tensor:
-            case Unit(size):
-                zero = self.builder.zero
-                return tuple(tuple(factor if i == j else zero for j in range(size)) for i in range(size))
-            case Dyad(left, right):
-                return self._dyad(self.scaled(factor, left), right, symmetric=left == right)
-            case CrossProduct(of):
-                x, y, z = self.scaled(factor, of)
-                zero, minus = self.builder.zero, self.builder.negate
-                return (zero, minus(z), y), (z, zero, minus(x)), (minus(y), x, zero)
-            case Dense(rows):
-                return tuple(self.scaled(factor, row) for row in rows)
-
-    def _dyad(self, left: Column, right: Column, *, symmetric: bool) -> Rows:
-        """The dyad of two columns; entries below the diagonal repeat those above it where the dyad is symmetric."""
-        order = [[(j, i) if symmetric and j < i else (i, j) for j in range(len(right))] for i in range(len(left))]
-        return tuple(tuple(self.builder.multiply(left[i], right[j]) for i, j in line) for line in order)
-
-    def determinant(self, rows: Rows) -> int:
-        """The determinant, expanded along the first row."""
-        if len(rows) == 1:
-            return rows[0][0]
-        total = self.builder.zero
-        for j, entry in enumerate(rows[0]):
-            if self.builder.value(entry) == 0:
-                continue
-            minor = self.determinant(tuple(row[:j] + row[j + 1 :] for row in rows[1:]))
-            term = self.builder.multiply(entry, minor)
-            total = self.builder.add(total, term) if j % 2 == 0 else self.builder.subtract(total, term)
-        return total
-
-    def cofactors(self, m: Rows) -> Rows:
-        """The cofactor matrix of a 3 x 3 matrix."""
-        return tuple(self.cross(m[(i + 1) % 3], m[(i + 2) % 3]) for i in range(3))
-
-
-def transposed(rows: Rows) -> Rows:
-    """The rows of the transpose."""
-    return tuple(zip(*rows, strict=True))

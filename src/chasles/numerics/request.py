@@ -7,11 +7,18 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from chasles.lowering.program import Argument, Op, Program
+from chasles.lowering.request import argument_name, core_shape, meaning_of
 from chasles.numerics.reference import NoValue, Singular, evaluate
 from chasles.numerics.small_matrices import Matrix
-from chasles.statements import Hypothesis, Kernel, Statement, problem_of
+from chasles.statements import Hypothesis, Kernel, Packed, Statement, problem_of, symmetric
+from chasles.statements.kernel import Argument as Holding
+from chasles.statements.kernel import nodes_of, places_of
 from chasles.statements.problem import Standing, default_sides
+from chasles.statements.statement import bare
 from chasles.vocabulary import Block, Call, Node, Symbol, children, plain
 from chasles.vocabulary.nodes import measured
 
@@ -27,10 +34,21 @@ Reference = Callable[[Values, int], tuple[Matrix, ...]]
 
 @dataclass(frozen=True, slots=True)
 class Input:
-    """An argument of the kernel, and the symbol, or rate of a symbol, whose value it is."""
+    """An argument of the kernel, and the symbol, or rate of a symbol, or several, whose values it holds."""
 
     argument: Argument
-    node: Node
+    holds: Holding
+
+    @property
+    def nodes(self) -> tuple[Node, ...]:
+        """The symbols and rates of symbols."""
+        return nodes_of(self.holds)
+
+    def gathered(self, values: Mapping[Node, NDArray[Any]]) -> NDArray[Any]:
+        """The argument as an array, from those of the symbols."""
+        if isinstance(self.holds, Node):
+            return values[self.holds].reshape(self.argument.shape)
+        return np.array([values[node].reshape(node.shape)[i, j] for node, i, j in places_of(self.holds)])
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,6 +80,11 @@ class Request:
     roundings: int = ROUNDINGS
     exact_inputs: bool = False
 
+    @property
+    def nodes(self) -> tuple[Node, ...]:
+        """The symbols, and rates of symbols, of which the inputs are the values."""
+        return tuple(node for given in self.inputs for node in given.nodes)
+
     def admits(self, values: Values) -> bool:
         """Whether nothing vanishes that a hypothesis on the inputs says does not."""
         for hypothesis in self.hypotheses:
@@ -89,7 +112,7 @@ def request_of(
     roundings are the program's. Raises TypeError if the statement asks for no kernel, or if the results are not as
     many as the blocks of the right side.
     """
-    kernel = kernel or statement.kernel
+    kernel = kernel or (statement.kernel and statement.kernel.variants(name)[0])
     if kernel is None:
         raise TypeError(f"({statement.number}) asks for no kernel: give it one, or leave it out")
     left, right = standing(statement)
@@ -97,18 +120,20 @@ def request_of(
     rules = dict(problem.rules)
     parts = _parts(statement, kernel, right)
     names = [result.name for result in program.results] if program else kernel.results or (plain(statement.left),)
+    packed = bare(statement.left) in kernel.symmetric
 
     def reference(values: Values, digits: int) -> tuple[Matrix, ...]:
-        return tuple(evaluate(part, values, rules, digits) for part in parts)
+        exact = (evaluate(part, values, rules, digits) for part in parts)
+        return tuple([[value[i][j]] for _, i, j in Packed(parts[0]).places] if packed else value for value in exact)
 
     return Request(
         name,
         inputs_of(kernel, program),
-        tuple(map(output_of, names, parts)),
+        tuple(output_of(word, part, packed) for word, part in zip(names, parts, strict=True)),
         reference,
-        problem.hypotheses,
+        (*problem.hypotheses, *(symmetric(of.matrix) for of in kernel.of if isinstance(of, Packed))),
         rules,
-        frozenset(angle for part in parts for angle in _angles(part, frozenset(kernel.of), rules)),
+        frozenset(angle for part in parts for angle in _angles(part, _symbols(kernel), rules)),
         longest_chain(program) if program else ROUNDINGS,
     )
 
@@ -138,28 +163,28 @@ def _parts(statement: Statement, kernel: Kernel, right: Node) -> tuple[Node, ...
     return blocks
 
 
-def _shape(node: Node) -> tuple[int, ...]:
-    rows, columns = node.shape
-    if columns == 1:
-        return () if rows == 1 else (rows,)
-    return rows, columns
-
-
 def inputs_of(kernel: Kernel, program: Program | None = None) -> tuple[Input, ...]:
     """The kernel's inputs, named as the program's arguments if there is one."""
     return tuple(map(Input, program.arguments if program else map(_argument, kernel.of), kernel.of))
 
 
-def _argument(node: Node) -> Argument:
-    return Argument(plain(node), _shape(node), node.meaning if isinstance(node, Symbol) else "")
+def _argument(holds: Holding) -> Argument:
+    name = plain(holds) if isinstance(holds, Node) else argument_name(holds)
+    return Argument(name, core_shape(holds), meaning_of(holds))
 
 
-def output_of(name: str, node: Node) -> Output:
+def _symbols(kernel: Kernel) -> frozenset[Node]:
+    return frozenset(node for argument in kernel.of for node in nodes_of(argument))
+
+
+def output_of(name: str, node: Node, packed: bool = False) -> Output:
     """The result that the expression is; entries of one dimension are alike, and so are zeros by construction."""
     alike: dict[object, list[int]] = {}
-    for place, dimension in enumerate(entry for row in measured(node).grid for entry in row):
-        alike.setdefault(dimension, []).append(place)
-    return Output(name, _shape(node), tuple(map(tuple, alike.values())))
+    holds = Packed(node) if packed else node
+    grid = measured(node).grid
+    for place, (_, row, column) in enumerate(places_of(holds)):
+        alike.setdefault(grid[row][column], []).append(place)
+    return Output(name, core_shape(holds), tuple(map(tuple, alike.values())))
 
 
 def _angles(node: Node, inputs: frozenset[Node], rules: Mapping[Node, Node], inside: bool = False) -> Iterator[Node]:

@@ -10,6 +10,7 @@ from chasles.numerics.enclosures import plain_context
 from chasles.numerics.reference import Singular, evaluate
 from chasles.numerics.request import ROUNDINGS, Request, Values, inputs_of, longest_chain, output_of
 from chasles.numerics.small_matrices import Matrix
+from chasles.proof.variables import angle_multiples
 from chasles.statements import Branch, Inverse, Kernel, Statement
 from chasles.statements.problem import Standing, default_sides
 from chasles.statements.statement import bare, is_rule
@@ -35,7 +36,7 @@ def request_of_inverse(
     Off its hypotheses an inverse depends on how it is written, so its reference is taken at the exact point of which
     the inputs are the rounding. Raises TypeError if the inverse asks for no kernel.
     """
-    kernel = kernel or sentence.kernel
+    kernel = kernel or (sentence.kernel and sentence.kernel.variants(name)[0])
     if kernel is None:
         raise TypeError(f"({sentence.number}) asks for no kernel: give it one, or leave it out")
     rules = dict(_rule(given, standing) for given in sentence.given if is_rule(given))
@@ -86,5 +87,7 @@ def _arguments(sentence: Inverse, values: Values, rules: Mapping[Node, Node], di
     for key in list(known):
         if isinstance(key, Call) and key.function == "cos":
             (cosine,), (sine,) = known[key][0], known[Call("sin", key.argument)][0]
-            known[key.argument] = plain_context(digits).atan2(sine, cosine)
+            ((angle, multiple),) = angle_multiples(key.argument, {}).items()
+            turned = plain_context(digits).atan2(sine, cosine)
+            known[angle] = turned * multiple.denominator / multiple.numerator
     return known

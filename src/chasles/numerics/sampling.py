@@ -13,11 +13,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from chasles.lowering.request import core_shape
 from chasles.numerics.draws import AXES, CONTEXT, Draws, DrawsNearby, SimpleDraws, turned, unit_of
 from chasles.numerics.enclosures import exactly
 from chasles.numerics.request import Request
 from chasles.numerics.small_matrices import Matrix, flipped, product
-from chasles.statements import Hypothesis
+from chasles.statements import Hypothesis, Packed
 from chasles.vocabulary import Node
 
 __all__ = ["STRATEGIES", "Sample", "Unsatisfiable", "draw", "moves"]
@@ -28,7 +29,7 @@ ATTEMPTS = 200
 
 @dataclass(frozen=True, slots=True)
 class Sample:
-    """Inputs as arrays of the arguments' shapes, and the point of which they are the rounding."""
+    """The values of the symbols as arrays, and the point of which they are the rounding."""
 
     arrays: dict[Node, NDArray[np.floating]]
     exact: dict[Node, Matrix]
@@ -54,10 +55,8 @@ def draw(
     while failures < ATTEMPTS:
         point = _point(request, draws)
         arrays = {
-            given.node: np.array([[float(x) for x in row] for row in point[given.node]], dtype).reshape(
-                given.argument.shape
-            )
-            for given in request.inputs
+            node: np.array([[float(x) for x in row] for row in point[node]], dtype).reshape(core_shape(node))
+            for node in request.nodes
         }
         if request.admits(point if request.exact_inputs else arrays):
             failures = 0
@@ -72,8 +71,8 @@ def draw(
 
 def _point(request: Request, draws: Draws) -> dict[Node, Matrix]:
     point: dict[Node, Matrix] = {}
-    for given in request.inputs:
-        point[given.node] = _free(given.node, point, request, draws)
+    for node in request.nodes:
+        point[node] = _free(node, point, request, draws)
     for hypothesis in sorted(request.hypotheses, key=lambda h: h.kind == "perpendicular"):
         if all(subject in point for subject in hypothesis.subjects):
             point |= _bound(hypothesis, point, request, draws)
@@ -143,27 +142,31 @@ def _perpendicular(subjects: tuple[Node, ...], point: dict[Node, Matrix], reques
 def moves(request: Request, node: Node, array: NDArray[np.floating], value: Any) -> Iterator[tuple[Any, Any]]:
     """The neighbours of an input's value, one unit in the last place away, forth and back, in every direction.
 
-    The exact value of a rotation is turned by one unit about each axis; otherwise each entry that is not zero moves.
+    The exact value of a rotation is turned by one unit about each axis; otherwise each entry that is not zero moves,
+    one of a packed matrix together with the entry across the diagonal.
     """
     if request.exact_inputs and any(h.kind == "rotation" and h.subjects == (node,) for h in request.hypotheses):
         step = float(np.finfo(array.dtype).eps)
         for axis in AXES:
             yield product(turned(list(axis), step), value), product(turned(list(axis), -step), value)
         return
+    packed = any(isinstance(given.holds, Packed) and given.nodes == (node,) for given in request.inputs)
     for place in range(array.size):
-        if array.flat[place] != 0:
-            below, above = (_moved(request, node, array, value, place, way) for way in (-np.inf, np.inf))
+        row, column = divmod(place, node.shape[1])
+        if array.flat[place] != 0 and not (packed and row > column):
+            alike = {(row, column), (column, row)} if packed else {(row, column)}
+            below, above = (_moved(request, node, array, value, alike, way) for way in (-np.inf, np.inf))
             yield below, above
 
 
 def _moved(
-    request: Request, node: Node, array: NDArray[np.floating], value: Any, place: int, way: float
+    request: Request, node: Node, array: NDArray[np.floating], value: Any, alike: set[tuple[int, int]], way: float
 ) -> NDArray[np.floating] | Matrix:
-    """The value with the next float in place of one entry, or with its exact entry moved as far."""
+    """The value with the next float in place of equal entries, or with their exact value moved as far."""
     moved = array.copy()
-    moved.flat[place] = np.nextafter(array.flat[place], array.dtype.type(way))
+    places = [row * node.shape[1] + column for row, column in sorted(alike)]
+    moved.flat[places] = np.nextafter(array.flat[places[0]], array.dtype.type(way))
     if not request.exact_inputs:
         return moved
-    row, column = divmod(place, node.shape[1])
-    step = exactly(float(moved.flat[place]) - float(array.flat[place]), CONTEXT)
-    return [[x + step if (i, j) == (row, column) else x for j, x in enumerate(line)] for i, line in enumerate(value)]
+    step = exactly(float(moved.flat[places[0]]) - float(array.flat[places[0]]), CONTEXT)
+    return [[x + step if (i, j) in alike else x for j, x in enumerate(line)] for i, line in enumerate(value)]

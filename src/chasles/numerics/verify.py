@@ -140,7 +140,7 @@ def _results(
     request: Request, function: Function, inputs: list[Sample], dtype: type[np.floating], batched: bool
 ) -> list[list[NDArray[Any]]]:
     """The function's outputs for each input, flat."""
-    columns = [[sample.arrays[given.node] for sample in inputs] for given in request.inputs]
+    columns = [[given.gathered(sample.arrays) for sample in inputs] for given in request.inputs]
     with np.errstate(all="ignore"):
         if batched:
             together = _outputs(request, function(*map(np.stack, columns)), dtype, (len(inputs),))
@@ -237,4 +237,4 @@ class _Comparison:
             return None
 
     def _at(self) -> dict[str, Any]:
-        return {given.argument.name: self.arrays[given.node].tolist() for given in self.request.inputs}
+        return {given.argument.name: given.gathered(self.arrays).tolist() for given in self.request.inputs}

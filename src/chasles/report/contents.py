@@ -9,11 +9,13 @@ from rich.console import RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from chasles.report.equations import kernel_name
 from chasles.report.screen import Screen
 from chasles.statements import Entry
 
 __all__ = ["contents"]
+
+SHOWN = 6
+"""How many kernels of one number are named."""
 
 
 def contents(screen: Screen, entries: Sequence[Entry]) -> Iterator[RenderableType]:
@@ -44,6 +46,9 @@ def _said(parts: list[Entry]) -> Text:
     text = Text(parts[0].statement.says)
     if len(parts) > 1:
         text.append(f" ({len(parts)} parts)", "dim")
-    for name in filter(None, map(kernel_name, parts)):
+    names = [kernel.name for part in parts for kernel in part.kernels]
+    for name in names[:SHOWN]:
         text.append(f"  kernel {name}", "cyan")
+    if len(names) > SHOWN:
+        text.append(f"  and {len(names) - SHOWN} more", "cyan")
     return text

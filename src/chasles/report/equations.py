@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from chasles.statements import Entry, Inverse, Statement, Theorem
+from chasles.statements import Entry, Inverse, Packed, Stack, Statement, Theorem
+from chasles.statements.kernel import Argument
 from chasles.statements.statement import Equation
 from chasles.vocabulary import Node, latex, plain
 
-__all__ = ["Sentence", "in_latex", "in_words", "kernel_name", "signature_in_words", "standing_in"]
+__all__ = ["Sentence", "argument_in_words", "in_latex", "in_words", "signature_in_words", "standing_in"]
 
 Sentence = Statement | Theorem | Inverse
 
@@ -29,15 +30,21 @@ def standing_in(statement: Statement, sides: Equation) -> tuple[str, str]:
     return f"{plain(left)} = {plain(right)}", f"{latex(left)} {statement.sign} {latex(right)}"
 
 
-def kernel_name(entry: Entry) -> str | None:
-    """The name of the function that a statement asks for, if it asks for one."""
-    return (entry.statement.kernel.name or entry.name) if entry.statement.kernel else None
-
-
 def signature_in_words(entry: Entry) -> str | None:
-    """The function that a statement asks for, as it is called: "rotation_from_axis_angle(e, phi)"."""
-    kernel = entry.statement.kernel
-    return f"{kernel_name(entry)}({', '.join(map(plain, kernel.of))})" if kernel else None
+    """The functions that a statement asks for, as they are called: "rotation_from_axis_angle(e, phi)"."""
+    calls = (f"{kernel.name}({', '.join(map(argument_in_words, kernel.of))})" for kernel in entry.kernels)
+    return ", ".join(calls) or None
+
+
+def argument_in_words(argument: Argument) -> str:
+    """An argument as it is called in the book, or by its own name if it stacks several symbols."""
+    match argument:
+        case Stack(name):
+            return name
+        case Packed(matrix):
+            return plain(matrix)
+        case _:
+            return plain(argument)
 
 
 def _equations(sentence: Sentence, spell: Callable[[Node], str], sign: Callable[[str], str]) -> tuple[str, ...]:

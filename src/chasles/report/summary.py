@@ -63,7 +63,7 @@ def tallies(decided: Sequence[Decided]) -> list[Tally]:
     found: dict[str, Tally] = {}
     for entry, decision in decided:
         section = found.setdefault(entry.section.number, Tally(entry.section.number, entry.section.title))
-        kernels = int(entry.statement.kernel is not None)
+        kernels = len(entry.kernels)
         section.add(Tally("", "", Counter([decision.verdict.name]), kernels, decision.milliseconds))
     return list(found.values())
 

@@ -13,10 +13,12 @@ from chasles.statements.hypotheses import (
     rotation,
     symmetric,
     unit,
+    unit_column,
 )
 from chasles.statements.inversion import Branch, Inverse
+from chasles.statements.kernel import Kernel, Packed, Stack
 from chasles.statements.problem import Goal, Problem, problem_of
-from chasles.statements.statement import Claim, Condition, Definition, Kernel, Postulate, Statement, Theorem
+from chasles.statements.statement import Claim, Condition, Definition, Postulate, Statement, Theorem
 
 __all__ = [
     "Always",
@@ -36,9 +38,11 @@ __all__ = [
     "Kernel",
     "Minimum",
     "OnlyWhere",
+    "Packed",
     "Postulate",
     "Problem",
     "Section",
+    "Stack",
     "Statement",
     "Theorem",
     "Unique",
@@ -53,4 +57,5 @@ __all__ = [
     "rotation",
     "symmetric",
     "unit",
+    "unit_column",
 ]

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from importlib import import_module
 from types import ModuleType
+from typing import Any
 
 from chasles.statements.inversion import Inverse
+from chasles.statements.kernel import Kernel
 from chasles.statements.statement import Statement, Theorem
 
 __all__ = ["Chapter", "DeclarationError", "Entry", "Section", "load"]
@@ -44,6 +46,12 @@ class Entry:
     @property
     def key(self) -> tuple[str, int]:
         return self.statement.number, self.statement.part
+
+    @property
+    def kernels(self) -> tuple[Kernel, ...]:
+        """The kernels that the statement asks for, each with its name."""
+        kernel = self.statement.kernel
+        return kernel.variants(self.name) if kernel else ()
 
 
 @dataclass(frozen=True)
@@ -146,12 +154,21 @@ def load(package: str = "chasles.derivations") -> Chapter:
 
 
 def _entries(module: ModuleType, seen: set[int]) -> Iterator[Entry]:
-    """The statements that a module declares; those that it imports are `seen` already."""
+    """The statements that a module declares, families of them by name too; those that it imports are `seen` already."""
     section: Section | None = None
-    for name, value in vars(module).items():
+    for name, value in _named(vars(module)):
         if isinstance(value, Section):
             section = value
         elif isinstance(value, Statement | Theorem | Inverse) and id(value) not in seen:
             if section is None:
                 raise DeclarationError(f"{module.__name__}.{name} is declared before any Section")
             yield Entry(name, section, value)
+
+
+def _named(variables: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+    """What has a name: each variable, or what it holds by name if that is a family of statements."""
+    for name, value in variables.items():
+        if isinstance(value, dict) and not name.startswith("__"):
+            yield from value.items()
+        else:
+            yield name, value

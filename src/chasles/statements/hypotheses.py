@@ -18,6 +18,7 @@ from chasles.vocabulary import (
     Identity,
     Node,
     Number,
+    Sum,
     Symbol,
     Trace,
     Transpose,
@@ -39,6 +40,7 @@ __all__ = [
     "rotation",
     "symmetric",
     "unit",
+    "unit_column",
 ]
 
 
@@ -78,6 +80,16 @@ def unit(vector: Node) -> Hypothesis:
     _symbol(vector, "unit")
     equation = (Dot(vector, vector), Number(Fraction(1)))
     return Hypothesis("unit", (vector,), (equation,), (), rf"\|{latex(vector)}\| = 1", f"|{plain(vector)}| = 1")
+
+
+def unit_column(*parts: Node) -> Hypothesis:
+    """The quantities, one below the other, make a column of length one, as Euler-Rodrigues parameters do."""
+    for part in parts:
+        _symbol(part, "unit_column")
+    total = Sum(tuple(part * part if part.is_scalar else Dot(part, part) for part in parts))
+    names, letters = ", ".join(map(plain, parts)), ", ".join(map(latex, parts))
+    equation = (total, Number(Fraction(1)))
+    return Hypothesis("unit column", parts, (equation,), (), rf"\|[{letters}]\| = 1", f"|[{names}]| = 1")
 
 
 def nonzero(expression: Node, letter: str = "") -> Hypothesis:

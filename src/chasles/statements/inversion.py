@@ -15,8 +15,9 @@ from operator import mul
 from typing import ClassVar
 
 from chasles.statements.hypotheses import Hypothesis, nonzero
+from chasles.statements.kernel import Kernel
 from chasles.statements.problem import Goal, Problem, Standing, default_sides
-from chasles.statements.statement import Kernel, Statement
+from chasles.statements.statement import Statement
 from chasles.vocabulary import (
     Call,
     Misfit,

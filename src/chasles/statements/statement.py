@@ -9,6 +9,7 @@ from typing import ClassVar
 
 from chasles.statements.forms import Form
 from chasles.statements.hypotheses import Hypothesis
+from chasles.statements.kernel import Kernel
 from chasles.vocabulary import At, Group, Misfit, Node, Rate, Symbol, plain, replace
 from chasles.vocabulary.measure import added
 
@@ -26,18 +27,6 @@ __all__ = [
 ]
 
 Equation = tuple[Node, Node]
-
-
-@dataclass(frozen=True, slots=True)
-class Kernel:
-    """A request to emit the right side as a function `of` the given symbols and rates of symbols.
-
-    `name` defaults to the statement's. With several `results`, the right side is a column of blocks, one for each.
-    """
-
-    of: tuple[Node, ...]
-    name: str = ""
-    results: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

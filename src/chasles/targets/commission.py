@@ -5,37 +5,53 @@ from __future__ import annotations
 from chasles.lowering.declaration import Decide, requested
 from chasles.lowering.equality import differences
 from chasles.lowering.lower import program_of
+from chasles.lowering.offered import counterexample, in_words
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Request
 from chasles.proof.judge import Decision
 from chasles.proof.verdict import HoldsUnder, Verdict
 from chasles.statements import Entry
+from chasles.statements import Kernel as Asked
 from chasles.statements.fingerprint import fingerprint
+from chasles.targets.demands import demands_of
 from chasles.targets.kernel import EmissionError, Heading, Kernel
 from chasles.targets.self_checks import checks_of
 
 __all__ = ["kernel_of"]
 
 
-def kernel_of(entry: Entry, decide: Decide) -> Kernel:
-    """The kernel that a statement asks for; `decide` gives verdicts, as `Judge.decide` does.
+def kernel_of(entry: Entry, decide: Decide, asked: Asked | None = None) -> Kernel:
+    """The kernel `asked` of a statement, or the first that it asks for; `decide` gives verdicts.
 
     Raises EmissionError where the statement does not stand, where no program can be made of it, and where the program
     is not proved to equal what stands.
     """
+    asked = asked or next(iter(entry.kernels), None)
     try:
-        request = requested(entry, decide)
+        request = requested(entry, decide, asked)
         program = program_of(request)
     except LoweringError as error:
         raise EmissionError(str(error)) from error
     wrong = differences(request, program)
     if wrong:
-        raise EmissionError(f"{program.name}: the program is not proved to equal ({entry.number}): {'; '.join(wrong)}")
-    heading = _heading(entry, decide(entry.statement), request)
-    return Kernel(program, heading, checks_of(request, program))
+        raise EmissionError(f"{program.name}: {_unequal(entry, request, wrong)}")
+    assert asked is not None
+    heading = _heading(entry, decide(entry.statement), request, asked)
+    needed = [hypothesis for hypothesis in request.hypotheses if hypothesis.text in heading.hypotheses]
+    demands = demands_of(request, (*needed, *asked.expected))
+    return Kernel(program, heading, checks_of(request, program), demands)
 
 
-def _heading(entry: Entry, decision: Decision, request: Request) -> Heading:
+def _unequal(entry: Entry, request: Request, wrong: tuple[str, ...]) -> str:
+    """In what a program, or the form of which it is made, is not what stands."""
+    found = counterexample(request) if request.form else None
+    if found is not None:
+        return f"the offered form is not equal to ({entry.number}), as one sees {in_words(found)}"
+    what = "offered form" if request.form else "program"
+    return f"the {what} is not proved to equal ({entry.number}): {'; '.join(wrong)}"
+
+
+def _heading(entry: Entry, decision: Decision, request: Request, asked: Asked) -> Heading:
     """What the generated function says of itself."""
     standing, said = decision.verdict, _word(decision.verdict)
     if not standing.true and decision.correction is not None:
@@ -44,7 +60,9 @@ def _heading(entry: Entry, decision: Decision, request: Request) -> Heading:
         said = f"{said} as printed, {_word(standing)} {how}"
     needs = standing.needs if isinstance(standing, HoldsUnder) else _assumed(standing, request)
     section = f"section_{entry.section.number.replace('.', '_')}"
-    return Heading(entry.number, entry.statement.says, said, needs, fingerprint(entry.statement), section)
+    derivation, form = fingerprint(entry.statement), "offered" if request.form else "stated"
+    expected = tuple(hypothesis.text for hypothesis in asked.expected if hypothesis.text not in needs)
+    return Heading(entry.number, entry.statement.says, said, needs, derivation, section, form, expected)
 
 
 def _word(verdict: Verdict) -> str:

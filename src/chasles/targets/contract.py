@@ -38,6 +38,8 @@ def contract(kernel: Kernel, inputs: Sequence[str], outputs: Sequence[str]) -> t
         *_labelled("returns", returned),
         *_labelled("verdict", [heading.verdict]),
         *_labelled("assumes", heading.hypotheses or ["nothing"]),
+        *_labelled("expects", heading.expected),
+        *_labelled("made of", ["an offered form, proved equal to the statement"] if heading.form == "offered" else ()),
         *_labelled("operations", [operations(program)]),
         *_labelled("derivation", [f"sha256 {heading.derivation}"]),
     )

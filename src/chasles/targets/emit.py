@@ -69,10 +69,12 @@ def _entry(kernel: Kernel) -> dict[str, object]:
         "says": _quoted(heading.says),
         "verdict": _quoted(heading.verdict),
         "hypotheses": ", ".join(_quoted(hypothesis) for hypothesis in heading.hypotheses),
+        "expected": ", ".join(_quoted(hypothesis) for hypothesis in heading.expected),
         "signature": _quoted(signature(kernel.program)),
         "operations": _inline_table({op.value: counts[op] for op in Op if counts[op]}),
         "derivation": _quoted(heading.derivation),
         "section": _quoted(heading.section),
+        "form": _quoted(heading.form),
         "checks": len(kernel.checks),
         "row": [
             _cell(text)

@@ -12,10 +12,24 @@ from fractions import Fraction
 
 from chasles.lowering.program import Op, Program
 
-__all__ = ["TRUTH", "Check", "EmissionError", "Exact", "Heading", "Kernel", "require_plain", "signature"]
+__all__ = [
+    "TESTED",
+    "TRUTH",
+    "Check",
+    "Demand",
+    "EmissionError",
+    "Exact",
+    "Heading",
+    "Kernel",
+    "require_plain",
+    "signature",
+]
 
 Exact = Fraction | int | str
 """A rational number, or a decimal numeral such as "0.4794255386042030", or "nan"."""
+
+TESTED = ("unit", "unit column", "rotation", "positive", "symmetric", "definite", "nonzero")
+"""The kinds of hypotheses that are tested on arguments."""
 
 TRUTH = (Op.LESS, Op.EQUAL)
 """The operations that yield a truth value."""
@@ -33,7 +47,9 @@ class EmissionError(Exception):
 class Heading:
     """What a generated function says of itself, in plain text.
 
-    `derivation` is the sha256 of the declaration in hexadecimal; `section` names the file of the C library.
+    The proof assumes the `hypotheses`; what is `expected` of the arguments gives the result its meaning.
+    `derivation` is the sha256 of the declaration in hexadecimal; `section` names the file of the C library; `form` is
+    "offered" where the program spells other words than the statement's, proved equal to it, else "stated".
     Raises ValueError for LaTeX, for a text of several lines and for a derivation that is no such hash.
     """
 
@@ -43,9 +59,11 @@ class Heading:
     hypotheses: tuple[str, ...]
     derivation: str
     section: str = "kernels"
+    form: str = "stated"
+    expected: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        for text in (self.number, self.says, self.verdict, *self.hypotheses):
+        for text in (self.number, self.says, self.verdict, *self.hypotheses, *self.expected):
             require_plain(text, f"the heading of ({self.number})")
         if not _HASH.fullmatch(self.derivation):
             raise ValueError(f"({self.number}): derivation must be 64 hexadecimal digits, not {self.derivation!r}")
@@ -72,6 +90,26 @@ class Check:
 
 
 @dataclass(frozen=True, slots=True)
+class Demand:
+    """What must hold of some of a kernel's arguments, named: a kind of hypothesis and its text.
+
+    What a "nonzero" one says does not vanish is the `divisor`, a program of those arguments with one result.
+    Raises ValueError for a kind that no test of numbers confirms.
+    """
+
+    kind: str
+    text: str
+    arguments: tuple[str, ...]
+    divisor: Program | None = None
+
+    def __post_init__(self) -> None:
+        if self.kind not in TESTED:
+            raise ValueError(f"{self.text}: no test of arguments knows the hypothesis {self.kind!r}")
+        if (self.kind == "nonzero") != (self.divisor is not None):
+            raise ValueError(f"{self.text}: a divisor belongs to what must not vanish, and to nothing else")
+
+
+@dataclass(frozen=True, slots=True)
 class Kernel:
     """A program ready to be spelled in every language.
 
@@ -82,6 +120,7 @@ class Kernel:
     program: Program
     heading: Heading
     checks: tuple[Check, ...] = ()
+    demands: tuple[Demand, ...] = ()
 
     def __post_init__(self) -> None:
         program = self.program

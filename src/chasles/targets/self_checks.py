@@ -13,6 +13,7 @@ from typing import Any
 from chasles.lowering.evaluate import decimals, run
 from chasles.lowering.program import Argument, Program
 from chasles.lowering.request import Request
+from chasles.statements import Packed, Stack
 from chasles.targets.kernel import Check, Exact
 
 __all__ = ["checks_of"]
@@ -57,7 +58,10 @@ def _at_zero(request: Request, program: Program) -> Point:
 def _kinds(request: Request) -> list[str]:
     """For each argument whether it is a unit vector, a rotation, or anything else: ''."""
     said = {subject: h.kind for h in request.hypotheses for subject in h.subjects if h.kind == "unit"}
-    return ["rotation" if node.shape == (3, 3) else said.get(node, "") for node in request.of]
+    return [
+        "" if isinstance(item, Stack | Packed) else "rotation" if item.shape == (3, 3) else said.get(item, "")
+        for item in request.arguments
+    ]
 
 
 def _special(kind: str, choice: int) -> tuple[Fraction, ...]:

@@ -21,6 +21,7 @@ __all__ = [
     "bracket",
     "column",
     "cos",
+    "cot",
     "cross",
     "det",
     "dot",
@@ -37,6 +38,7 @@ __all__ = [
     "scalar",
     "sin",
     "square",
+    "tan",
     "tr",
     "vect",
     "vector",
@@ -98,6 +100,16 @@ def cos(angle: Node) -> Call:
 def sin(angle: Node) -> Call:
     """The sine of an angle in radians."""
     return Call("sin", angle)
+
+
+def cot(angle: Node) -> Quotient:
+    """The cotangent of an angle in radians: its cosine divided by its sine."""
+    return Quotient(cos(angle), sin(angle))
+
+
+def tan(angle: Node) -> Quotient:
+    """The tangent of an angle in radians: its sine divided by its cosine."""
+    return Quotient(sin(angle), cos(angle))
 
 
 def dot(left: Node, right: Node) -> Dot:

@@ -33,7 +33,7 @@ def command(sections: tuple[str, ...], samples: int, json: bool) -> int:
     book = chapter()
     entries = chosen(book, (), sections)
     outcome, judge = decide(entries, book)
-    asking = [entry for entry in entries if entry.statement.kernel is not None]
+    asking = [(entry, kernel) for entry in entries for kernel in entry.kernels]
     verification = verified(asking, installed_kernels(), ("generic",), samples, judge)
     if json:
         from chasles.report.records import as_json

@@ -44,8 +44,8 @@ def command(names: tuple[str, ...], points: tuple[str, ...], samples: int, stric
     from chasles.report.screen import Screen
 
     book = chapter()
-    entries = asking(book, names)
-    found = verified(entries, installed_kernels(), tuple(dict.fromkeys(points)), samples, Judge(book=book))
+    asked = asking(book, names)
+    found = verified(asked, installed_kernels(), tuple(dict.fromkeys(points)), samples, Judge(book=book))
     if json:
         click.echo(as_json(found.as_json()))
     else:

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace as with_fields
 
 from chasles.lowering.builder import Builder
-from chasles.lowering.program import Op, Program
+from chasles.lowering.program import Op, Program, Step
 
-__all__ = ["shared"]
+__all__ = ["asked", "shared"]
 
 
-def shared(program: Program) -> Program:
-    """The same program with common subexpressions computed once; for programs that were not built that way."""
-    build = Builder()
+def asked(build: Builder, step: Step, operands: Sequence[int]) -> int:
+    """The step of a builder that does to the operands, steps of the same builder, what `step` does to its own."""
     ask: dict[Op, Callable[..., int]] = {
         Op.NOT_A_NUMBER: build.not_a_number,
         Op.ADD: build.add,
@@ -29,14 +28,20 @@ def shared(program: Program) -> Program:
         Op.EQUAL: build.equal,
         Op.SELECT: build.select,
     }
+    match step.op:
+        case Op.INPUT:
+            return build.input(step.argument, step.entry)
+        case Op.CONSTANT:
+            return build.constant(step.value)
+        case op:
+            return ask[op](*operands)
+
+
+def shared(program: Program) -> Program:
+    """The same program with common subexpressions computed once; for programs that were not built that way."""
+    build = Builder()
     place: list[int] = []
     for step in program.steps:
-        match step.op:
-            case Op.INPUT:
-                place.append(build.input(step.argument, step.entry))
-            case Op.CONSTANT:
-                place.append(build.constant(step.value))
-            case _:
-                place.append(ask[step.op](*(place[k] for k in step.operands)))
+        place.append(asked(build, step, [place[k] for k in step.operands]))
     results = tuple(with_fields(r, entries=tuple(place[k] for k in r.entries)) for r in program.results)
     return with_fields(program, steps=build.steps, results=results)

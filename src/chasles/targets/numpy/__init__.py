@@ -8,12 +8,13 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from chasles.lowering.program import Argument, Op, Result
+from chasles.lowering.program import Argument, Op, Program, Result
 from chasles.targets.constants import DOUBLE, literals
 from chasles.targets.contract import contract
 from chasles.targets.dialect import ARITHMETIC, Dialect, Level, Phrase, Shape, call
 from chasles.targets.kernel import Kernel, signature
 from chasles.targets.layout import listed
+from chasles.targets.numpy.hypotheses import divisors, rows
 from chasles.targets.spelling import Spelled, spelled
 from chasles.targets.target import COMMAND, Page, Target
 
@@ -75,14 +76,22 @@ def _function(kernel: Kernel) -> _Function:
         says=says,
         docstring=tuple(docstring),
         parameters=", ".join(f"{name}: Any" for name in text.arguments),
-        lines=(*_opening(kernel, text), *text.lines, *_closing(kernel, text)),
+        lines=(*_opening(kernel.name, kernel.program, text), *text.lines, *_closing(kernel, text)),
     )
 
 
-def _opening(kernel: Kernel, text: Spelled) -> Iterator[str]:
+def _divisor(name: str, program: Program) -> Iterator[str]:
+    """The lines of a function of one number."""
+    text = spelled(program, _DIALECT)
+    yield from (*_opening(name, program, text), *text.lines)
+    ((value,),) = text.entries
+    yield f"return batch.array((), {value})"
+
+
+def _opening(kernel: str, program: Program, text: Spelled) -> Iterator[str]:
     """The lines that prepare the inputs."""
-    arguments = zip(text.arguments, kernel.program.arguments, strict=True)
-    inputs = [f'"{kernel.name}"', *(f'("{name}", {name}, {item.shape})' for name, item in arguments)]
+    arguments = zip(text.arguments, program.arguments, strict=True)
+    inputs = [f'"{kernel}"', *(f'("{name}", {name}, {item.shape})' for name, item in arguments)]
     yield from listed(f"batch, {', '.join(text.arguments)} = prepared(", inputs, ")", closing_line=True)
     entries = [entry for group in text.entries for entry in group]
     if any("xp." in line for line in (*text.lines, *entries)):
@@ -108,6 +117,9 @@ def _docstring(lines: tuple[str, ...]) -> tuple[str, ...]:
 def _pages(kernels: tuple[Kernel, ...]) -> Iterator[Page]:
     values = {"command": COMMAND, "functions": [_function(kernel) for kernel in kernels]}
     yield Page("kernels.py", "kernels.py.jinja", values)
+    functions = divisors(kernels, _divisor)
+    table = {"command": COMMAND, "divisors": [*functions.values()], "rows": [*rows(kernels, functions)]}
+    yield Page("hypotheses.py", "hypotheses.py.jinja", table)
     yield Page("batches.py", "batches.py.jinja", {"command": COMMAND})
     yield Page("__init__.py", "__init__.py.jinja", {"command": COMMAND})
 

@@ -1,0 +1,101 @@
+"""What a function that is emitted takes and gives: symbols, several scalars in one array, a symmetric matrix by six."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from dataclasses import replace as with_fields
+
+from chasles.statements.hypotheses import Hypothesis
+from chasles.vocabulary import Node, plain
+
+__all__ = ["SIX", "Argument", "Kernel", "Packed", "Place", "Stack", "nodes_of", "places_of"]
+
+SIX = "_sym6"
+"""What the name of a kernel ends in that takes or gives symmetric matrices as six numbers."""
+
+Place = tuple[Node, int, int]
+"""An entry of a symbol, or of its rate: its row and its column, counted from zero."""
+
+
+@dataclass(frozen=True, slots=True)
+class Stack:
+    """An argument that holds several scalars, one below the other; raises TypeError if one of them is no scalar."""
+
+    name: str
+    parts: tuple[Node, ...]
+    meaning: str = ""
+
+    def __post_init__(self) -> None:
+        for part in self.parts:
+            if not part.is_scalar:
+                raise TypeError(f"{self.name} stacks scalars, and {plain(part)} is {part.shape[0]} x {part.shape[1]}")
+
+
+@dataclass(frozen=True, slots=True)
+class Packed:
+    """A symmetric 3 x 3 matrix as (xx, xy, xz, yy, yz, zz), its own entries; raises TypeError for another shape."""
+
+    matrix: Node
+
+    def __post_init__(self) -> None:
+        if self.matrix.shape != (3, 3):
+            raise TypeError(f"six numbers stand for a 3 x 3 matrix, and {plain(self.matrix)} is no such")
+
+    @property
+    def places(self) -> tuple[Place, ...]:
+        """The entries that are kept: those on and above the diagonal, row by row."""
+        return tuple((self.matrix, i, j) for i in range(3) for j in range(i, 3))
+
+
+Argument = Node | Stack | Packed
+
+
+@dataclass(frozen=True, slots=True)
+class Kernel:
+    """A request to emit the right side as a function `of` the given symbols and rates of symbols.
+
+    `name` defaults to the statement's. With several `results`, the right side is a column of blocks, one for each.
+    `symmetric` matrices, among the arguments or the left side, are also taken or given as six numbers, by a second
+    kernel. What is `expected` of the arguments gives the result its meaning, whether or not the proof needs it.
+    `form` says the right side in other words, better ones for a machine; a kernel is made of it only once it is proved
+    equal to what stands.
+    """
+
+    of: tuple[Argument, ...]
+    name: str = ""
+    results: tuple[str, ...] = ()
+    symmetric: tuple[Node, ...] = ()
+    expected: tuple[Hypothesis, ...] = ()
+    form: Node | None = None
+
+    def variants(self, name: str) -> tuple[Kernel, ...]:
+        """What is emitted: a kernel of the name with all entries, and one that packs what is symmetric, if any is."""
+        name = self.name or name
+        whole = with_fields(self, name=name, symmetric=())
+        if not self.symmetric:
+            return (whole,)
+        of = tuple(Packed(of) if isinstance(of, Node) and of in self.symmetric else of for of in self.of)
+        return whole, with_fields(self, name=f"{name}{SIX}", of=of)
+
+
+def nodes_of(argument: Argument) -> tuple[Node, ...]:
+    """The symbols whose entries an argument holds."""
+    match argument:
+        case Stack(parts=parts):
+            return parts
+        case Packed(matrix):
+            return (matrix,)
+        case _:
+            return (argument,)
+
+
+def places_of(argument: Argument) -> tuple[Place, ...]:
+    """The entries that an argument holds, in their order: row by row."""
+    match argument:
+        case Stack(parts=parts):
+            return tuple((part, 0, 0) for part in parts)
+        case Packed():
+            return argument.places
+        case _:
+            rows, columns = argument.shape
+            return tuple((argument, i, j) for i in range(rows) for j in range(columns))
