@@ -176,8 +176,9 @@ def test_a_sign_turned_in_one_value_fails(name: str) -> None:
 
 def test_the_sign_turns_all_that_it_must() -> None:
     whole = inverse("natural_invariants")
-    for sign in ((e,), (sin(phi),), (e, sin(phi), cos(phi))):
+    for sign in ((e,), (cos(phi / 2),), (e, sin(phi / 2), cos(phi / 2))):
         named = tuple(key for key, _ in whole.branches[0].values if str(key) in map(str, sign))
+        assert len(named) == len(sign)
         assert isinstance(verdict_on(replace(whole, sign=named)), Fails)
 
 
