@@ -42,7 +42,8 @@ def test_the_header_needs_nothing_before_it_and_minds_no_macro(generated, compil
 def self_test(generated, compile_c, folder, sources):
     program = folder / "self_test"
     test = generated / "c/test/self_test.c"
-    compile_c("-std=c99", *STRICT, f"-I{generated}/c/include", *sources, test, "-lm", "-o", program)
+    folders = [f"-I{generated}/c/include", f"-I{generated}/c/src"]
+    compile_c("-std=c99", *STRICT, *folders, *sources, test, "-lm", "-o", program)
     return subprocess.run([program], capture_output=True, text=True, check=False)
 
 
@@ -129,20 +130,35 @@ def test_each_function_opens_with_its_contract(texts, kernels):
             assert re.search(rf"operations  {total}\b|\b{total} operations", head)
 
 
-def test_no_latex_and_nobody_but_math_h(texts):
+def test_no_latex_and_only_the_standard_library(texts):
+    standard = {"<fenv.h>", "<math.h>", "<stddef.h>", "<stdint.h>", "<string.h>"}
+    own = {'"batches.h"', '"chasles.h"', '"vectors.h"'}
     for path, text in texts.items():
         if path.startswith(("c/include", "c/src")):
-            assert "\\" not in text
             assert "$" not in text
-            assert set(re.findall(r"#include (.*)", text)) <= {"<math.h>", "<stddef.h>", '"chasles.h"'}
-            assert not re.search(r"\b(malloc|errno =|static)\b", text)
+            assert set(re.findall(r"#include (.*)", text)) <= standard | own
+            assert not re.search(r"\b(malloc|errno =)\b", text)
+            assert not re.search(r"^ *static (?!const|inline)[^()]*(=|;)", text, re.M), "a function keeps a state"
+        if re.fullmatch(r"c/src/s\d+_\w+\.c", path):
+            assert "\\" not in text
 
 
 def test_results_are_computed_before_any_is_stored(texts):
     for path, text in texts.items():
-        if path.startswith("c/src"):
-            for body in re.findall(r"^\{\n(.*?)^\}", text, re.M | re.S):
-                lines = [line.strip() for line in body.splitlines() if "for (" not in line and "_batch" not in line]
+        if re.fullmatch(r"c/src/s\d+_\w+\.c", path) and not path.endswith("_blocks.c"):
+            for body in re.findall(r"^void.*?^\{\n(.*?)^\}", text, re.M | re.S):
+                lines = [line.strip() for line in body.splitlines()]
                 stores = [place for place, line in enumerate(lines) if re.match(r"(\w+\[\d+\]|\*\w+) = ", line)]
                 assert all(re.fullmatch(r"\S+ = -?[\w.+]+;", lines[place]) for place in stores)
                 assert not stores or all("const" not in line for line in lines[stores[0] :])
+
+
+def test_a_group_is_loaded_before_any_of_it_is_stored(texts, kernels):
+    groups = 0
+    for path, text in texts.items():
+        if path.endswith("_blocks.c") and "trigonometry" not in path:
+            for body in re.findall(r"g\+\+\) \{\n(.*?)^    \}", text, re.M | re.S):
+                loads, stores = ([m.start() for m in re.finditer(rf"\b{word}_\d", body)] for word in ("load", "store"))
+                assert not stores or max(loads, default=0) < min(stores)
+                groups += bool(stores)
+    assert groups == 2 * len(kernels)

@@ -3,7 +3,58 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "batches.h"
 #include "chasles.h"
+
+static const chasles_shape chasles_angular_acceleration_matrix_loop_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_angular_acceleration_matrix_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_angular_acceleration_matrix_loop_shapes,
+    CHASLES_BLOCKS(chasles_angular_acceleration_matrix_block),
+};
+
+static const chasles_shape chasles_angular_acceleration_matrix_loopf_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_angular_acceleration_matrix_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_angular_acceleration_matrix_loopf_shapes,
+    CHASLES_BLOCKS(chasles_angular_acceleration_matrix_blockf),
+};
+
+static const chasles_shape chasles_acceleration_of_point_loop_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_acceleration_of_point_loop = {
+    sizeof(double), 0, 5, 6,
+    chasles_acceleration_of_point_loop_shapes,
+    CHASLES_BLOCKS(chasles_acceleration_of_point_block),
+};
+
+static const chasles_shape chasles_acceleration_of_point_loopf_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_acceleration_of_point_loopf = {
+    sizeof(float), 0, 5, 6,
+    chasles_acceleration_of_point_loopf_shapes,
+    CHASLES_BLOCKS(chasles_acceleration_of_point_blockf),
+};
 
 /*
  * (3.86) The angular-acceleration matrix.
@@ -93,12 +144,11 @@ void chasles_angular_acceleration_matrix_batch(
     const double *omega_dot, ptrdiff_t omega_dot_step,
     double *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_angular_acceleration_matrix(
-            omega + i * omega_step,
-            omega_dot + i * omega_dot_step,
-            W + i * W_step);
-    }
+    char *const at[] = {(char *)omega, (char *)omega_dot, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {omega_step * size, omega_dot_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_angular_acceleration_matrix_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -112,12 +162,11 @@ void chasles_angular_acceleration_matrix_batchf(
     const float *omega_dot, ptrdiff_t omega_dot_step,
     float *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_angular_acceleration_matrixf(
-            omega + i * omega_step,
-            omega_dot + i * omega_dot_step,
-            W + i * W_step);
-    }
+    char *const at[] = {(char *)omega, (char *)omega_dot, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {omega_step * size, omega_dot_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_angular_acceleration_matrix_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -202,15 +251,23 @@ void chasles_acceleration_of_point_batch(
     const double *p, ptrdiff_t p_step,
     double *p_ddot, ptrdiff_t p_ddot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_acceleration_of_point(
-            omega + i * omega_step,
-            omega_dot + i * omega_dot_step,
-            a_ddot + i * a_ddot_step,
-            a + i * a_step,
-            p + i * p_step,
-            p_ddot + i * p_ddot_step);
-    }
+    char *const at[] = {
+        (char *)omega,
+        (char *)omega_dot,
+        (char *)a_ddot,
+        (char *)a,
+        (char *)p,
+        (char *)p_ddot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        omega_step * size,
+        omega_dot_step * size,
+        a_ddot_step * size,
+        a_step * size,
+        p_step * size,
+        p_ddot_step * size};
+    const chasles_loop *loop = &chasles_acceleration_of_point_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -227,13 +284,21 @@ void chasles_acceleration_of_point_batchf(
     const float *p, ptrdiff_t p_step,
     float *p_ddot, ptrdiff_t p_ddot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_acceleration_of_pointf(
-            omega + i * omega_step,
-            omega_dot + i * omega_dot_step,
-            a_ddot + i * a_ddot_step,
-            a + i * a_step,
-            p + i * p_step,
-            p_ddot + i * p_ddot_step);
-    }
+    char *const at[] = {
+        (char *)omega,
+        (char *)omega_dot,
+        (char *)a_ddot,
+        (char *)a,
+        (char *)p,
+        (char *)p_ddot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        omega_step * size,
+        omega_dot_step * size,
+        a_ddot_step * size,
+        a_step * size,
+        p_step * size,
+        p_ddot_step * size};
+    const chasles_loop *loop = &chasles_acceleration_of_point_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }

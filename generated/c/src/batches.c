@@ -1,0 +1,291 @@
+/* Batches, cut into blocks. Made by `chasles emit`; not to be edited by hand. */
+
+#include "batches.h"
+
+#include <fenv.h>
+#include <stdint.h>
+#include <string.h>
+
+/* The floating-point state around a batch. On x86 with SSE it is one register, far quicker than <fenv.h>, which
+ * minds the x87 unit too. */
+#if CHASLES_VECTORS && defined(__SSE2_MATH__)
+typedef unsigned int State;
+
+/* Clears the flags and masks the traps; gives the state as it was. */
+static State quiet(void)
+{
+    const State state = __builtin_ia32_stmxcsr();
+    __builtin_ia32_ldmxcsr((state | 0x1f80u) & ~0x3fu);
+    return state;
+}
+
+static int is_invalid(void)
+{
+    return (int)(__builtin_ia32_stmxcsr() & 1u);
+}
+
+static void clear(void)
+{
+    __builtin_ia32_ldmxcsr(__builtin_ia32_stmxcsr() & ~0x3fu);
+}
+
+static void restore(const State *state)
+{
+    __builtin_ia32_ldmxcsr(*state);
+}
+#else
+typedef fenv_t State;
+
+/* Clears the flags and masks the traps; gives the state as it was. */
+static State quiet(void)
+{
+    State state;
+    feholdexcept(&state);
+    return state;
+}
+
+static int is_invalid(void)
+{
+    return fetestexcept(FE_INVALID) != 0;
+}
+
+static void clear(void)
+{
+    feclearexcept(FE_ALL_EXCEPT);
+}
+
+static void restore(const State *state)
+{
+    fesetenv(state);
+}
+#endif
+
+int chasles_best_level(void)
+{
+#if CHASLES_LEVELS >= 2
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2")) {
+        return 1;
+    }
+#endif
+    return 0;
+}
+
+/* How many items a group has. */
+static ptrdiff_t lanes_of(const chasles_loop *loop, int level)
+{
+    return CHASLES_VECTORS ? (16 << level) / loop->number : 1;
+}
+
+static ptrdiff_t size_of(const chasles_loop *loop, int k)
+{
+    return loop->number * loop->shapes[k].rows * loop->shapes[k].columns;
+}
+
+/* Where operand k lies: the steps along its rows and columns, without gaps where `core` is NULL. */
+typedef struct {
+    ptrdiff_t down;
+    ptrdiff_t across;
+} Stride;
+
+static void find_strides(const chasles_loop *loop, const ptrdiff_t *core, Stride *strides)
+{
+    for (int k = 0; k < loop->operands; k++) {
+        const chasles_shape shape = loop->shapes[k];
+        strides[k].down = loop->number * shape.columns;
+        strides[k].across = loop->number;
+        if (core != NULL) {
+            if (shape.axes == 2) {
+                strides[k].down = *core++;
+            }
+            if (shape.axes >= 1) {
+                strides[k].across = *core++;
+            }
+        }
+    }
+}
+
+static int has_gaps(const chasles_loop *loop, const Stride *strides)
+{
+    int gaps = 0;
+    for (int k = 0; k < loop->operands; k++) {
+        const chasles_shape shape = loop->shapes[k];
+        gaps |= shape.columns > 1 && strides[k].across != loop->number;
+        gaps |= shape.rows > 1 && strides[k].down != loop->number * shape.columns;
+    }
+    return gaps;
+}
+
+/* The first byte of operand k and the one after its last. */
+static void find_range(
+    const chasles_loop *loop, int k, ptrdiff_t count, const char *at, ptrdiff_t step, Stride stride, uintptr_t *range)
+{
+    const ptrdiff_t ways[3] = {
+        (count - 1) * step, (loop->shapes[k].rows - 1) * stride.down, (loop->shapes[k].columns - 1) * stride.across};
+    ptrdiff_t low = 0, high = loop->number;
+    for (int i = 0; i < 3; i++) {
+        low += ways[i] < 0 ? ways[i] : 0;
+        high += ways[i] > 0 ? ways[i] : 0;
+    }
+    range[0] = (uintptr_t)at + (uintptr_t)low;
+    range[1] = (uintptr_t)at + (uintptr_t)high;
+}
+
+/* Whether an output lies over an input. */
+static int overlaps(
+    const chasles_loop *loop, ptrdiff_t count, char *const *at, const ptrdiff_t *steps, const Stride *strides)
+{
+    uintptr_t ranges[CHASLES_OPERANDS][2];
+    int over = 0;
+    for (int k = 0; k < loop->operands; k++) {
+        find_range(loop, k, count, at[k], steps[k], strides[k], ranges[k]);
+        for (int i = 0; k >= loop->inputs && i < loop->inputs; i++) {
+            over |= ranges[k][0] < ranges[i][1] && ranges[i][0] < ranges[k][1];
+        }
+    }
+    return over;
+}
+
+/* Copies the numbers of an item. */
+static void copy(
+    ptrdiff_t number, chasles_shape shape, char *to, Stride to_stride, const char *from, Stride from_stride)
+{
+    for (int i = 0; i < shape.rows; i++) {
+        for (int j = 0; j < shape.columns; j++) {
+            char *target = to + i * to_stride.down + j * to_stride.across;
+            const char *source = from + i * from_stride.down + j * from_stride.across;
+            if (number == (ptrdiff_t)sizeof(double)) {
+                memcpy(target, source, sizeof(double));
+            } else {
+                memcpy(target, source, sizeof(float));
+            }
+        }
+    }
+}
+
+/* A part of a batch: the places of its items, in the batch itself or gathered in `store`. */
+typedef struct {
+    char *at[CHASLES_OPERANDS];
+    ptrdiff_t steps[CHASLES_OPERANDS];
+} Part;
+
+/* Copies `items` items of each input to `store`, and the last one again up to `filled`; gives outputs room there. */
+static void gather(
+    const chasles_loop *loop, Part *part, const Part *batch, const Stride *strides, ptrdiff_t items, ptrdiff_t filled,
+    char *store)
+{
+    for (int k = 0; k < loop->operands; k++) {
+        const Stride dense = {loop->number * loop->shapes[k].columns, loop->number};
+        part->at[k] = store;
+        part->steps[k] = size_of(loop, k);
+        for (ptrdiff_t i = 0; k < loop->inputs && i < filled; i++) {
+            const char *from = batch->at[k] + (i < items ? i : items - 1) * batch->steps[k];
+            copy(loop->number, loop->shapes[k], store + i * part->steps[k], dense, from, strides[k]);
+        }
+        store += filled * part->steps[k];
+    }
+}
+
+/* Copies `items` items of each output to their places. */
+static void scatter(
+    const chasles_loop *loop, const Part *part, const Part *batch, const Stride *strides, ptrdiff_t items)
+{
+    for (int k = loop->inputs; k < loop->operands; k++) {
+        const Stride dense = {loop->number * loop->shapes[k].columns, loop->number};
+        for (ptrdiff_t i = 0; i < items; i++) {
+            char *to = batch->at[k] + i * batch->steps[k];
+            copy(loop->number, loop->shapes[k], to, strides[k], part->at[k] + i * part->steps[k], dense);
+        }
+    }
+}
+
+/* Whether one of `size` bytes of numbers is NaN. */
+static int holds_nan(ptrdiff_t number, const char *at, ptrdiff_t size)
+{
+    for (ptrdiff_t i = 0; i < size; i += number) {
+        double x;
+        if (number == (ptrdiff_t)sizeof(double)) {
+            memcpy(&x, at + i, sizeof(double));
+        } else {
+            float narrow;
+            memcpy(&narrow, at + i, sizeof(float));
+            x = (double)narrow;
+        }
+        if (x != x) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Whether an item has a NaN among its results and none among its inputs. */
+static int is_singular(const chasles_loop *loop, const Part *part, ptrdiff_t items)
+{
+    for (ptrdiff_t i = 0; i < items; i++) {
+        int came = 0, went = 0;
+        for (int k = 0; k < loop->operands; k++) {
+            const int found = holds_nan(loop->number, part->at[k] + i * part->steps[k], size_of(loop, k));
+            came |= k < loop->inputs && found;
+            went |= k >= loop->inputs && found;
+        }
+        if (went && !came) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* How many items the store holds, in whole groups. */
+static ptrdiff_t room_of(const chasles_loop *loop, ptrdiff_t lanes)
+{
+    ptrdiff_t all = 0;
+    for (int k = 0; k < loop->operands; k++) {
+        all += size_of(loop, k);
+    }
+    const ptrdiff_t room = CHASLES_STORE / all < CHASLES_BLOCK ? CHASLES_STORE / all : CHASLES_BLOCK;
+    return room - room % lanes;
+}
+
+void chasles_run(
+    const chasles_loop *loop, int level, ptrdiff_t count, char *const *at, const ptrdiff_t *steps, const ptrdiff_t *core)
+{
+    if (count <= 0) {
+        return;
+    }
+    double store[CHASLES_STORE / sizeof(double)];
+    Stride strides[CHASLES_OPERANDS];
+    Part batch, gathered;
+    const ptrdiff_t lanes = lanes_of(loop, level);
+    const ptrdiff_t room = room_of(loop, lanes);
+    memcpy(batch.at, at, (size_t)loop->operands * sizeof *at);
+    memcpy(batch.steps, steps, (size_t)loop->operands * sizeof *steps);
+    find_strides(loop, core, strides);
+    const int staged = has_gaps(loop, strides) || overlaps(loop, count, at, steps, strides);
+    int singular = 0;
+    const State state = quiet();
+    for (ptrdiff_t left = count; left > 0;) {
+        const int here = !staged && left >= lanes;
+        const ptrdiff_t most = here ? CHASLES_BLOCK : room;
+        const ptrdiff_t items = left > most ? most : here ? left - left % lanes : left;
+        const ptrdiff_t groups = (items + lanes - 1) / lanes;
+        const Part *part = here ? &batch : &gathered;
+        if (!here) {
+            gather(loop, &gathered, &batch, strides, items, groups * lanes, (char *)store);
+        }
+        loop->blocks[level](groups, part->at, part->steps);
+        if (!singular && (loop->silent || is_invalid())) {
+            singular = is_singular(loop, part, items);
+            clear();
+        }
+        if (!here) {
+            scatter(loop, &gathered, &batch, strides, items);
+        }
+        for (int k = 0; k < loop->operands; k++) {
+            batch.at[k] += items * batch.steps[k];
+        }
+        left -= items;
+    }
+    restore(&state);
+    if (singular) {
+        feraiseexcept(FE_INVALID);
+    }
+}
