@@ -11,8 +11,6 @@
 
 #include <numpy/arrayobject.h>
 
-#define CAPSULE "chasles kernel"
-
 /* From so many items on the global lock is released: below, that costs more than the loop. */
 #define MANY 256
 
@@ -86,9 +84,10 @@ static int refuse_shape(const Call *call, int k, PyArrayObject *array)
         PyTuple_SetItem(batch, i, PyLong_FromSsize_t(i < call->axes ? call->batch[i] : core[i - call->axes]));
     }
     if (found != NULL && batch != NULL) {
+        const char *what = call->axes > 0 ? "beside that batch" : k < call->loop->inputs ? "in its last axes" : "here";
         PyErr_Format(
-            PyExc_ValueError, "one.%s: %s must have the shape %R, or for an input that of one element; it has %R",
-            call->kernel->name, call->kernel->operands[k], batch, found);
+            PyExc_ValueError, "one.%s: %s must have the shape %R %s; it has %R", call->kernel->name,
+            call->kernel->operands[k], batch, what, found);
     }
     Py_XDECREF(found);
     Py_XDECREF(batch);
@@ -135,7 +134,15 @@ static int take(Call *call, int k, PyObject *value)
         return 0;
     }
     call->numbers[k] = PyFloat_AsDouble(value);
-    return call->numbers[k] != -1.0 || !PyErr_Occurred();
+    if (call->numbers[k] == -1.0 && PyErr_Occurred()) {
+        if (PyErr_ExceptionMatches(PyExc_TypeError)) {
+            PyErr_Format(
+                PyExc_TypeError, "one.%s: %s must be a real number or a NumPy array, not %R", call->kernel->name,
+                call->kernel->operands[k], (PyObject *)Py_TYPE(value));
+        }
+        return 0;
+    }
+    return 1;
 }
 
 /* The address of input k, once it is known in what precision it is wanted. */
@@ -195,7 +202,7 @@ static PyObject *room(Call *call, int k, PyObject *given)
 /* Copies each input that an output lies over: an item's result may fall on what a later item reads. */
 static int keep_apart(Call *call, PyObject **copies)
 {
-    for (int i = 0; call->count > 1 && i < call->loop->inputs; i++) {
+    for (int i = 0; i < call->loop->inputs; i++) {
         const int is_array = PyArray_Check(call->from[i]);
         const char *low = call->at[i], *high = low + (is_array ? PyArray_NBYTES((PyArrayObject *)call->from[i]) : 0);
         int over = 0;
@@ -216,6 +223,10 @@ static int keep_apart(Call *call, PyObject **copies)
 /* Runs the kernel on operands that are all in place. */
 static int run(Call *call)
 {
+    if (call->count == 1) {
+        chasles_run(call->loop, chasles_level, 1, call->at, call->steps, NULL);
+        return 1;
+    }
     PyObject *copies[CHASLES_OPERANDS] = {NULL};
     const int apart = keep_apart(call, copies);
     if (apart && call->count < MANY) {
@@ -235,6 +246,9 @@ static int run(Call *call)
 static int find_out(const Call *call, PyObject *out, PyObject **given)
 {
     const int outputs = call->loop->operands - call->loop->inputs;
+    for (int k = 0; k < outputs; k++) {
+        given[k] = NULL;
+    }
     if (out == NULL || out == Py_None) {
         return 1;
     }
@@ -286,22 +300,23 @@ static PyObject *delivered(const Call *call, PyObject **made, PyObject **given)
 
 static PyObject *compute(Call *call, PyObject *out)
 {
-    PyObject *made[CHASLES_OPERANDS] = {NULL}, *given[CHASLES_OPERANDS] = {NULL};
+    PyObject *made[CHASLES_OPERANDS], *given[CHASLES_OPERANDS];
     const int inputs = call->loop->inputs, outputs = call->loop->operands - inputs;
-    int right = find_out(call, out, given);
+    int right = find_out(call, out, given), rooms = 0;
     call->count = 1;
     for (int k = 0; right && k < inputs; k++) {
         right = place(call, k);
     }
-    for (int k = 0; right && k < outputs; k++) {
-        made[k] = room(call, inputs + k, given[k]);
-        right = made[k] != NULL;
+    while (right && rooms < outputs) {
+        made[rooms] = room(call, inputs + rooms, given[rooms]);
+        right = made[rooms] != NULL;
+        rooms += right;
     }
     if (right && run(call)) {
         return delivered(call, made, given);
     }
-    for (int k = 0; k < outputs; k++) {
-        Py_XDECREF(made[k]);
+    while (rooms > 0) {
+        Py_DECREF(made[--rooms]);
     }
     return NULL;
 }
@@ -309,7 +324,7 @@ static PyObject *compute(Call *call, PyObject *out)
 static PyObject *one(PyObject *self, PyObject *const *args, Py_ssize_t count, PyObject *names)
 {
     Call call;
-    call.kernel = PyCapsule_GetPointer(self, CAPSULE);
+    call.kernel = PyCapsule_GetPointer(self, NULL);
     if (call.kernel == NULL) {
         return NULL;
     }
@@ -343,7 +358,7 @@ static int add(PyObject *module, PyMethodDef *method, const Kernel *kernel)
     method->ml_meth = (PyCFunction)(void (*)(void))one;
     method->ml_flags = METH_FASTCALL | METH_KEYWORDS;
     method->ml_doc = kernel->doc;
-    PyObject *capsule = PyCapsule_New((void *)kernel, CAPSULE, NULL);
+    PyObject *capsule = PyCapsule_New((void *)kernel, NULL, NULL);
     PyObject *function = capsule == NULL ? NULL : PyCFunction_NewEx(method, capsule, NULL);
     const int status = function == NULL ? -1 : PyModule_AddObjectRef(module, kernel->name, function);
     Py_XDECREF(capsule);

@@ -73,7 +73,7 @@ int chasles_best_level(void)
 /* How many items a group has. */
 static ptrdiff_t lanes_of(const chasles_loop *loop, int level)
 {
-    return CHASLES_VECTORS ? (16 << level) / loop->number : 1;
+    return !CHASLES_VECTORS ? 1 : loop->number == (ptrdiff_t)sizeof(double) ? (ptrdiff_t)2 << level : (ptrdiff_t)4 << level;
 }
 
 static ptrdiff_t size_of(const chasles_loop *loop, int k)
@@ -81,38 +81,28 @@ static ptrdiff_t size_of(const chasles_loop *loop, int k)
     return loop->number * loop->shapes[k].rows * loop->shapes[k].columns;
 }
 
-/* Where operand k lies: the steps along its rows and columns, without gaps where `core` is NULL. */
+/* The steps along the rows and columns of an operand, and whether its items are row-major without gaps. */
 typedef struct {
     ptrdiff_t down;
     ptrdiff_t across;
+    int dense;
 } Stride;
 
-static void find_strides(const chasles_loop *loop, const ptrdiff_t *core, Stride *strides)
+/* The strides that `core` says; without gaps where it is NULL. Gives whether there are none. */
+static int find_strides(const chasles_loop *loop, const ptrdiff_t *core, Stride *strides)
 {
+    int dense = 1;
     for (int k = 0; k < loop->operands; k++) {
         const chasles_shape shape = loop->shapes[k];
-        strides[k].down = loop->number * shape.columns;
-        strides[k].across = loop->number;
-        if (core != NULL) {
-            if (shape.axes == 2) {
-                strides[k].down = *core++;
-            }
-            if (shape.axes >= 1) {
-                strides[k].across = *core++;
-            }
-        }
+        const ptrdiff_t row = loop->number * shape.columns;
+        const ptrdiff_t down = core != NULL && shape.axes == 2 ? *core++ : row;
+        const ptrdiff_t across = core != NULL && shape.axes >= 1 ? *core++ : loop->number;
+        strides[k].down = down;
+        strides[k].across = across;
+        strides[k].dense = (shape.columns == 1 || across == loop->number) && (shape.rows == 1 || down == row);
+        dense &= strides[k].dense;
     }
-}
-
-static int has_gaps(const chasles_loop *loop, const Stride *strides)
-{
-    int gaps = 0;
-    for (int k = 0; k < loop->operands; k++) {
-        const chasles_shape shape = loop->shapes[k];
-        gaps |= shape.columns > 1 && strides[k].across != loop->number;
-        gaps |= shape.rows > 1 && strides[k].down != loop->number * shape.columns;
-    }
-    return gaps;
+    return dense;
 }
 
 /* The first byte of operand k and the one after its last. */
@@ -145,19 +135,16 @@ static int overlaps(
     return over;
 }
 
-/* Copies the numbers of an item. */
-static void copy(
-    ptrdiff_t number, chasles_shape shape, char *to, Stride to_stride, const char *from, Stride from_stride)
+/* Copies the numbers of an item from where its strides say to `to`, or the other way where `back` is set. */
+static void copy(ptrdiff_t number, chasles_shape shape, Stride stride, char *to, char *from, int back)
 {
-    for (int i = 0; i < shape.rows; i++) {
-        for (int j = 0; j < shape.columns; j++) {
-            char *target = to + i * to_stride.down + j * to_stride.across;
-            const char *source = from + i * from_stride.down + j * from_stride.across;
-            if (number == (ptrdiff_t)sizeof(double)) {
-                memcpy(target, source, sizeof(double));
-            } else {
-                memcpy(target, source, sizeof(float));
-            }
+    const size_t width = (size_t)(stride.dense ? number * shape.rows * shape.columns : number);
+    const int rows = stride.dense ? 1 : shape.rows, columns = stride.dense ? 1 : shape.columns;
+    for (int i = 0; i < rows; i++) {
+        for (int j = 0; j < columns; j++) {
+            char *apart = from + i * stride.down + j * stride.across;
+            char *together = to + (i * columns + j) * number;
+            memcpy(back ? apart : together, back ? together : apart, width);
         }
     }
 }
@@ -174,26 +161,24 @@ static void gather(
     char *store)
 {
     for (int k = 0; k < loop->operands; k++) {
-        const Stride dense = {loop->number * loop->shapes[k].columns, loop->number};
+        const ptrdiff_t size = size_of(loop, k);
         part->at[k] = store;
-        part->steps[k] = size_of(loop, k);
+        part->steps[k] = size;
         for (ptrdiff_t i = 0; k < loop->inputs && i < filled; i++) {
-            const char *from = batch->at[k] + (i < items ? i : items - 1) * batch->steps[k];
-            copy(loop->number, loop->shapes[k], store + i * part->steps[k], dense, from, strides[k]);
+            char *from = batch->at[k] + (i < items ? i : items - 1) * batch->steps[k];
+            copy(loop->number, loop->shapes[k], strides[k], store + i * size, from, 0);
         }
-        store += filled * part->steps[k];
+        store += filled * size;
     }
 }
 
 /* Copies `items` items of each output to their places. */
-static void scatter(
-    const chasles_loop *loop, const Part *part, const Part *batch, const Stride *strides, ptrdiff_t items)
+static void scatter(const chasles_loop *loop, const Part *part, const Part *batch, const Stride *strides, ptrdiff_t items)
 {
     for (int k = loop->inputs; k < loop->operands; k++) {
-        const Stride dense = {loop->number * loop->shapes[k].columns, loop->number};
         for (ptrdiff_t i = 0; i < items; i++) {
             char *to = batch->at[k] + i * batch->steps[k];
-            copy(loop->number, loop->shapes[k], to, strides[k], part->at[k] + i * part->steps[k], dense);
+            copy(loop->number, loop->shapes[k], strides[k], part->at[k] + i * part->steps[k], to, 1);
         }
     }
 }
@@ -241,7 +226,10 @@ static ptrdiff_t room_of(const chasles_loop *loop, ptrdiff_t lanes)
     for (int k = 0; k < loop->operands; k++) {
         all += size_of(loop, k);
     }
-    const ptrdiff_t room = CHASLES_STORE / all < CHASLES_BLOCK ? CHASLES_STORE / all : CHASLES_BLOCK;
+    if (all * CHASLES_BLOCK <= CHASLES_STORE) {
+        return CHASLES_BLOCK;
+    }
+    const ptrdiff_t room = CHASLES_STORE / all;
     return room - room % lanes;
 }
 
@@ -258,8 +246,8 @@ void chasles_run(
     const ptrdiff_t room = room_of(loop, lanes);
     memcpy(batch.at, at, (size_t)loop->operands * sizeof *at);
     memcpy(batch.steps, steps, (size_t)loop->operands * sizeof *steps);
-    find_strides(loop, core, strides);
-    const int staged = has_gaps(loop, strides) || overlaps(loop, count, at, steps, strides);
+    const int dense = find_strides(loop, core, strides);
+    const int staged = count < lanes || !dense || overlaps(loop, count, at, steps, strides);
     int singular = 0;
     const State state = quiet();
     for (ptrdiff_t left = count; left > 0;) {
