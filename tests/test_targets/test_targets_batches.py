@@ -47,13 +47,13 @@ def quietly(ufunc, *inputs, **options):
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("length", LENGTHS)
-def test_where_an_item_stands_does_not_matter(loops, name, sample, kind, length):
-    inputs = sample(name, (length,), kind)
-    together = quietly(getattr(loops, name), *inputs)
-    for i in {0, 1, length // 2, length - 1} & set(range(length)):
-        alone = quietly(getattr(loops, name), *(value[i] for value in inputs))
-        assert all(same(got[i], value) for got, value in zip(together, alone, strict=True))
+def test_where_an_item_stands_does_not_matter(loops, name, sample, kind):
+    for length in LENGTHS:
+        inputs = sample(name, (length,), kind)
+        together = quietly(getattr(loops, name), *inputs)
+        for i in {0, 1, length // 2, length - 1} & set(range(length)):
+            alone = quietly(getattr(loops, name), *(value[i] for value in inputs))
+            assert all(same(got[i], value) for got, value in zip(together, alone, strict=True)), (length, i)
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -259,6 +259,24 @@ def test_outputs_may_lie_over_inputs(loops, length, sample):
     expected = [np.array(value) for value in (b, a, y, x)]
     loops.swapped(a, b, x, y, out=(a, b, x, y))
     assert all(map(same, (a, b, x, y), expected))
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("shift", [0, 1, 2, 3])
+def test_results_that_go_around_the_cache_are_the_same(loops, kind, shift):
+    """More than 16 MiB of them, from any place, the item that is singular among them."""
+    length = 2**24 // (9 * np.dtype(kind).itemsize) + 77
+    e, phi = np.array([0.6, 0, 0.8], kind), np.linspace(-3, 3, length, dtype=kind)
+    store = np.full(9 * length + shift + 1, 7, kind)
+    out = store[shift:-1].reshape(length, 3, 3)
+    assert not raises_invalid(lambda *inputs: loops.rotation_from_axis_angle(*inputs, out=out), (e, phi))
+    for start in range(0, length, 100_000):
+        assert same(out[start : start + 100_000], loops.rotation_from_axis_angle(e, phi[start : start + 100_000]))
+    assert np.all(store[:shift] == 7)
+    assert store[-1] == 7
+    phi[length // 2] = np.inf
+    assert raises_invalid(lambda *inputs: loops.rotation_from_axis_angle(*inputs, out=out), (e, phi))
+    assert np.count_nonzero(np.isnan(out).any(axis=(1, 2))) == 1
 
 
 def test_an_unknown_set_of_instructions_is_named(extension, tmp_path, monkeypatch):

@@ -6,6 +6,10 @@
 #include <stdint.h>
 #include <string.h>
 
+#if CHASLES_VECTORS && defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 /* The floating-point state around a batch. On x86 with SSE it is one register, far quicker than <fenv.h>, which
  * minds the x87 unit too. */
 #if CHASLES_VECTORS && defined(__SSE2_MATH__)
@@ -14,24 +18,24 @@ typedef unsigned int State;
 /* Clears the flags and masks the traps; gives the state as it was. */
 static State quiet(void)
 {
-    const State state = __builtin_ia32_stmxcsr();
-    __builtin_ia32_ldmxcsr((state | 0x1f80u) & ~0x3fu);
+    const State state = _mm_getcsr();
+    _mm_setcsr((state | 0x1f80u) & ~0x3fu);
     return state;
 }
 
 static int is_invalid(void)
 {
-    return (int)(__builtin_ia32_stmxcsr() & 1u);
+    return (int)(_mm_getcsr() & 1u);
 }
 
 static void clear(void)
 {
-    __builtin_ia32_ldmxcsr(__builtin_ia32_stmxcsr() & ~0x3fu);
+    _mm_setcsr(_mm_getcsr() & ~0x3fu);
 }
 
 static void restore(const State *state)
 {
-    __builtin_ia32_ldmxcsr(*state);
+    _mm_setcsr(*state);
 }
 #else
 typedef fenv_t State;
@@ -233,6 +237,124 @@ static ptrdiff_t room_of(const chasles_loop *loop, ptrdiff_t lanes)
     return room - room % lanes;
 }
 
+/* How a part of a batch is computed: where it lies; copied to the store and back; results in the store, from where they
+ * go around the cache. */
+typedef enum { IN_PLACE, GATHERED, STREAMED } Way;
+
+#if CHASLES_VECTORS && defined(__SSE2__)
+/* Results of fewer bytes may still be in the cache when they are read; for results of fewer numbers an item, which are
+ * little beside the inputs, copying costs more than is gained. Both measured. */
+#define CHASLES_STREAMED 16777216
+#define CHASLES_WIDE 6
+
+/* Whether the results lie one after the other and are so many that the cache could not keep them: then a line of memory
+ * is better not read before it is written. */
+static int is_streamed(const chasles_loop *loop, ptrdiff_t count, const ptrdiff_t *steps)
+{
+    ptrdiff_t item = 0;
+    for (int k = loop->inputs; k < loop->operands; k++) {
+        if (steps[k] != size_of(loop, k)) {
+            return 0;
+        }
+        item += steps[k];
+    }
+    return item >= CHASLES_WIDE * loop->number && count >= CHASLES_STREAMED / item;
+}
+
+/* Waits until what went around the cache is where others see it. */
+static void settle(void)
+{
+    _mm_sfence();
+}
+
+/* Gives the results of a part room in `store`, all else where it lies. */
+static void place_results(const chasles_loop *loop, Part *part, const Part *batch, ptrdiff_t items, char *store)
+{
+    *part = *batch;
+    for (int k = loop->inputs; k < loop->operands; k++) {
+        part->at[k] = store;
+        store += items * part->steps[k];
+    }
+}
+
+/* Copies the results of a part to their places, around the cache. */
+static void stream(const chasles_loop *loop, const Part *part, const Part *batch, ptrdiff_t items)
+{
+    for (int k = loop->inputs; k < loop->operands; k++) {
+        const char *from = part->at[k], *end = from + items * part->steps[k];
+        char *to = batch->at[k];
+        for (; from < end && ((uintptr_t)to & 15) != 0; from += sizeof(int), to += sizeof(int)) {
+            int four;
+            memcpy(&four, from, sizeof four);
+            _mm_stream_si32((int *)(void *)to, four);
+        }
+        for (; end - from >= 16; from += 16, to += 16) {
+            _mm_stream_si128((__m128i *)(void *)to, _mm_loadu_si128((const __m128i *)(const void *)from));
+        }
+        memcpy(to, from, (size_t)(end - from));
+    }
+}
+#else
+static int is_streamed(const chasles_loop *loop, ptrdiff_t count, const ptrdiff_t *steps)
+{
+    (void)loop, (void)count, (void)steps;
+    return 0;
+}
+
+static void settle(void)
+{
+}
+
+static void place_results(const chasles_loop *loop, Part *part, const Part *batch, ptrdiff_t items, char *store)
+{
+    (void)loop, (void)part, (void)batch, (void)items, (void)store;
+}
+
+static void stream(const chasles_loop *loop, const Part *part, const Part *batch, ptrdiff_t items)
+{
+    (void)loop, (void)part, (void)batch, (void)items;
+}
+#endif
+
+/* A batch under way. */
+typedef struct {
+    const chasles_loop *loop;
+    chasles_block *block;
+    const Stride *strides;
+    ptrdiff_t lanes;
+    Part rest;
+    int singular;
+} Run;
+
+/* Computes the first `items` of the rest. */
+static void advance(Run *run, Way way, ptrdiff_t items, char *store)
+{
+    const chasles_loop *loop = run->loop;
+    const ptrdiff_t groups = (items + run->lanes - 1) / run->lanes;
+    Part there;
+    const Part *part = &there;
+    if (way == IN_PLACE) {
+        part = &run->rest;
+    } else if (way == GATHERED) {
+        gather(loop, &there, &run->rest, run->strides, items, groups * run->lanes, store);
+    } else {
+        place_results(loop, &there, &run->rest, items, store);
+    }
+    run->block(groups, part->at, part->steps);
+    if (!run->singular && (loop->silent || is_invalid())) {
+        run->singular = is_singular(loop, part, items);
+        clear();
+    }
+    if (way == GATHERED) {
+        scatter(loop, part, &run->rest, run->strides, items);
+    } else if (way == STREAMED) {
+        stream(loop, part, &run->rest, items);
+    }
+    for (int k = 0; k < loop->operands; k++) {
+        run->rest.at[k] += items * run->rest.steps[k];
+    }
+}
+
 void chasles_run(
     const chasles_loop *loop, int level, ptrdiff_t count, char *const *at, const ptrdiff_t *steps, const ptrdiff_t *core)
 {
@@ -241,39 +363,30 @@ void chasles_run(
     }
     double store[CHASLES_STORE / sizeof(double)];
     Stride strides[CHASLES_OPERANDS];
-    Part batch, gathered;
-    const ptrdiff_t lanes = lanes_of(loop, level);
-    const ptrdiff_t room = room_of(loop, lanes);
-    memcpy(batch.at, at, (size_t)loop->operands * sizeof *at);
-    memcpy(batch.steps, steps, (size_t)loop->operands * sizeof *steps);
+    Run run;
+    run.loop = loop;
+    run.block = loop->blocks[level];
+    run.strides = strides;
+    run.lanes = lanes_of(loop, level);
+    run.singular = 0;
+    memcpy(run.rest.at, at, (size_t)loop->operands * sizeof *at);
+    memcpy(run.rest.steps, steps, (size_t)loop->operands * sizeof *steps);
     const int dense = find_strides(loop, core, strides);
-    const int staged = count < lanes || !dense || overlaps(loop, count, at, steps, strides);
-    int singular = 0;
+    const int lies_well = count >= run.lanes && dense && !overlaps(loop, count, at, steps, strides);
+    const Way whole = !lies_well ? GATHERED : is_streamed(loop, count, steps) ? STREAMED : IN_PLACE;
+    const ptrdiff_t room = room_of(loop, run.lanes);
     const State state = quiet();
-    for (ptrdiff_t left = count; left > 0;) {
-        const int here = !staged && left >= lanes;
-        const ptrdiff_t most = here ? CHASLES_BLOCK : room;
-        const ptrdiff_t items = left > most ? most : here ? left - left % lanes : left;
-        const ptrdiff_t groups = (items + lanes - 1) / lanes;
-        const Part *part = here ? &batch : &gathered;
-        if (!here) {
-            gather(loop, &gathered, &batch, strides, items, groups * lanes, (char *)store);
-        }
-        loop->blocks[level](groups, part->at, part->steps);
-        if (!singular && (loop->silent || is_invalid())) {
-            singular = is_singular(loop, part, items);
-            clear();
-        }
-        if (!here) {
-            scatter(loop, &gathered, &batch, strides, items);
-        }
-        for (int k = 0; k < loop->operands; k++) {
-            batch.at[k] += items * batch.steps[k];
-        }
-        left -= items;
+    for (ptrdiff_t left = count, items = 0; left > 0; left -= items) {
+        const Way way = left >= run.lanes ? whole : GATHERED;
+        const ptrdiff_t most = way == IN_PLACE ? CHASLES_BLOCK : room;
+        items = left > most ? most : way == GATHERED ? left : left - left % run.lanes;
+        advance(&run, way, items, (char *)store);
+    }
+    if (whole == STREAMED) {
+        settle();
     }
     restore(&state);
-    if (singular) {
+    if (run.singular) {
         feraiseexcept(FE_INVALID);
     }
 }

@@ -15,9 +15,10 @@ of instructions (a level) and one of the results is taken when the program runs;
 - Nothing in a block branches, so both sides of every choice are computed, in lanes for which they mean nothing too. The
   flags that this raises are dropped: `batches.c` masks and clears the floating-point state around a batch, looks after
   each block whether `invalid` came up, and only then at the numbers: it is raised if a result is NaN and no input was.
+- Results too many for the cache go around it, from the store: up to 1.7 times quicker for 10^6 wide items.
 
 Measured and left out: registers of 64 bytes and x86-64-v4 (a tenth quicker for sines, up to a half slower for wide
-kernels), stores around the cache (no gain in a loop whose results are read next).
+kernels).
 """
 
 from __future__ import annotations
