@@ -2,6 +2,7 @@
  * the size that is needed, outputs over inputs, and, without an argument, the floating-point state, of which Valgrind
  * knows nothing. Prints what is wrong. */
 
+#define _GNU_SOURCE
 #include <fenv.h>
 #include <math.h>
 #include <stdio.h>
@@ -120,10 +121,28 @@ static void state(void)
     check(fetestexcept(FE_ALL_EXCEPT) == FE_DIVBYZERO, "the state after NaN", 2, 3);
     chasles_plucker_line_batch(1, p, 3, q, 3, kappa, 6);
     check(fetestexcept(FE_ALL_EXCEPT) == (FE_DIVBYZERO | FE_INVALID), "the state after a singular item", 1, 3);
+    /* The same where the result takes the place of the NaN that came in. */
+    double both[48], moment = NAN;
+    for (int i = 0; i < 48; i++) {
+        both[i] = number(i);
+    }
+    memcpy(both + 15, &moment, sizeof moment);
+    feclearexcept(FE_ALL_EXCEPT);
+    chasles_plucker_line_batch(8, both, 6, both + 3, 6, both, 6);
+    check(fetestexcept(FE_ALL_EXCEPT) == 0, "the state after NaN in place", 8, 6);
     fesetround(FE_UPWARD);
     chasles_plucker_line_batch(1, p, 3, q, 3, kappa, 6);
     check(fegetround() == FE_UPWARD, "the rounding mode", 1, 3);
     fesetround(FE_TONEAREST);
+#ifdef __GLIBC__
+    /* A trap that the caller has set does not spring at what goes on inside a batch. */
+    const double far[3] = {1e300, 2e300, 3e300};
+    feclearexcept(FE_ALL_EXCEPT);
+    feenableexcept(FE_OVERFLOW | FE_UNDERFLOW);
+    chasles_plucker_line_batch(1, p, 3, far, 3, kappa, 6);
+    check(fegetexcept() == (FE_OVERFLOW | FE_UNDERFLOW), "what traps there are", 1, 3);
+    fedisableexcept(FE_ALL_EXCEPT);
+#endif
 }
 
 int main(int argc, char **argv)
