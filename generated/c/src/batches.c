@@ -355,6 +355,13 @@ static void advance(Run *run, Way way, ptrdiff_t items, char *store)
     }
 }
 
+static void step_back(Run *run, ptrdiff_t items)
+{
+    for (int k = 0; k < run->loop->operands; k++) {
+        run->rest.at[k] -= items * run->rest.steps[k];
+    }
+}
+
 void chasles_run(
     const chasles_loop *loop, int level, ptrdiff_t count, char *const *at, const ptrdiff_t *steps, const ptrdiff_t *core)
 {
@@ -371,13 +378,26 @@ void chasles_run(
     run.singular = 0;
     memcpy(run.rest.at, at, (size_t)loop->operands * sizeof *at);
     memcpy(run.rest.steps, steps, (size_t)loop->operands * sizeof *steps);
-    const int dense = find_strides(loop, core, strides);
-    const int lies_well = count >= run.lanes && dense && !overlaps(loop, count, at, steps, strides);
-    const Way whole = !lies_well ? GATHERED : is_streamed(loop, count, steps) ? STREAMED : IN_PLACE;
+    const int lies_well = find_strides(loop, core, strides) && !overlaps(loop, count, at, steps, strides);
+    if (lies_well && count == 1) {
+        /* An item alone is computed in all lanes. */
+        memset(run.rest.steps, 0, sizeof run.rest.steps);
+        count = run.lanes;
+    }
+    Way whole = GATHERED;
+    if (lies_well && count >= run.lanes) {
+        whole = is_streamed(loop, count, run.rest.steps) ? STREAMED : IN_PLACE;
+    }
     const ptrdiff_t room = room_of(loop, run.lanes);
     const State state = quiet();
     for (ptrdiff_t left = count, items = 0; left > 0; left -= items) {
-        const Way way = left >= run.lanes ? whole : GATHERED;
+        Way way = whole;
+        if (left < run.lanes && whole != GATHERED) {
+            /* The last group begins among items that are computed already, to the same results. */
+            step_back(&run, run.lanes - left);
+            left = run.lanes;
+            way = IN_PLACE;
+        }
         const ptrdiff_t most = way == IN_PLACE ? CHASLES_BLOCK : room;
         items = left > most ? most : way == GATHERED ? left : left - left % run.lanes;
         advance(&run, way, items, (char *)store);

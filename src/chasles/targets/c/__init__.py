@@ -5,8 +5,8 @@ registers, each of which holds one number of several items, as the block of a ba
 of instructions (a level) and one of the results is taken when the program runs; nothing is to be linked.
 
 - `batches.c` knows no kernel and no instructions. It cuts a batch into blocks of 64 items. What a block cannot load as
-  it lies (core axes with gaps, fewer items than a register has lanes, outputs over inputs) it copies to a small store
-  and back, so that a block has one path and an item's result never depends on where the item lies.
+  it lies (core axes with gaps, a few items, outputs over inputs) it copies to a small store and back, so that a block
+  has one path and an item's result never depends on where the item lies.
 - A block (`blocks.py`) loads the items of a register's lanes and transposes them between registers, since items are
   arrays of structures and memory is the bottleneck; it computes, transposes and stores. Before that it finds the sines
   and cosines of all 64 items (`turns.py`), in a loop of their own.
