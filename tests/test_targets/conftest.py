@@ -170,6 +170,18 @@ def long_sum():
     return line.program(total=total)
 
 
+def nested_turns():
+    """Several angles, sines of what sines and arctangents give, an input that nothing reads, NaN by choice."""
+    line = Line("nested_turns", angles=(3,), idle=(2,))
+    a, _ = line.inputs()
+    s, c = line.step(Op.SINE, a[0] * Fraction(1, 2)), line.step(Op.COSINE, a[1] - a[0])
+    late = line.step(Op.COSINE, s + a[2])
+    w = line.step(Op.SINE, line.step(Op.ARCTANGENT2, s, c))
+    none = line.step(Op.EQUAL, a[0], 0)
+    chosen = line.step(Op.SELECT, none, line.add(Step(Op.NOT_A_NUMBER)), s)
+    return line.program(y=((2,), [late * w, c - late]), sine=chosen, half=Fraction(1, 2))
+
+
 PROGRAMS = {
     make.__name__: make()
     for make in (
@@ -182,6 +194,7 @@ PROGRAMS = {
         cross_product_matrix,
         swapped,
         long_sum,
+        nested_turns,
     )
 }
 SECTIONS = {"rotation_from_axis_angle": "s01_rotation", "screw_axis_point": "s02_screw", "plucker_line": "s02_screw"}

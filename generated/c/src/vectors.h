@@ -288,28 +288,28 @@ void CHASLES_LEVELED(chasles_directionsf)(floats *y, const floats *x);
 }
 #endif
 
-CHASLES_INLINE doubles sines(doubles x)
+CHASLES_INLINE doubles sine_of(doubles x)
 {
     doubles sine, cosine;
     CHASLES_LEVELED(chasles_turns)(1, &x, &sine, &cosine);
     return sine;
 }
 
-CHASLES_INLINE floats sinesf(floats x)
+CHASLES_INLINE floats sine_off(floats x)
 {
     floats sine, cosine;
     CHASLES_LEVELED(chasles_turnsf)(1, &x, &sine, &cosine);
     return sine;
 }
 
-CHASLES_INLINE doubles cosines(doubles x)
+CHASLES_INLINE doubles cosine_of(doubles x)
 {
     doubles sine, cosine;
     CHASLES_LEVELED(chasles_turns)(1, &x, &sine, &cosine);
     return cosine;
 }
 
-CHASLES_INLINE floats cosinesf(floats x)
+CHASLES_INLINE floats cosine_off(floats x)
 {
     floats sine, cosine;
     CHASLES_LEVELED(chasles_turnsf)(1, &x, &sine, &cosine);

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 
+from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import Op, Program
 from chasles.targets.c.functions import public_name
 from chasles.targets.c.registers import ON_REGISTERS, register, spread
@@ -60,7 +61,10 @@ def block(kernel: Kernel, precision: Precision) -> Block:
 
 def _on_registers(kernel: Kernel, precision: Precision) -> Iterator[str]:
     turns, inputs = cut(kernel.program), len(kernel.program.arguments)
+    read = {place for place, _ in _read(pruned(kernel.program))}
     for place in range(len(kernel.program.parameters)):
+        if place < inputs and place not in read:
+            continue
         yield f"char *const at{place} = at[{place}];"
         yield f"const ptrdiff_t step{place} = steps[{place}];"
     if turns.angles is not None:

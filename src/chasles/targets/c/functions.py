@@ -6,7 +6,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from chasles.lowering.program import Argument, Result
+from chasles.lowering.passes.prune import pruned
+from chasles.lowering.program import Argument, Op, Result
 from chasles.targets.c.language import DIALECTS, RESERVED
 from chasles.targets.constants import DOUBLE, SINGLE, Precision
 from chasles.targets.contract import contract, summary
@@ -53,7 +54,9 @@ def single(kernel: Kernel, precision: Precision) -> Function:
         comment = contract(kernel, given, returned)
     else:
         comment = summary(kernel, f"{public_name(kernel, DOUBLE)} in single precision.")
-    return Function(name, _comment(comment), _prototype(name, [*inputs, *outputs]), (*text.lines, *stores))
+    read = {step.argument for step in pruned(program).steps if step.op is Op.INPUT}
+    unread = [f"(void){word};" for place, word in enumerate(text.arguments) if place not in read]
+    return Function(name, _comment(comment), _prototype(name, [*inputs, *outputs]), (*unread, *text.lines, *stores))
 
 
 def batch(kernel: Kernel, precision: Precision) -> Function:

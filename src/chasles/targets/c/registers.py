@@ -14,11 +14,12 @@ __all__ = ["ON_REGISTERS", "register", "spread"]
 
 _USED = """
     LANES LANESF GROUPS GROUPSF LIST LISTF SHUFFLE LOWER UPPER LOWERF UPPERF EVENF ODDF
-    doubles floats truths truthsf double_2 double_4 float_4 pair groups at steps angles g i
+    doubles floats truths truthsf double_2 double_4 float_4 pair groups at steps angles sines cosines g i
 """
-_CALLED = (
-    "spread roots less equal choose row put_row sines cosines directions load_1 load_2 load_4 store_1 store_2 store_4"
-)
+_CALLED = """
+    spread roots less equal choose row put_row sine_of cosine_of directions
+    load_1 load_2 load_4 store_1 store_2 store_4
+"""
 _MOST_OPERANDS = 64
 _NUMBERED = {f"{stem}{place}" for stem in ("at", "step", "item") for place in range(_MOST_OPERANDS)}
 _RESERVED = RESERVED | {*_USED.split(), *_CALLED.split(), *(f"{word}f" for word in _CALLED.split())} | _NUMBERED
@@ -44,8 +45,8 @@ def _dialect(precision: Precision) -> Dialect:
     spell: Mapping[Op, Phrase] = {
         **ARITHMETIC,
         Op.SQUARE_ROOT: call(f"roots{suffix}"),
-        Op.SINE: call(f"sines{suffix}"),
-        Op.COSINE: call(f"cosines{suffix}"),
+        Op.SINE: call(f"sine_of{suffix}"),
+        Op.COSINE: call(f"cosine_of{suffix}"),
         Op.ARCTANGENT2: call(f"directions{suffix}", 2),
         Op.LESS: call(f"less{suffix}", 2),
         Op.EQUAL: call(f"equal{suffix}", 2),

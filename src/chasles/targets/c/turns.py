@@ -34,6 +34,7 @@ class Turns:
 
 def cut(program: Program) -> Turns:
     """The program in two parts that together compute the same."""
+    program = pruned(program)
     waits = _waits(program)
     early = [number for number, step in enumerate(program.steps) if step.op in _TURNS and not waits[step.operands[0]]]
     places = {angle: k for k, angle in enumerate(dict.fromkeys(program.steps[number].operands[0] for number in early))}
