@@ -1,0 +1,254 @@
+"""The sheet on which an exercise is solved: each step evaluates, tests or solves an equation of the book, exactly.
+
+Values are bound to the book's symbols. A step names a declaration; its right side, at the values known so far, gives
+the value of its left side. A claim is decided before it is used, and used as corrected where its print fails; what it
+assumes is tested at the values. Nothing is computed by a formula that the book does not declare.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
+from typing import Any
+
+import sympy as sp
+
+from chasles.exact.evaluate import NoValue, evaluate, matrix_of
+from chasles.exact.linear import Solutions, solve_linear
+from chasles.exact.numbers import is_zero, normal, sign
+from chasles.exact.picture import Picture
+from chasles.exact.solution import Check, Citation, Line, Step
+from chasles.exact.spelling import decimal_text, latex_of, text_of
+from chasles.proof.judge import Judge
+from chasles.statements import Claim, Hypothesis, Inverse, Statement, Theorem
+from chasles.statements.problem import default_form
+from chasles.statements.statement import bare
+from chasles.vocabulary import Identity, Node, Number, Zero, latex, plain, replace
+
+__all__ = ["HypothesisFails", "Refuted", "Sheet", "equal"]
+
+Sentence = Statement | Theorem | Inverse
+
+
+class HypothesisFails(ValueError):
+    """A step uses a declaration at values that do not satisfy what it assumes: the exercise left out a case."""
+
+
+class Refuted(AssertionError):
+    """An answer, substituted back, does not satisfy what was asked: a defect of the exercise."""
+
+
+@cache
+def _judge() -> Judge:
+    return Judge()
+
+
+def equal(one: Any, other: Any) -> bool:
+    """Whether two numbers or matrices are equal, exactly."""
+    left, right = _matrix(one), _matrix(other)
+    return bool(left.shape == right.shape and all(is_zero(x - y) for x, y in zip(left, right, strict=True)))
+
+
+class Sheet:
+    """What is known, step by step. `sheet["a"]` is a datum; `sheet.values` are the values of the book's symbols."""
+
+    def __init__(self, data: Mapping[str, Any]) -> None:
+        self.data = data
+        self.values: dict[Node, Any] = {}
+        self.steps: list[Step] = []
+        self.checks: list[Check] = []
+        self.answers: dict[str, Any] = {}
+        self.picture: Picture | None = None
+
+    def __getitem__(self, key: str) -> Any:
+        return self.data[key]
+
+    def value(self, node: Node, at: Mapping[Node, Any] | None = None) -> Any:
+        """The value of an expression: a number for a scalar, else a matrix."""
+        return _plain_scalar(evaluate(node, {**self.values, **(at or {})}))
+
+    def given(self, values: Mapping[Node, Any], says: str = "What is given.") -> None:
+        """Bind symbols to data, or to what follows from data at once."""
+        self.values |= values
+        self.steps.append(Step(says, (), tuple(_equation(node, value) for node, value in values.items())))
+
+    def compute(
+        self,
+        statement: Statement,
+        says: str = "",
+        *,
+        at: Mapping[Node, Any] | None = None,
+        moved: Mapping[Node, Node] | None = None,
+    ) -> Any:
+        """Evaluate the right side of a statement; its left side, if it is a symbol, is known from then on.
+
+        `at` are values for this step alone; `moved` says the statement of other symbols. Raises HypothesisFails.
+        """
+        left, right = self._sides(statement, moved)
+        self._require(statement.assuming, at)
+        value = self.value(right, at)
+        if not at:
+            self.values[bare(left)] = value
+        line = _chain([plain(left), plain(right)], [latex(left), latex(right)], value)
+        self.steps.append(Step(says or statement.says, (self.cite(statement),), (line,)))
+        return value
+
+    def holds(self, statement: Statement, says: str = "", *, at: Mapping[Node, Any] | None = None) -> bool:
+        """Whether a statement is true of the values; a step that shows the value of each side."""
+        left, right = self._sides(statement, None)
+        values = self.value(left, at), self.value(right, at)
+        same = equal(*values)
+        lines = _sides_compared(left, right, values, same)
+        self.steps.append(Step(says or statement.says, (self.cite(statement),), lines))
+        return same
+
+    def solve(self, statements: Statement | Sequence[Statement], unknown: Node, says: str = "") -> Solutions:
+        """All values of one vector or scalar that satisfy equations linear in it; bound if there is exactly one."""
+        rules = (statements,) if isinstance(statements, Statement) else tuple(statements)
+        letters = sp.symbols(f"x:{unknown.shape[0]}", real=True)
+        at = {unknown: sp.ImmutableMatrix(letters)}
+        equations: list[Any] = []
+        for left, right in (self._sides(rule, None) for rule in rules):
+            equations += list(_matrix(self.value(left, at)) - _matrix(self.value(right, at)))
+        matrix, right_side = sp.linear_eq_to_matrix([normal(e) for e in equations], letters)
+        found = solve_linear(matrix, right_side)
+        if found.unique:
+            self.values[unknown] = _plain_scalar(found.one)
+        lines = [Line(f"{plain(one)} = {plain(two)}", f"{latex(one)} = {latex(two)}")
+                 for one, two in (self._sides(rule, None) for rule in rules)]  # fmt: skip
+        lines.append(_solved(unknown, found))
+        self.steps.append(Step(says or rules[0].says, tuple(map(self.cite, rules)), tuple(lines)))
+        return found
+
+    def invert(self, inverse: Inverse, says: str = "") -> bool:
+        """Bind the arguments of the formula that is inverted, by its first branch that applies.
+
+        An angle becomes known by its cosine and sine. Signs are chosen as the inverse says: the first entry of what
+        shares a sign that is not zero is positive. False, with nothing bound, where no branch applies.
+        """
+        for branch in inverse.branches:
+            if is_zero(self.value(branch.where)) or not self._true(branch.assuming):
+                continue
+            found = {node: self.value(value) for node, value in branch.values}
+            turn = self._turn(inverse.sign, found)
+            found = {node: turn * value if node in inverse.sign else value for node, value in found.items()}
+            self.values |= found
+            lines = tuple(_chain([plain(node), *([plain(value)] if turn == 1 or node not in inverse.sign else [])],
+                                 [latex(node), *([latex(value)] if turn == 1 or node not in inverse.sign else [])],
+                                 found[node]) for node, value in branch.values)  # fmt: skip
+            self.steps.append(Step(says or inverse.says, (self.cite(inverse),), lines))
+            return True
+        return False
+
+    def step(self, says: str, *lines: tuple[Node | str, Any], cites: Iterable[Sentence] = (), **values: Any) -> None:
+        """A step of its own: each line an expression of the book, or a name, with its value."""
+        written = tuple(_equation(node, value) for node, value in (*lines, *values.items()))
+        self.steps.append(Step(says, tuple(map(self.cite, cites)), written))
+
+    def show(self, node: Node, says: str, *, named: str = "", at: Mapping[Node, Any] | None = None,
+             cites: Iterable[Sentence] = ()) -> Any:  # fmt: skip
+        """Evaluate an expression written in the book's words, as a step; its value."""
+        value = self.value(node, at)
+        name = [named] if named else []
+        line = _chain([*name, plain(node)], [*name, latex(node)], value)
+        self.steps.append(Step(says, tuple(map(self.cite, cites)), (line,)))
+        return value
+
+    def check(self, what: Statement | tuple[Any, Any], says: str, *, at: Mapping[Node, Any] | None = None,
+              cites: Iterable[Sentence] = ()) -> None:  # fmt: skip
+        """Substitute back: the two sides of a statement, two expressions, or two values are equal; raises Refuted."""
+        cited = (what, *cites) if isinstance(what, Statement) else tuple(cites)
+        sides = self._sides(what, None) if isinstance(what, Statement) else what
+        values = tuple(self.value(side, at) if isinstance(side, Node) else _plain_scalar(_matrix(side))
+                       for side in sides)  # fmt: skip
+        if not equal(*values):
+            raise Refuted(f"{says}: {text_of(values[0])} is not {text_of(values[1])}")
+        lines: tuple[Line, ...] = ()
+        if all(isinstance(side, Node) for side in sides):
+            one, two = sides
+            lines = (Line(f"{plain(one)} = {plain(two)} = {text_of(values[1])}",
+                          f"{latex(one)} = {latex(two)} = {latex_of(values[1])}"),)  # fmt: skip
+        self.checks.append(Check(says, lines, tuple(map(self.cite, cited))))
+
+    def answer(self, **answers: Any) -> None:
+        """The answers, by the names of the interface."""
+        self.answers |= answers
+
+    def cite(self, sentence: Sentence) -> Citation:
+        """The sentence's number, and what is decided of it."""
+        decision = _judge().decide(sentence)
+        form = self._form(sentence) if isinstance(sentence, Statement) else "printed"
+        verdict = decision.correction.verdict if decision.correction and form != "printed" else decision.verdict
+        return Citation(sentence.number, sentence.part, verdict.name, tuple(getattr(verdict, "needs", ())), form)
+
+    def _form(self, statement: Statement) -> str:
+        return _judge().standing(statement) if isinstance(statement, Claim) else default_form(statement)
+
+    def _sides(self, statement: Statement, moved: Mapping[Node, Node] | None) -> tuple[Node, Node]:
+        left, right = statement.form(self._form(statement))
+        return (replace(left, moved), replace(right, moved)) if moved else (left, right)
+
+    def _require(self, assuming: Iterable[Hypothesis], at: Mapping[Node, Any] | None = None) -> None:
+        for hypothesis in assuming:
+            if not self._true((hypothesis,), at):
+                raise HypothesisFails(f"{hypothesis.text} does not hold for these data")
+
+    def _true(self, assuming: Iterable[Hypothesis], at: Mapping[Node, Any] | None = None) -> bool:
+        """Whether the hypotheses hold of the values; what is not known yet cannot contradict one."""
+        for hypothesis in assuming:
+            try:
+                if not all(equal(self.value(a, at), self.value(b, at)) for a, b in hypothesis.equations):
+                    return False
+                sizes = [self.value(node, at) for node in hypothesis.nonvanishing]
+            except NoValue:
+                continue
+            if any(map(is_zero, sizes)) or (hypothesis.kind == "positive" and sign(sizes[0]) < 0):
+                return False
+        return True
+
+    def _turn(self, nodes: Sequence[Node], found: Mapping[Node, Any]) -> int:
+        entries = [entry for node in nodes for entry in _matrix(found[node])]
+        return next((turn for turn in map(sign, entries) if turn), 1)
+
+
+def _matrix(value: Any) -> Any:
+    return sp.ImmutableMatrix(value) if hasattr(value, "shape") else matrix_of([[value]])
+
+
+def _plain_scalar(value: Any) -> Any:
+    return value[0, 0] if value.shape == (1, 1) else value
+
+
+def _written(name: Node | str) -> tuple[str, str]:
+    return (plain(name), latex(name)) if isinstance(name, Node) else (name, rf"\text{{{name}}}")
+
+
+def _equation(name: Node | str, value: Any) -> Line:
+    text, in_latex = _written(name)
+    return _chain([text], [in_latex], value)
+
+
+def _chain(texts: list[str], formulas: list[str], value: Any) -> Line:
+    return Line(" = ".join([*texts, text_of(value)]), " = ".join([*formulas, latex_of(value)]), decimal_text(value))
+
+
+def _sides_compared(left: Node, right: Node, values: tuple[Any, Any], same: bool) -> tuple[Line, ...]:
+    if isinstance(right, Number | Zero | Identity):
+        asked = "as it must be" if same else f"and must be {text_of(values[1])}"
+        line = _equation(left, values[0])
+        return (Line(f"{line.text}, {asked}", rf"{line.latex} \text{{, {asked}}}", line.decimals),)
+    verdict = Line("the two are equal", r"\text{the two are equal}") if same else Line(
+        "the two differ", r"\text{the two differ}")  # fmt: skip
+    return _equation(left, values[0]), _equation(right, values[1]), verdict
+
+
+def _solved(unknown: Node, found: Solutions) -> Line:
+    if not found.exist:
+        return Line("no solution", r"\text{no solution}")
+    if found.unique:
+        return _equation(unknown, _plain_scalar(found.one))
+    ways = " + ".join(f"s_{k} {text_of(way)}" for k, way in enumerate(found.directions, 1))
+    signs = " + ".join(f"s_{k} {latex_of(way)}" for k, way in enumerate(found.directions, 1))
+    return Line(
+        f"{plain(unknown)} = {text_of(found.one)} + {ways}", f"{latex(unknown)} = {latex_of(found.one)} + {signs}"
+    )
