@@ -170,8 +170,14 @@ def _spelled(tower: Tower, x: Surd) -> Any:
     if isinstance(x, Fraction):
         return sp.Rational(x.numerator, x.denominator)
     level, a, b = x
-    inside = sp.sqrt(_spelled(tower, tower.radicands[level - 1]))
-    return _spelled(tower, a) + sp.expand_mul(_spelled(tower, b) * inside)
+    radicand = tower.radicands[level - 1]
+    inside = sp.sqrt(_spelled(tower, radicand))
+    if isinstance(radicand, Fraction):
+        return _spelled(tower, a) + sp.expand_mul(_spelled(tower, b) * inside)
+    above, below = _spelled(tower, b), _spelled(tower, tower.multiply(b, radicand))
+    # Whichever is shorter: b sqrt(r), or b r / sqrt(r).
+    shorter = above * inside if len(str(above)) <= len(str(below)) else below / inside
+    return _spelled(tower, a) + shorter
 
 
 def _is_surd(expression: Any) -> bool:
@@ -185,16 +191,17 @@ def _is_surd(expression: Any) -> bool:
 def _with_atoms(expression: Any) -> Any:
     """A quotient of polynomials in what is no surd, with surds in normal form as coefficients."""
     atoms = sorted(_atoms(expression), key=sp.default_sort_key)
-    plain = {atom: sp.Dummy(f"x{place}") for place, atom in enumerate(atoms)}
-    above, below = sp.fraction(sp.together(expression.xreplace(plain)))
-    above, below = (_polynomial(side, list(plain.values())) for side in (above, below))
+    symbols = [sp.Dummy(f"x{place}") for place in range(len(atoms))]
+    written = expression.xreplace(dict(zip(atoms, symbols, strict=True)))
+    above, below = (_polynomial(side, symbols) for side in sp.fraction(sp.together(written)))
     if above == 0:
         return sp.Integer(0)
-    if below.is_Symbol or below.free_symbols:
+    constant, powers = below.as_independent(*symbols, as_Add=False)
+    if powers.is_Add or constant.is_Add:
         above, below = sp.fraction(sp.cancel(above / below))
-    else:
-        above, below = _polynomial(above / below, list(plain.values())), sp.Integer(1)
-    return (above / below).xreplace({dummy: atom for atom, dummy in plain.items()})
+        constant, powers = below.as_independent(*symbols, as_Add=False)
+    quotient = _polynomial(above / constant, symbols) / powers
+    return quotient.xreplace(dict(zip(symbols, atoms, strict=True)))
 
 
 def _polynomial(expression: Any, symbols: list[Any]) -> Any:

@@ -68,9 +68,10 @@ class Sheet:
         return _plain_scalar(evaluate(node, {**self.values, **(at or {})}))
 
     def given(self, values: Mapping[Node, Any], says: str = "What is given.") -> None:
-        """Bind symbols to data, or to what follows from data at once."""
-        self.values |= values
-        self.steps.append(Step(says, (), tuple(_equation(node, value) for node, value in values.items())))
+        """Bind symbols to data, to what follows from data at once, or to expressions in the book's words."""
+        known = {node: self.value(value) if isinstance(value, Node) else value for node, value in values.items()}
+        self.values |= known
+        self.steps.append(Step(says, (), tuple(_equation(node, value) for node, value in known.items())))
 
     def compute(
         self,
@@ -101,6 +102,10 @@ class Sheet:
         lines = _sides_compared(left, right, values, same)
         self.steps.append(Step(says or statement.says, (self.cite(statement),), lines))
         return same
+
+    def satisfied(self, hypothesis: Hypothesis) -> bool:
+        """Whether the values satisfy a named hypothesis; no step."""
+        return self._true((hypothesis,))
 
     def solve(self, statements: Statement | Sequence[Statement], unknown: Node, says: str = "") -> Solutions:
         """All values of one vector or scalar that satisfy equations linear in it; bound if there is exactly one."""
@@ -163,11 +168,7 @@ class Sheet:
                        for side in sides)  # fmt: skip
         if not equal(*values):
             raise Refuted(f"{says}: {text_of(values[0])} is not {text_of(values[1])}")
-        lines: tuple[Line, ...] = ()
-        if all(isinstance(side, Node) for side in sides):
-            one, two = sides
-            lines = (Line(f"{plain(one)} = {plain(two)} = {text_of(values[1])}",
-                          f"{latex(one)} = {latex(two)} = {latex_of(values[1])}"),)  # fmt: skip
+        lines = (_confirmed(*sides, values[1]),) if all(isinstance(side, Node) for side in sides) else ()
         self.checks.append(Check(says, lines, tuple(map(self.cite, cited))))
 
     def answer(self, **answers: Any) -> None:
@@ -240,6 +241,12 @@ def _sides_compared(left: Node, right: Node, values: tuple[Any, Any], same: bool
     verdict = Line("the two are equal", r"\text{the two are equal}") if same else Line(
         "the two differ", r"\text{the two differ}")  # fmt: skip
     return _equation(left, values[0]), _equation(right, values[1]), verdict
+
+
+def _confirmed(left: Node, right: Node, value: Any) -> Line:
+    if isinstance(right, Number | Zero | Identity):
+        return Line(f"{plain(left)} = {text_of(value)}", f"{latex(left)} = {latex_of(value)}")
+    return _chain([plain(left), plain(right)], [latex(left), latex(right)], value)
 
 
 def _solved(unknown: Node, found: Solutions) -> Line:

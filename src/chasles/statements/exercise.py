@@ -29,7 +29,7 @@ class Array:
 
 @dataclass(frozen=True, slots=True)
 class Word:
-    """One of some words, in either case of letters."""
+    """One of some words; given in either case of letters, known as spelled here."""
 
     among: tuple[str, ...]
 
