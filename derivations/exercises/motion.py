@@ -17,7 +17,7 @@ from chasles.derivations.s04_twist import natural_invariants
 from chasles.exact.numbers import angle
 from chasles.exact.sheet import Sheet, equal
 from chasles.statements import rotation
-from chasles.vocabulary import cos, det, sin, tr
+from chasles.vocabulary import cos, det, number, sin
 
 __all__ = ["NO_AXIS", "find_screw", "is_a_rotation"]
 
@@ -38,7 +38,7 @@ def find_screw(sheet: Sheet) -> str:
     sheet.compute(displacement_of_landmark, "The displacement of the landmark.")
     if not sheet.invert(natural_invariants, "The axis and the angle of the rotation."):
         sheet.step("Q is the identity: all points have this displacement, and there is no axis.", ("Q", sheet.value(Q)))
-        sheet.answer(phi=sheet.value(tr(Q)) - 3, **NO_AXIS)
+        sheet.answer(phi=sheet.value(number(0)), **NO_AXIS)
         return "pure-translation"
     turned = angle(sheet.value(cos(phi)), sheet.value(sin(phi)))
     sheet.given({phi: turned}, "The angle with that cosine and sine, between 0 and pi.")

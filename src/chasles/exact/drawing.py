@@ -61,7 +61,8 @@ class _Drawing:
                     self.axes.plot(*zip(_at(start), _at(end), strict=True), **style, **name)
             case Line(point, direction, label):
                 ends = _clipped(_at(point), _at(direction), self.low, self.high)
-                self.axes.plot(*zip(*ends, strict=True), color=self._colour(), linewidth=2, label=label or None)
+                style = {"color": self._colour(), "linewidth": 2, "label": label} if label else {"color": GREY}
+                self.axes.plot(*zip(*ends, strict=True), **style)
             case Arrow(start, vector, label):
                 self.axes.quiver(*_at(start), *_at(vector), color=self._colour(), linewidth=1.8,
                                  arrow_length_ratio=0.12, label=label or None)  # fmt: skip

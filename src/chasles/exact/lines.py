@@ -8,7 +8,7 @@ from chasles.exact.evaluate import matrix_of
 from chasles.exact.linear import Solutions
 from chasles.exact.numbers import is_zero, normal, root, sign
 
-__all__ = ["meets_plane", "unit_vectors_of"]
+__all__ = ["direction_of", "meets_plane", "normal_to", "unit_vectors_of"]
 
 
 def unit_vectors_of(found: Solutions) -> tuple[Any, ...] | None:
@@ -37,6 +37,26 @@ def meets_plane(point: Any, direction: Any, axis: int) -> Any:
     if is_zero(direction[axis]):
         return "contained" if is_zero(point[axis]) else "parallel"
     return matrix_of(point - direction * normal(point[axis] / direction[axis]))
+
+
+def direction_of(*vectors: Any) -> Any:
+    """The first of the vectors that is not zero, divided by its length; None if all are zero."""
+    for vector in vectors:
+        length = root(_dot(vector, vector))
+        if not is_zero(length):
+            return matrix_of(vector / length)
+    return None
+
+
+def normal_to(vector: Any) -> Any:
+    """A unit vector at right angles to the vector, which is not zero; its first entry that is not zero is positive."""
+    for axis in range(3):
+        unit = matrix_of([[int(k == axis)] for k in range(3)])
+        found = direction_of(vector.cross(unit))
+        if found is not None:
+            first = next(entry for entry in found if not is_zero(entry))
+            return matrix_of(found * sign(first))
+    raise ValueError("the zero vector has no normal")
 
 
 def _dot(one: Any, other: Any) -> Any:

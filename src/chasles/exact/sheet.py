@@ -173,7 +173,7 @@ class Sheet:
 
     def answer(self, **answers: Any) -> None:
         """The answers, by the names of the interface."""
-        self.answers |= answers
+        self.answers |= {name: _normal(value) for name, value in answers.items()}
 
     def cite(self, sentence: Sentence) -> Citation:
         """The sentence's number, and what is decided of it."""
@@ -214,6 +214,21 @@ class Sheet:
 
 def _matrix(value: Any) -> Any:
     return sp.ImmutableMatrix(value) if hasattr(value, "shape") else matrix_of([[value]])
+
+
+def _normal(value: Any) -> Any:
+    """A value with its numbers in normal form."""
+    match value:
+        case list() | tuple():
+            return [_normal(part) for part in value]
+        case dict():
+            return {key: _normal(part) for key, part in value.items()}
+        case sp.MatrixBase():
+            return matrix_of(value)
+        case sp.Expr():
+            return normal(value)
+        case _:
+            return value
 
 
 def _plain_scalar(value: Any) -> Any:
