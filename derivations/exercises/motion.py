@@ -1,6 +1,6 @@
 """The screw of a motion, as exercises ask for it: from the rotation and one point before and after."""
 
-from chasles.derivations.notation import Q, a, a_, d_A, e, p_0, p_1, phi
+from chasles.derivations.notation import Q, e, p_0, p_1, phi
 from chasles.derivations.s02_screw import (
     axial_displacement,
     displacement_of_landmark,
@@ -34,7 +34,7 @@ def is_a_rotation(sheet: Sheet) -> bool:
 
 
 def find_screw(sheet: Sheet) -> str:
-    """"screw" or "pure-translation"; Q, a and a_ are known, and a Q that is a rotation is given."""
+    """The status; Q, which is a rotation, a and a_ are known."""
     sheet.compute(displacement_of_landmark, "The displacement of the landmark.")
     if not sheet.invert(natural_invariants, "The axis and the angle of the rotation."):
         sheet.step("Q is the identity: all points have this displacement, and there is no axis.", ("Q", sheet.value(Q)))

@@ -10,6 +10,7 @@ from chasles.derivations.s02_screw import (
 )
 
 from chasles.exact.data import DataError
+from chasles.exact.evaluate import Value
 from chasles.exact.lines import meets_plane
 from chasles.exact.numbers import is_zero
 from chasles.exact.picture import Arrow, Body, Line, Picture, Point
@@ -47,15 +48,15 @@ def solve(sheet: Sheet) -> str:
         hits = {name: meets_plane(sheet.answers["p0"], sheet.answers["e"], k) for name, k in places}
         sheet.step("(c) Along the axis from P_0, until a coordinate vanishes.", *hits.items())
     sheet.answer(hits=hits)
-    labels = tuple(Point(corners[name], name + mark) for corners, mark in ((before, ""), (after, "'")) for name in CORNERS)
     bodies = (Body(edges_of(before), "before", faded=True), Body(edges_of(after), "after"))
-    sheet.picture = Picture(
-        "The cube before and after, and its screw axis", (*bodies, *axis, Arrow(before["A"], sheet.value(d_A), "d_A"), *labels)
-    )
+    corners = ((before, ""), (after, "'"))
+    labels = tuple(Point(places[name], name + mark) for places, mark in corners for name in CORNERS)
+    arrow = Arrow(before["A"], sheet.value(d_A), "d_A")
+    sheet.picture = Picture("The cube before and after, and its screw axis", (*bodies, *axis, arrow, *labels))
     return status
 
 
-def edges_of(corners: dict[str, object]) -> tuple[tuple[object, object], ...]:
+def edges_of(corners: dict[str, Value]) -> tuple[tuple[Value, Value], ...]:
     """The twelve edges of the parallelepiped."""
     corner = corners["A"]
     ways = [corners[name] - corner for name in CORNERS[1:]]
@@ -91,9 +92,9 @@ exercise = Exercise(
         ),
     ),
     statuses=("screw", "pure-translation", "not-a-rotation"),
-    stand_ins={
-        key: "The book gives the positions only in a figure; a unit cube at the origin, A' = (2, 0, 0), stands in."
-        for key in ("before", "after")
-    },
+    stand_ins=dict.fromkeys(
+        ("before", "after"),
+        "The book gives the positions only in a figure; a unit cube at the origin, A' = (2, 0, 0), stands in.",
+    ),
     solve=solve,
 )

@@ -14,6 +14,7 @@ from chasles.derivations.s07_statics import (
 )
 
 from chasles.exact.data import DataError
+from chasles.exact.evaluate import Value
 from chasles.exact.numbers import sign
 from chasles.exact.picture import Arrow, Body, Line, Picture, Point
 from chasles.exact.sheet import Sheet, equal
@@ -45,7 +46,7 @@ def solve(sheet: Sheet) -> str:
     least = sheet.compute(least_moment_vector, "The moment of least magnitude.")
     pitch = sheet.compute(pitch_of_wrench)
     place = sheet.show(norm(p_0__), f"Its distance from {near}.", named="distance")
-    sheet.step(f"Back in the given coordinates, {near} added.", ("P", nearest + here), cites=(least_moment_on_one_line,))
+    sheet.step(f"In the given coordinates, {near} added.", ("P", nearest + here), cites=(least_moment_on_one_line,))
     sheet.check((moment_P, n_0), "The moment about P is the least one.")
     sheet.check(wrench_point_is_on_axis, "It is parallel to the force.")
     sheet.check(wrench_point_is_nearest, f"P is the foot of the perpendicular from {near}.")
@@ -55,8 +56,8 @@ def solve(sheet: Sheet) -> str:
 
 
 def add(
-    sheet: Sheet, points: dict[str, object], here: object, one: tuple[str, str, object], sums: tuple[object, object]
-) -> tuple[object, object]:
+    sheet: Sheet, points: dict[str, Value], here: Value, one: tuple[str, str, Value], sums: tuple[Value, Value]
+) -> tuple[Value, Value]:
     """One force, and its moment about the point that is asked about, added to the sums."""
     start, end, size = one
     way = points[end] - points[start]
@@ -71,7 +72,7 @@ def add(
     return sums[0] + vector_of_force, sums[1] + moment
 
 
-def picture(sheet: Sheet, total: object, place: object) -> Picture:
+def picture(sheet: Sheet, total: Value, place: Value) -> Picture:
     """The tetrahedron with the forces and the axis of the wrench."""
     points = sheet["points"]
     edges = tuple((points[one], points[two]) for k, one in enumerate(NAMES) for two in NAMES[k + 1 :])
@@ -80,7 +81,8 @@ def picture(sheet: Sheet, total: object, place: object) -> Picture:
         for k, (start, end, _) in enumerate(sheet["forces"], 1)
     )
     marks = (*(Point(points[name], name) for name in NAMES), Point(place, "P"))
-    return Picture("The forces and the axis of their wrench", (Body(edges), Line(place, total, "axis"), *forces, *marks))
+    axis = Line(place, total, "axis")
+    return Picture("The forces and the axis of their wrench", (Body(edges), axis, *forces, *marks))
 
 
 exercise = Exercise(

@@ -3,13 +3,29 @@
 from chasles.derivations.notation import p
 
 from chasles.exact.data import DataError
+from chasles.exact.evaluate import Value
 from chasles.exact.numbers import is_zero, sign
 from chasles.exact.picture import Curve, Line, Picture, Point
 from chasles.exact.quadrics import PARAMETER, kind_of, signature_of, transversal
 from chasles.exact.sheet import Sheet
 from chasles.statements import Claim, Definition
 from chasles.statements.exercise import Datum, Exercise, ListOf, Tuple, vector_shape
-from chasles.vocabulary import LENGTH, Node, cross, det, dot, inverse, matrix, number, over, paren, row, scalar, square, vector
+from chasles.vocabulary import (
+    LENGTH,
+    Node,
+    cross,
+    det,
+    dot,
+    inverse,
+    matrix,
+    number,
+    over,
+    paren,
+    row,
+    scalar,
+    square,
+    vector,
+)
 
 p1, p2, p3 = (vector(f"p_{k}", f"p_{k}", f"position of a point of line {k}", LENGTH) for k in (1, 2, 3))
 e1, e2, e3 = (vector(f"e_{k}", f"e_{k}", f"direction of line {k}, of any length") for k in (1, 2, 3))
@@ -67,10 +83,10 @@ determinant_of_quadric = Claim(
 
 def solve(sheet: Sheet) -> str:
     """The three claims hold for all lines; then numbers."""
-    for k, (point, way, a, e) in enumerate(zip((p1, p2, p3), (e1, e2, e3), *zip(*sheet["lines"], strict=True), strict=True)):
+    for k, (point, way, (a, e)) in enumerate(zip((p1, p2, p3), (e1, e2, e3), sheet["lines"], strict=True), 1):
         if not any(e):
-            raise DataError(f"lines[{k + 1}], direction: expected a vector other than zero")
-        sheet.given({point: a, way: e}, f"Line {k + 1}.")
+            raise DataError(f"lines[{k}], direction: expected a vector other than zero")
+        sheet.given({point: a, way: e}, f"Line {k}.")
     sheet.step(locus_is_a_quadric.says, cites=(locus_is_a_quadric,))
     for part in (*moments, quadratic_part, linear_part, constant_part, *mutual_moments):
         sheet.compute(part)
@@ -78,7 +94,7 @@ def solve(sheet: Sheet) -> str:
     det_M = sheet.compute(determinant_of_M)
     det_M4 = sheet.compute(determinant_of_quadric)
     kind, signature = kind_of(sheet.value(whole)), signature_of(sheet.value(M))
-    sheet.step("The kind of the surface follows from the ranks.", ("kind", kind), ("signs of the eigenvalues", signature))
+    sheet.step("The ranks tell the kind of the surface.", ("kind", kind), ("signs of the eigenvalues", signature))
     centre, f_centre = None, None
     surface = locus_is_a_quadric.right
     if not is_zero(det_M):
@@ -103,19 +119,20 @@ def solve(sheet: Sheet) -> str:
     sheet.check((sheet.value(det(whole)), det_M4), "The determinant of the 4 x 4 matrix, directly.")
     mu = {f"mu{k}": sheet.value(m) for k, m in ((12, mu_12), (23, mu_23), (31, mu_31))}
     sheet.answer(M=sheet.value(M), g=sheet.value(g), h=sheet.value(h), det_M=det_M, det_M4=det_M4, triple=turn, **mu)
-    sheet.answer(signature_M=[zero + s for s in signature], kind=kind, centre=centre, f_centre=f_centre, wording=wording)
+    sheet.answer(signature_M=[zero + s for s in signature], kind=kind, centre=centre, f_centre=f_centre)
+    sheet.answer(wording=wording)
     sheet.picture = picture(sheet["lines"])
     return "degenerate" if is_zero(det_M4) else "quadric"
 
 
-def picture(lines: list[tuple[object, object]]) -> Picture:
+def picture(lines: list[tuple[Value, Value]]) -> Picture:
     """The three lines, and some that meet them all."""
     drawn = [Curve((a - 2 * e, a + 2 * e), f"line {k}") for k, (a, e) in enumerate(lines, 1)]
     (a, e), *others = lines
-    starts = [a + over_4 * e / 4 for over_4 in range(-8, 9)]
-    ways = [(start, transversal(start, others)) for start in starts]
-    swept = [Line(start, way) for start, way in ways if any(way)]
-    return Picture("Lines that meet three lines", (*swept, *drawn, *(Point(a, f"P{k}") for k, (a, _) in enumerate(lines, 1))))
+    starts = [a + quarter * e / 4 for quarter in range(-8, 9)]
+    swept = [Line(start, way) for start in starts if any(way := transversal(start, others))]
+    marks = [Point(a, f"P{k}") for k, (a, _) in enumerate(lines, 1)]
+    return Picture("Lines that meet three lines", (*swept, *drawn, *marks))
 
 
 exercise = Exercise(

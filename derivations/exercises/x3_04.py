@@ -4,40 +4,52 @@ from chasles.derivations.notation import Q, e, one, phi, q, q_0
 from chasles.derivations.s02_screw import rotation_from_axis_angle
 from chasles.derivations.s04_twist import natural_invariants, rotation_from_linear_invariants
 
+from chasles.exact.evaluate import Value
 from chasles.exact.lines import direction_of, normal_to
 from chasles.exact.numbers import angle, is_zero
 from chasles.exact.picture import Arrow, Picture
 from chasles.exact.sheet import Sheet, equal
 from chasles.statements import Claim, Condition, rotation
 from chasles.statements.exercise import Datum, Exercise, vector_shape
-from chasles.vocabulary import PI, FORCE, MOMENT, cos, cross, dot, inverse, norm, row, sin, vector
+from chasles.vocabulary import FORCE, MOMENT, PI, cos, cross, dot, inverse, row, sin, vector
 
 n_1, n_2 = (vector(f"n_{k}", f"n_{k}", f"moment in frame {k}", MOMENT) for k in (1, 2))
 f_1, f_2 = (vector(f"f_{k}", f"f_{k}", f"force in frame {k}", FORCE) for k in (1, 2))
-INVARIANTS = {"n.n": (dot(n_1, n_1), dot(n_2, n_2)), "f.f": (dot(f_1, f_1), dot(f_2, f_2)), "n.f": (dot(n_1, f_1), dot(n_2, f_2))}
+INVARIANTS = {
+    "n.n": (dot(n_1, n_1), dot(n_2, n_2)),
+    "f.f": (dot(f_1, f_1), dot(f_2, f_2)),
+    "n.f": (dot(n_1, f_1), dot(n_2, f_2)),
+}
 
 moment_is_turned = Condition("Ex 3.4", n_1, Q @ n_2, says="Both frames measure one moment.", on=(n_1,))
 force_is_turned = Condition("Ex 3.4", f_1, Q @ f_2, part=2, says="Both frames measure one force.", on=(f_1,))
-_given = {"given": (moment_is_turned, force_is_turned), "assuming": (rotation(Q),)}
 
-moment_has_its_length = Claim("Ex 3.4", *INVARIANTS["n.n"], part=3, says="A rotation keeps the moment's length.", **_given)
-force_has_its_length = Claim("Ex 3.4", *INVARIANTS["f.f"], part=4, says="A rotation keeps the force's length.", **_given)
-projection_is_kept = Claim("Ex 3.4", *INVARIANTS["n.f"], part=5, says="A rotation keeps n . f.", **_given)
+invariance = {
+    name: Claim(
+        "Ex 3.4",
+        *sides,
+        part=part,
+        says=f"A rotation keeps {name}.",
+        given=(moment_is_turned, force_is_turned),
+        assuming=(rotation(Q),),
+    )
+    for part, (name, sides) in enumerate(INVARIANTS.items(), 3)
+}
 three_vectors_are_turned = Claim(
     "Ex 3.4",
     row(n_1, f_1, cross(n_1, f_1)),
     Q @ row(n_2, f_2, cross(n_2, f_2)),
     part=6,
     says="A rotation turns n, f and n x f alike.",
-    **_given,
+    given=(moment_is_turned, force_is_turned),
+    assuming=(rotation(Q),),
 )
 
 
 def solve(sheet: Sheet) -> str:
     """Three invariants decide whether there is a rotation; three vectors give it where it is the only one."""
     sheet.given({n_1: sheet["n1"], f_1: sheet["f1"], n_2: sheet["n2"], f_2: sheet["f2"]}, "The two measurements.")
-    claims = (moment_has_its_length, force_has_its_length, projection_is_kept)
-    violated = [name for name, claim in zip(INVARIANTS, claims, strict=True) if not sheet.holds(claim)]
+    violated = [name for name, claim in invariance.items() if not sheet.holds(claim)]
     for k in (0, 1):
         sheet.answer(**{f"invariants_{k + 1}": [sheet.value(pair[k]) for pair in INVARIANTS.values()]})
     sheet.answer(compatible=not violated, violated=violated)
@@ -57,20 +69,20 @@ def solve(sheet: Sheet) -> str:
         sheet.check(rotation_from_axis_angle, "Axis and angle give R back.")
     sheet.answer(unique=unique, R=sheet.value(Q), phi=turned, e=axis)
     origin = sheet["n1"] * 0
-    arrows = (("n in frame 1", "n1"), ("f in frame 1", "f1"), ("n in frame 2", "n2"), ("f in frame 2", "f2"))
-    sheet.picture = Picture("The components in both frames", tuple(Arrow(origin, sheet[k], label) for label, k in arrows))
+    arrows = tuple(Arrow(origin, sheet[key], f"{key[0]} in frame {key[1]}") for key in ("n1", "f1", "n2", "f2"))
+    sheet.picture = Picture("The components in both frames", arrows)
     return "compatible"
 
 
-def only_rotation(sheet: Sheet) -> object:
+def only_rotation(sheet: Sheet) -> Value:
     """From three independent vectors in both frames."""
     before, after = row(n_2, f_2, cross(n_2, f_2)), row(n_1, f_1, cross(n_1, f_1))
     says = "n, f and n x f are independent: they determine R."
     return sheet.show(after @ inverse(before), says, named="R", cites=(three_vectors_are_turned,))
 
 
-def some_rotation(sheet: Sheet) -> object:
-    """n and f are along one line, or vanish: R may be followed by any rotation about that line."""
+def some_rotation(sheet: Sheet) -> Value:
+    """N and f are along one line, or vanish: R may be followed by any rotation about that line."""
     after, before = (direction_of(sheet[f"n{k}"], sheet[f"f{k}"]) for k in (1, 2))
     if after is None:
         sheet.step("Both vectors vanish: every rotation will do, the identity as well as any.")
@@ -80,8 +92,9 @@ def some_rotation(sheet: Sheet) -> object:
     if equal(after, -before):
         turn = {e: normal_to(after), phi: sheet.value(PI)}
         return sheet.compute(rotation_from_axis_angle, "A half-turn about a normal to the line.", at=turn)
-    product, cosine = sheet.value(cross(n_2, n_1), {n_2: before, n_1: after}), sheet.value(dot(n_2, n_1), {n_2: before, n_1: after})
-    return sheet.compute(rotation_from_linear_invariants, "About their vector product.", at={q: product, q_0: cosine})
+    at = {n_2: before, n_1: after}
+    turn = {q: sheet.value(cross(n_2, n_1), at), q_0: sheet.value(dot(n_2, n_1), at)}
+    return sheet.compute(rotation_from_linear_invariants, "About their vector product.", at=turn)
 
 
 exercise = Exercise(

@@ -56,7 +56,7 @@ exercise = Exercise(
         Datum("c", vector_shape(), [0, 1, 0], "position of C'"),
     ),
     statuses=("screw", "pure-translation", "not-a-rotation"),
-    stand_ins={key: DERIVED for key in ("i", "j", "k")}
+    stand_ins=dict.fromkeys(("i", "j", "k"), DERIVED)
     | {"c": "The book shows C' only in a figure; (0, 1, 0) stands in."},
     solve=solve,
 )

@@ -11,6 +11,7 @@ from chasles.derivations.s02_screw import (
     plucker_array_moved,
 )
 
+from chasles.exact.evaluate import Value
 from chasles.exact.lines import unit_vectors_of
 from chasles.exact.picture import Arrow, Line, Picture, Point
 from chasles.exact.sheet import Sheet
@@ -50,7 +51,7 @@ def solve(sheet: Sheet) -> str:
     return "compatible"
 
 
-def line(sheet: Sheet, direction: object) -> tuple[object, object]:
+def line(sheet: Sheet, direction: Value) -> tuple[Value, Value]:
     """The point nearest the origin and the moment about the origin, substituted back into both measurements."""
     sheet.values[e] = direction
     array = sheet.compute(plucker_array_moved, "(c) The moment moved from A to the origin.", at={b: sheet["a"] * 0})

@@ -70,10 +70,10 @@ def _read(shape: Shape, raw: Any, where: str) -> Any:
             listed = _items(raw, where, f"{rows} rows of {columns} numbers", rows)
             return matrix_of([list(_read(Array(columns), row, f"{where}[{i}]")) for i, row in enumerate(listed, 1)])
         case Word(among):
-            named = {word.lower(): word for word in among}
-            if not isinstance(raw, str) or raw.lower() not in named:
+            words = {word.lower(): word for word in among}
+            if not isinstance(raw, str) or raw.lower() not in words:
                 raise DataError(f"{where}: expected one of {', '.join(among)}, and got {_shown(raw)}")
-            return named[raw.lower()]
+            return words[raw.lower()]
         case ListOf(of, least, most):
             entries = _items(raw, where, "a list")
             if len(entries) < least or (most is not None and len(entries) > most):

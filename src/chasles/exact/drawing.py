@@ -35,18 +35,24 @@ class _Drawing:
     """The items on one pair of axes."""
 
     def __init__(self, axes: Any, picture: Picture) -> None:
+        from matplotlib.patheffects import withStroke
+
         self.axes = axes
         self.picture = picture
         self.taken = 0
+        self._halo = [withStroke(linewidth=2.5, foreground="white")]
         self.low, self.high = _box(picture)
 
     def draw(self) -> None:
+        from matplotlib.ticker import MaxNLocator
+
         self.axes.set_title(self.picture.title, fontsize=11, wrap=True)
         for item in self.picture.items:
             self._item(item)
         for axis, name, low, high in zip("xyz", self.picture.axes, self.low, self.high, strict=True):
             getattr(self.axes, f"set_{axis}label")(name)
             getattr(self.axes, f"set_{axis}lim")(low, high)
+            getattr(self.axes, f"{axis}axis").set_major_locator(MaxNLocator(5))
         self.axes.set_aspect("equal")
         self.axes.view_init(elev=22, azim=35)
         if any(item.label for item in self.picture.items if not isinstance(item, Point)):
@@ -68,7 +74,7 @@ class _Drawing:
                                  arrow_length_ratio=0.12, label=label or None)  # fmt: skip
             case Point(at, label):
                 self.axes.scatter(*([c] for c in _at(at)), color=BLACK, s=18, depthshade=False)
-                self.axes.text(*_at(at), f"  {label}", fontsize=9)
+                self.axes.text(*_at(at), f" {label}", fontsize=10, path_effects=self._halo, va="bottom", zorder=9)
             case Curve(points, label):
                 self.axes.plot(*zip(*map(_at, points), strict=True), color=self._colour(), label=label or None)
 
@@ -99,9 +105,9 @@ def _points(picture: Picture) -> list[tuple[float, ...]]:
 
 
 def _box(picture: Picture) -> tuple[list[float], list[float]]:
-    """The corners of a cube around everything, a sixth wider."""
+    """The corners of a cube around everything, a third wider."""
     columns = list(zip(*_points(picture), strict=True))
-    half = max(max(column) - min(column) for column in columns) * 7 / 12 or 1.0
+    half = max(max(column) - min(column) for column in columns) * 2 / 3 or 1.0
     middles = [(max(column) + min(column)) / 2 for column in columns]
     return [m - half for m in middles], [m + half for m in middles]
 

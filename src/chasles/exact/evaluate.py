@@ -45,7 +45,10 @@ from chasles.vocabulary import (
     plain,
 )
 
-__all__ = ["DividesByZero", "NoValue", "column_of", "evaluate", "matrix_of"]
+__all__ = ["DividesByZero", "NoValue", "Value", "column_of", "evaluate", "matrix_of"]
+
+Value = Any
+"""A number or a matrix as SymPy, which has no types, holds it."""
 
 
 class NoValue(LookupError):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 import sympy as sp
@@ -61,4 +62,4 @@ def transversal(point: Any, lines: list[tuple[Any, Any]]) -> Any:
 
 def _changes(signs: list[int]) -> int:
     kept = [s for s in signs if s]
-    return sum(one != other for one, other in zip(kept, kept[1:], strict=False))
+    return sum(one != other for one, other in pairwise(kept))

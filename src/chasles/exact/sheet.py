@@ -63,11 +63,11 @@ class Sheet:
     def __getitem__(self, key: str) -> Any:
         return self.data[key]
 
-    def value(self, node: Node, at: Mapping[Node, Any] | None = None) -> Any:
+    def value(self, node: Node, at: Mapping[Any, Any] | None = None) -> Any:
         """The value of an expression: a number for a scalar, else a matrix."""
         return _plain_scalar(evaluate(node, {**self.values, **(at or {})}))
 
-    def given(self, values: Mapping[Node, Any], says: str = "What is given.") -> None:
+    def given(self, values: Mapping[Any, Any], says: str = "What is given.") -> None:
         """Bind symbols to data, to what follows from data at once, or to expressions in the book's words."""
         known = {node: self.value(value) if isinstance(value, Node) else value for node, value in values.items()}
         self.values |= known
@@ -78,8 +78,8 @@ class Sheet:
         statement: Statement,
         says: str = "",
         *,
-        at: Mapping[Node, Any] | None = None,
-        moved: Mapping[Node, Node] | None = None,
+        at: Mapping[Any, Any] | None = None,
+        moved: Mapping[Any, Node] | None = None,
     ) -> Any:
         """Evaluate the right side of a statement; its left side, if it is a symbol, is known from then on.
 
@@ -94,7 +94,7 @@ class Sheet:
         self.steps.append(Step(says or statement.says, (self.cite(statement),), (line,)))
         return value
 
-    def holds(self, statement: Statement, says: str = "", *, at: Mapping[Node, Any] | None = None) -> bool:
+    def holds(self, statement: Statement, says: str = "", *, at: Mapping[Any, Any] | None = None) -> bool:
         """Whether a statement is true of the values; a step that shows the value of each side."""
         left, right = self._sides(statement, None)
         values = self.value(left, at), self.value(right, at)
@@ -150,7 +150,7 @@ class Sheet:
         written = tuple(_equation(node, value) for node, value in (*lines, *values.items()))
         self.steps.append(Step(says, tuple(map(self.cite, cites)), written))
 
-    def show(self, node: Node, says: str, *, named: str = "", at: Mapping[Node, Any] | None = None,
+    def show(self, node: Node, says: str, *, named: str = "", at: Mapping[Any, Any] | None = None,
              cites: Iterable[Sentence] = ()) -> Any:  # fmt: skip
         """Evaluate an expression written in the book's words, as a step; its value."""
         value = self.value(node, at)
@@ -159,7 +159,7 @@ class Sheet:
         self.steps.append(Step(says, tuple(map(self.cite, cites)), (line,)))
         return value
 
-    def check(self, what: Statement | tuple[Any, Any], says: str, *, at: Mapping[Node, Any] | None = None,
+    def check(self, what: Statement | tuple[Any, Any], says: str, *, at: Mapping[Any, Any] | None = None,
               cites: Iterable[Sentence] = ()) -> None:  # fmt: skip
         """Substitute back: the two sides of a statement, two expressions, or two values are equal; raises Refuted."""
         cited = (what, *cites) if isinstance(what, Statement) else tuple(cites)
@@ -168,7 +168,8 @@ class Sheet:
                        for side in sides)  # fmt: skip
         if not equal(*values):
             raise Refuted(f"{says}: {text_of(values[0])} is not {text_of(values[1])}")
-        lines = (_confirmed(*sides, values[1]),) if all(isinstance(side, Node) for side in sides) else ()
+        left, right = sides
+        lines = (_confirmed(left, right, values[1]),) if isinstance(left, Node) and isinstance(right, Node) else ()
         self.checks.append(Check(says, lines, tuple(map(self.cite, cited))))
 
     def answer(self, **answers: Any) -> None:
@@ -185,16 +186,16 @@ class Sheet:
     def _form(self, statement: Statement) -> str:
         return _judge().standing(statement) if isinstance(statement, Claim) else default_form(statement)
 
-    def _sides(self, statement: Statement, moved: Mapping[Node, Node] | None) -> tuple[Node, Node]:
+    def _sides(self, statement: Statement, moved: Mapping[Any, Node] | None) -> tuple[Node, Node]:
         left, right = statement.form(self._form(statement))
         return (replace(left, moved), replace(right, moved)) if moved else (left, right)
 
-    def _require(self, assuming: Iterable[Hypothesis], at: Mapping[Node, Any] | None = None) -> None:
+    def _require(self, assuming: Iterable[Hypothesis], at: Mapping[Any, Any] | None = None) -> None:
         for hypothesis in assuming:
             if not self._true((hypothesis,), at):
                 raise HypothesisFails(f"{hypothesis.text} does not hold for these data")
 
-    def _true(self, assuming: Iterable[Hypothesis], at: Mapping[Node, Any] | None = None) -> bool:
+    def _true(self, assuming: Iterable[Hypothesis], at: Mapping[Any, Any] | None = None) -> bool:
         """Whether the hypotheses hold of the values; what is not known yet cannot contradict one."""
         for hypothesis in assuming:
             try:
@@ -207,7 +208,7 @@ class Sheet:
                 return False
         return True
 
-    def _turn(self, nodes: Sequence[Node], found: Mapping[Node, Any]) -> int:
+    def _turn(self, nodes: Sequence[Node], found: Mapping[Any, Any]) -> int:
         entries = [entry for node in nodes for entry in _matrix(found[node])]
         return next((turn for turn in map(sign, entries) if turn), 1)
 
