@@ -14,7 +14,7 @@ from chasles.derivations.s02_screw import (
 from chasles.exact.evaluate import Value
 from chasles.exact.lines import unit_vectors_of
 from chasles.exact.picture import Arrow, Line, Picture, Point
-from chasles.exact.sheet import Sheet
+from chasles.exact.sheet import Sheet, equal
 from chasles.statements import Condition
 from chasles.statements.exercise import Datum, Exercise, vector_shape
 from chasles.vocabulary import dot, norm, number
@@ -31,7 +31,7 @@ def solve(sheet: Sheet) -> str:
         return refused(sheet, "moments_share_a_component")
     found = sheet.solve((moments_about_two_points, moment_is_normal_to_direction), e, "(a) Linear equations for e.")
     if not found.exist:
-        return refused(sheet, "moment_is_normal")
+        return refused(sheet, "moments_about_two_points" if equal(sheet["a"], sheet["b"]) else "moment_is_normal")
     candidates = unit_vectors_of(found)
     if candidates is None:
         return undetermined(sheet)

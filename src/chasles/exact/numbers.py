@@ -1,4 +1,4 @@
-"""Exact real numbers as SymPy spells them: one form for a number, its sign, and whether it is zero.
+"""Exact real numbers as SymPy spells them: their normal form, their sign, and whether they are zero.
 
 Numbers made of rational numbers by square roots, however nested, are brought into the normal form of their tower, where
 zero is told by its form. Of others, zero is told by the minimal polynomial; where even that does not exist, a number is

@@ -46,7 +46,6 @@ def kind_of(whole: Any) -> str:
         (4, 2): "hyperbolic paraboloid",
         (2, 2): "two intersecting planes",
         (2, 1): "two parallel planes",
-        (2, 0): "one plane",
         (1, 1): "one plane, counted twice",
         (1, 0): "no point",
         (0, 0): "all of space",
