@@ -20,6 +20,7 @@ from chasles.exact.picture import Picture
 from chasles.exact.solution import Check, Citation, Line, Step
 from chasles.exact.spelling import decimal_text, latex_of, text_of
 from chasles.proof.judge import Judge
+from chasles.proof.verdict import Fails
 from chasles.statements import Claim, Hypothesis, Inverse, Statement, Theorem
 from chasles.statements.problem import default_form
 from chasles.statements.statement import bare
@@ -150,6 +151,29 @@ class Sheet:
         written = tuple(_equation(node, value) for node, value in (*lines, *values.items()))
         self.steps.append(Step(says, tuple(map(self.cite, cites)), written))
 
+    def state(self, sentence: Statement | Theorem, says: str = "") -> None:
+        """A sentence of the book, or of the exercise, as a step without numbers: it is decided, for all values."""
+        if isinstance(sentence, Theorem):
+            said = [equation for form in sentence.forms for equation in form.equations()]
+        else:
+            said = [("", *self._sides(sentence, None))]
+        lines = tuple(_stated(*equation) for equation in said)
+        self.steps.append(Step(says or sentence.says, (self.cite(sentence),), lines))
+
+    def refute(self, claim: Claim, says: str) -> None:
+        """A claim that does not hold, with the counterexample that was found; raises Refuted if none was."""
+        verdict = _judge().decide(claim).verdict
+        if not isinstance(verdict, Fails):
+            raise Refuted(f"({claim.number}) part {claim.part} does not fail: {verdict.name}")
+        found = verdict.counterexample
+        point = ", ".join(f"{name} = {value}" for name, value in found.at.items() if value)
+        lines = (
+            _stated("", claim.left, claim.right),
+            _note(f"not so at {point}, all else zero: entry {found.entry[0]} is {found.left}, and {found.right}"),
+        )
+        citation = Citation(claim.number, claim.part, verdict.name)
+        self.steps.append(Step(f"{claim.says} {says}", (citation,), lines))
+
     def show(self, node: Node, says: str, *, named: str = "", at: Mapping[Any, Any] | None = None,
              cites: Iterable[Sentence] = ()) -> Any:  # fmt: skip
         """Evaluate an expression written in the book's words, as a step; its value."""
@@ -257,6 +281,15 @@ def _sides_compared(left: Node, right: Node, values: tuple[Any, Any], same: bool
     verdict = Line("the two are equal", r"\text{the two are equal}") if same else Line(
         "the two differ", r"\text{the two differ}")  # fmt: skip
     return _equation(left, values[0]), _equation(right, values[1]), verdict
+
+
+def _stated(label: str, left: Node, right: Node) -> Line:
+    text, in_latex = f"{plain(left)} = {plain(right)}", f"{latex(left)} = {latex(right)}"
+    return Line(f"{label}: {text}", rf"\text{{{label}: }} {in_latex}") if label else Line(text, in_latex)
+
+
+def _note(text: str) -> Line:
+    return Line(text, rf"\text{{{text.replace('_', chr(92) + '_')}}}")
 
 
 def _confirmed(left: Node, right: Node, value: Any) -> Line:
