@@ -87,7 +87,7 @@ def test_signs(text: str, expected: int) -> None:
 
 def test_what_nothing_decides_is_not_guessed() -> None:
     with pytest.raises(NotDecided, match="nothing decides whether"):
-        is_zero(sp.sin(1) ** 2 + sp.cos(1) ** 2 - 1)
+        is_zero(sp.acos(sp.Rational(1, 3)) + sp.asin(sp.Rational(1, 3)) - sp.pi / 2)
 
 
 def test_the_root_of_a_negative_number_is_refused() -> None:
@@ -113,6 +113,23 @@ def test_free_symbols_are_carried_along() -> None:
     assert is_zero((a + h * sp.sqrt(2)) * (a - sp.sqrt(8) * h / 2) - a**2 + 2 * h**2)
     assert normal((a**2 - h**2) / (a - h)) == a + h
     assert not is_zero(a - h)
+
+
+@pytest.mark.parametrize(
+    ("text", "zero"),
+    [
+        ("sin(1)^2 + cos(1)^2 - 1", True),
+        ("sin(1)^2 - cos(1)^2 - 1", False),
+        ("cos(3/10) - cos(1/10)*cos(1/5) + sin(1/10)*sin(1/5)", True),
+        ("cos(3/10) - cos(1/10)*cos(1/5) - sin(1/10)*sin(1/5)", False),
+        ("sin(2/3)*sqrt(2) - sqrt(8)*sin(1/3)*cos(1/3)", True),
+        ("cos(pi/7)*sin(1)^2 + cos(pi/7)*cos(1)^2 - cos(pi/7)", True),
+        ("(tan(1/2)^2 + 1)*cos(1/2)^2 - 1", True),
+        ("cos(1) - 54030230586813971740/10^20", False),
+    ],
+)
+def test_cosines_of_rational_angles(text: str, zero: bool) -> None:
+    assert is_zero(read_number(text)) is zero
 
 
 def test_fractions_are_exact() -> None:

@@ -39,7 +39,7 @@ def test_nothing_is_turned_by_zero() -> None:
 
 @pytest.mark.parametrize("factors", [-1, 65, "1/2", "pi", 1.5, "three"])
 def test_a_malformed_number_of_factors(factors: object) -> None:
-    with pytest.raises(DataError, match="^factors: "):
+    with pytest.raises(DataError, match=r"^factors: "):
         solve("3.8", factors=factors)
 
 
@@ -74,5 +74,5 @@ def test_letters_need_both_values() -> None:
 def test_small_rotations() -> None:
     solution = solve("3.9")
     assert solution.as_data()["answers"] == {"vector": "phi*e", "order": "2"}
-    with pytest.raises(DataError, match="exercise 3.9 has no datum 'phi'; it takes none"):
+    with pytest.raises(DataError, match=r"exercise 3\.9 has no datum 'phi'; it takes none"):
         solve("3.9", phi=1)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from chasles.exact.numbers import normal
-from chasles.exact.picture import Arrow, Body, Curve, Line, Picture, Point
+from chasles.exact.picture import Arrow, Body, Curve, Graph, Line, Picture, Point
 
 __all__ = ["drawn"]
 
@@ -26,9 +26,24 @@ def drawn(picture: Picture) -> Any:
         raise ImportError("pictures are drawn by matplotlib: pip install 'chasles[plots]'") from error
     figure = Figure(figsize=(6, 6), layout="constrained")
     FigureCanvasAgg(figure)
+    graphs = [item for item in picture.items if isinstance(item, Graph)]
+    if graphs:
+        _draw_graph(figure.add_subplot(), picture.title, graphs[0])
+        return figure
     axes = figure.add_subplot(projection="3d")
     _Drawing(axes, picture).draw()
     return figure
+
+
+def _draw_graph(axes: Any, title: str, graph: Graph) -> None:
+    styles = ("-", "--", ":", "-.")
+    for place, (label, points) in enumerate(graph.curves):
+        axes.plot(*zip(*map(_at, points), strict=True), styles[place % 4], color=COLOURS[place % 4], label=label)
+    axes.set_title(title, fontsize=11, wrap=True)
+    axes.set_xlabel(graph.unit)
+    axes.set_ylim(0, graph.most)
+    axes.grid(color="#DDDDDD")
+    axes.legend(fontsize=9)
 
 
 class _Drawing:
@@ -55,7 +70,7 @@ class _Drawing:
             getattr(self.axes, f"{axis}axis").set_major_locator(MaxNLocator(5))
         self.axes.set_aspect("equal")
         self.axes.view_init(elev=22, azim=35)
-        if any(item.label for item in self.picture.items if not isinstance(item, Point)):
+        if any(item.label for item in self.picture.items if not isinstance(item, Point | Graph)):
             self.axes.legend(loc="upper left", fontsize=8, framealpha=0.9)
 
     def _item(self, item: Any) -> None:

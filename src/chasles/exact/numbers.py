@@ -14,6 +14,7 @@ from typing import Any
 import mpmath
 import sympy as sp
 
+from chasles.exact.circular import C, S, in_one_angle, without_squares
 from chasles.exact.tower import NegativeRadicand, Surd, Tower
 
 __all__ = ["NotDecided", "angle", "compare", "decimals", "is_zero", "normal", "root", "sign"]
@@ -22,6 +23,14 @@ DIGITS = 30
 MOST_DIGITS = 500
 LARGEST_TURN = 1000
 """Denominators of multiples of pi that an angle is compared with."""
+
+
+_QUOTIENTS = {
+    sp.tan: lambda x: sp.sin(x) / sp.cos(x),
+    sp.cot: lambda x: sp.cos(x) / sp.sin(x),
+    sp.sec: lambda x: 1 / sp.cos(x),
+    sp.csc: lambda x: 1 / sp.sin(x),
+}
 
 
 class NotDecided(ArithmeticError):
@@ -61,6 +70,9 @@ def is_zero(value: Any) -> bool:
     if expression.is_algebraic:
         x = sp.Dummy("x")
         return bool(sp.minimal_polynomial(expression, x) == x)
+    written = in_one_angle(expression)
+    if written is not None and _vanishes(written):
+        return True
     if _bounded_away(expression):
         return False
     raise NotDecided(f"nothing decides whether {expression} is zero")
@@ -190,18 +202,35 @@ def _is_surd(expression: Any) -> bool:
 
 def _with_atoms(expression: Any) -> Any:
     """A quotient of polynomials in what is no surd, with surds in normal form as coefficients."""
+    for function, by_sine_and_cosine in _QUOTIENTS.items():
+        expression = expression.replace(function, by_sine_and_cosine)
     atoms = sorted(_atoms(expression), key=sp.default_sort_key)
     symbols = [sp.Dummy(f"x{place}") for place in range(len(atoms))]
-    written = expression.xreplace(dict(zip(atoms, symbols, strict=True)))
-    above, below = (_polynomial(side, symbols) for side in sp.fraction(sp.together(written)))
+    named = dict(zip(atoms, symbols, strict=True))
+    circles = [(named[sp.cos(atom.args[0])], named[atom]) for atom in atoms
+               if isinstance(atom, sp.sin) and sp.cos(atom.args[0]) in named]  # fmt: skip
+    sides = sp.fraction(sp.together(expression.xreplace(named)))
+    above, below = (_polynomial(_on_circles(side, circles), symbols) for side in sides)
     if above == 0:
         return sp.Integer(0)
     constant, powers = below.as_independent(*symbols, as_Add=False)
     if powers.is_Add or constant.is_Add:
         above, below = sp.fraction(sp.cancel(above / below))
         constant, powers = below.as_independent(*symbols, as_Add=False)
-    quotient = _polynomial(above / constant, symbols) / powers
+    quotient = _polynomial(_on_circles(above / constant, circles), symbols) / powers
     return quotient.xreplace(dict(zip(symbols, atoms, strict=True)))
+
+
+def _on_circles(polynomial: Any, circles: list[tuple[Any, Any]]) -> Any:
+    """The polynomial without squares of sines whose cosines occur as well."""
+    return reduce(lambda rest, pair: without_squares(rest, *pair), circles, polynomial)
+
+
+def _vanishes(expression: Any) -> bool:
+    """Whether an expression in the cosine and sine of one angle is zero, since these are on the unit circle."""
+    above = without_squares(sp.fraction(sp.together(expression))[0])
+    terms = sp.Poly(above, C, S, domain="EX").terms()
+    return all(is_zero(coefficient) for _, coefficient in terms)
 
 
 def _polynomial(expression: Any, symbols: list[Any]) -> Any:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-__all__ = ["Arrow", "Body", "Curve", "Line", "Picture", "Point"]
+__all__ = ["Arrow", "Body", "Curve", "Graph", "Line", "Picture", "Point"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,9 +52,18 @@ class Curve:
 
 
 @dataclass(frozen=True, slots=True)
+class Graph:
+    """Curves in a plane: each a label with its points; `unit` says what is along the first axis."""
+
+    unit: str
+    curves: tuple[tuple[str, tuple[tuple[Any, Any], ...]], ...]
+    most: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class Picture:
-    """What is drawn, with a title and the names of the axes."""
+    """What is drawn, with a title and the names of the axes; a graph stands alone."""
 
     title: str
-    items: tuple[Body | Line | Arrow | Point | Curve, ...]
+    items: tuple[Body | Line | Arrow | Point | Curve | Graph, ...]
     axes: tuple[str, str, str] = ("X", "Y", "Z")

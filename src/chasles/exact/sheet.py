@@ -14,21 +14,26 @@ from typing import Any
 import sympy as sp
 
 from chasles.exact.evaluate import NoValue, evaluate, matrix_of
+from chasles.exact.formulas import chain, compared, confirmed, equation, note, scalar_or_matrix, solved, stated
 from chasles.exact.linear import Solutions, solve_linear
 from chasles.exact.numbers import is_zero, normal, sign
 from chasles.exact.picture import Picture
 from chasles.exact.solution import Check, Citation, Line, Step
-from chasles.exact.spelling import decimal_text, latex_of, text_of
+from chasles.exact.spelling import text_of
 from chasles.proof.judge import Judge
+from chasles.proof.road import walk
 from chasles.proof.verdict import Fails
 from chasles.statements import Claim, Hypothesis, Inverse, Statement, Theorem
+from chasles.statements.derivation import Derivation
 from chasles.statements.problem import default_form
 from chasles.statements.statement import bare
-from chasles.vocabulary import Identity, Node, Number, Zero, latex, plain, replace
+from chasles.vocabulary import Node, latex, plain, replace
 
 __all__ = ["HypothesisFails", "Refuted", "Sheet", "equal"]
 
 Sentence = Statement | Theorem | Inverse
+MOST_SHOWN = 300
+"""Characters of an equation of a derivation that is shown on the sheet."""
 
 
 class HypothesisFails(ValueError):
@@ -66,13 +71,13 @@ class Sheet:
 
     def value(self, node: Node, at: Mapping[Any, Any] | None = None) -> Any:
         """The value of an expression: a number for a scalar, else a matrix."""
-        return _plain_scalar(evaluate(node, {**self.values, **(at or {})}))
+        return scalar_or_matrix(evaluate(node, {**self.values, **(at or {})}))
 
     def given(self, values: Mapping[Any, Any], says: str = "What is given.") -> None:
         """Bind symbols to data, to what follows from data at once, or to expressions in the book's words."""
         known = {node: self.value(value) if isinstance(value, Node) else value for node, value in values.items()}
         self.values |= known
-        self.steps.append(Step(says, (), tuple(_equation(node, value) for node, value in known.items())))
+        self.steps.append(Step(says, (), tuple(equation(node, value) for node, value in known.items())))
 
     def compute(
         self,
@@ -91,7 +96,7 @@ class Sheet:
         value = self.value(right, at)
         if not at:
             self.values[bare(left)] = value
-        line = _chain([plain(left), plain(right)], [latex(left), latex(right)], value)
+        line = chain([plain(left), plain(right)], [latex(left), latex(right)], value)
         self.steps.append(Step(says or statement.says, (self.cite(statement),), (line,)))
         return value
 
@@ -100,7 +105,7 @@ class Sheet:
         left, right = self._sides(statement, None)
         values = self.value(left, at), self.value(right, at)
         same = equal(*values)
-        lines = _sides_compared(left, right, values, same)
+        lines = compared(left, right, values, same)
         self.steps.append(Step(says or statement.says, (self.cite(statement),), lines))
         return same
 
@@ -119,10 +124,10 @@ class Sheet:
         matrix, right_side = sp.linear_eq_to_matrix([normal(e) for e in equations], letters)
         found = solve_linear(matrix, right_side)
         if found.unique:
-            self.values[unknown] = _plain_scalar(found.one)
+            self.values[unknown] = scalar_or_matrix(found.one)
         lines = [Line(f"{plain(one)} = {plain(two)}", f"{latex(one)} = {latex(two)}")
                  for one, two in (self._sides(rule, None) for rule in rules)]  # fmt: skip
-        lines.append(_solved(unknown, found))
+        lines.append(solved(unknown, found))
         self.steps.append(Step(says or rules[0].says, tuple(map(self.cite, rules)), tuple(lines)))
         return found
 
@@ -139,7 +144,7 @@ class Sheet:
             turn = self._turn(inverse.sign, found)
             found = {node: turn * value if node in inverse.sign else value for node, value in found.items()}
             self.values |= found
-            lines = tuple(_chain([plain(node), *([plain(value)] if turn == 1 or node not in inverse.sign else [])],
+            lines = tuple(chain([plain(node), *([plain(value)] if turn == 1 or node not in inverse.sign else [])],
                                  [latex(node), *([latex(value)] if turn == 1 or node not in inverse.sign else [])],
                                  found[node]) for node, value in branch.values)  # fmt: skip
             self.steps.append(Step(says or inverse.says, (self.cite(inverse),), lines))
@@ -148,7 +153,7 @@ class Sheet:
 
     def step(self, says: str, *lines: tuple[Node | str, Any], cites: Iterable[Sentence] = (), **values: Any) -> None:
         """A step of its own: each line an expression of the book, or a name, with its value."""
-        written = tuple(_equation(node, value) for node, value in (*lines, *values.items()))
+        written = tuple(equation(node, value) for node, value in (*lines, *values.items()))
         self.steps.append(Step(says, tuple(map(self.cite, cites)), written))
 
     def state(self, sentence: Statement | Theorem, says: str = "") -> None:
@@ -157,8 +162,22 @@ class Sheet:
             said = [equation for form in sentence.forms for equation in form.equations()]
         else:
             said = [("", *self._sides(sentence, None))]
-        lines = tuple(_stated(*equation) for equation in said)
+        lines = tuple(stated(*equation) for equation in said)
         self.steps.append(Step(says or sentence.says, (self.cite(sentence),), lines))
+
+    def walk(self, road: Derivation, says: str) -> dict[str, Node]:
+        """Walk a derivation of the book: each step is decided. What stands last for each left side, by its name.
+
+        Raises Refuted if the road does not arrive.
+        """
+        walked = walk(road, _judge())
+        if not walked.arrives:
+            raise Refuted(f"the road stops: {walked.passages[-1].reason}")
+        equations = [equation for passage in walked.passages for equation in passage.equations]
+        lines = [stated("", *equation) for equation in dict.fromkeys(equations)]
+        shown = tuple(line for line in lines if len(line.text) <= MOST_SHOWN)
+        self.steps.append(Step(f"{says} {road.says}", (), shown))
+        return {plain(left): right for left, right in equations}
 
     def refute(self, claim: Claim, says: str) -> None:
         """A claim that does not hold, with the counterexample that was found; raises Refuted if none was."""
@@ -168,8 +187,8 @@ class Sheet:
         found = verdict.counterexample
         point = ", ".join(f"{name} = {value}" for name, value in found.at.items() if value)
         lines = (
-            _stated("", claim.left, claim.right),
-            _note(f"not so at {point}, all else zero: entry {found.entry[0]} is {found.left}, and {found.right}"),
+            stated("", claim.left, claim.right),
+            note(f"not so at {point}, all else zero: entry {found.entry[0]} is {found.left}, and {found.right}"),
         )
         citation = Citation(claim.number, claim.part, verdict.name)
         self.steps.append(Step(f"{claim.says} {says}", (citation,), lines))
@@ -179,7 +198,7 @@ class Sheet:
         """Evaluate an expression written in the book's words, as a step; its value."""
         value = self.value(node, at)
         name = [named] if named else []
-        line = _chain([*name, plain(node)], [*name, latex(node)], value)
+        line = chain([*name, plain(node)], [*name, latex(node)], value)
         self.steps.append(Step(says, tuple(map(self.cite, cites)), (line,)))
         return value
 
@@ -188,12 +207,12 @@ class Sheet:
         """Substitute back: the two sides of a statement, two expressions, or two values are equal; raises Refuted."""
         cited = (what, *cites) if isinstance(what, Statement) else tuple(cites)
         sides = self._sides(what, None) if isinstance(what, Statement) else what
-        values = tuple(self.value(side, at) if isinstance(side, Node) else _plain_scalar(_matrix(side))
+        values = tuple(self.value(side, at) if isinstance(side, Node) else scalar_or_matrix(_matrix(side))
                        for side in sides)  # fmt: skip
         if not equal(*values):
             raise Refuted(f"{says}: {text_of(values[0])} is not {text_of(values[1])}")
         left, right = sides
-        lines = (_confirmed(left, right, values[1]),) if isinstance(left, Node) and isinstance(right, Node) else ()
+        lines = (confirmed(left, right, values[1]),) if isinstance(left, Node) and isinstance(right, Node) else ()
         self.checks.append(Check(says, lines, tuple(map(self.cite, cited))))
 
     def answer(self, **answers: Any) -> None:
@@ -254,57 +273,3 @@ def _normal(value: Any) -> Any:
             return normal(value)
         case _:
             return value
-
-
-def _plain_scalar(value: Any) -> Any:
-    return value[0, 0] if value.shape == (1, 1) else value
-
-
-def _written(name: Node | str) -> tuple[str, str]:
-    return (plain(name), latex(name)) if isinstance(name, Node) else (name, rf"\text{{{name}}}")
-
-
-def _equation(name: Node | str, value: Any) -> Line:
-    text, in_latex = _written(name)
-    return _chain([text], [in_latex], value)
-
-
-def _chain(texts: list[str], formulas: list[str], value: Any) -> Line:
-    return Line(" = ".join([*texts, text_of(value)]), " = ".join([*formulas, latex_of(value)]), decimal_text(value))
-
-
-def _sides_compared(left: Node, right: Node, values: tuple[Any, Any], same: bool) -> tuple[Line, ...]:
-    if isinstance(right, Number | Zero | Identity):
-        asked = "as it must be" if same else f"and must be {text_of(values[1])}"
-        line = _equation(left, values[0])
-        return (Line(f"{line.text}, {asked}", rf"{line.latex} \text{{, {asked}}}", line.decimals),)
-    verdict = Line("the two are equal", r"\text{the two are equal}") if same else Line(
-        "the two differ", r"\text{the two differ}")  # fmt: skip
-    return _equation(left, values[0]), _equation(right, values[1]), verdict
-
-
-def _stated(label: str, left: Node, right: Node) -> Line:
-    text, in_latex = f"{plain(left)} = {plain(right)}", f"{latex(left)} = {latex(right)}"
-    return Line(f"{label}: {text}", rf"\text{{{label}: }} {in_latex}") if label else Line(text, in_latex)
-
-
-def _note(text: str) -> Line:
-    return Line(text, rf"\text{{{text.replace('_', chr(92) + '_')}}}")
-
-
-def _confirmed(left: Node, right: Node, value: Any) -> Line:
-    if isinstance(right, Number | Zero | Identity):
-        return Line(f"{plain(left)} = {text_of(value)}", f"{latex(left)} = {latex_of(value)}")
-    return _chain([plain(left), plain(right)], [latex(left), latex(right)], value)
-
-
-def _solved(unknown: Node, found: Solutions) -> Line:
-    if not found.exist:
-        return Line("no solution", r"\text{no solution}")
-    if found.unique:
-        return _equation(unknown, _plain_scalar(found.one))
-    ways = " + ".join(f"s_{k} {text_of(way)}" for k, way in enumerate(found.directions, 1))
-    signs = " + ".join(f"s_{k} {latex_of(way)}" for k, way in enumerate(found.directions, 1))
-    return Line(
-        f"{plain(unknown)} = {text_of(found.one)} + {ways}", f"{latex(unknown)} = {latex_of(found.one)} + {signs}"
-    )
