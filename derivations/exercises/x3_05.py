@@ -56,16 +56,18 @@ other_points_are_farther = Claim(
 
 def solve(sheet: Sheet) -> str:
     """(a) and (b) are claims, decided; (c) evaluates them."""
-    pi = sheet["pi"]
+    pi, status = sheet["pi"], "line"
     sheet.given({e: pi[:3, :], n: pi[3:, :]}, "The Plücker coordinates: a direction and a moment about the origin.")
     length = sheet.holds(direction_is_unit, "Do they belong to a line? Its direction is to be a unit vector.")
     if not sheet.holds(moment_is_normal, "Its moment is to be normal to its direction.") or not any(pi[:3, :]):
         return "not-a-line"
     if not length:
-        return "not-normalised"
+        status, pi = "not-normalised", pi / sheet.value(norm(e))
+        normal = {e: pi[:3, :], n: pi[3:, :]}
+        sheet.given(normal, "They are a multiple of normalised coordinates, which are had by division by |e|.")
     point = sheet.compute(nearest_point, "(b) The two conditions on P* determine it.")
     sheet.step(
-        "(a) |p*| = |n|, and every other point of the line is farther away: the distance is that of P*.",
+        "(a) |p*| = |n|, and every other point of the line is farther away.",
         cites=(square_of_distance, other_points_are_farther),
     )
     distance = sheet.show(norm(n), "(c) The distance, in numbers.", named="d")
@@ -75,7 +77,7 @@ def solve(sheet: Sheet) -> str:
     sheet.answer(d=distance, p=point)
     items = (Line(point, pi[:3, :], "axis"), Point(point, "P*"), Point(point * 0, "origin"))
     sheet.picture = Picture("The axis and its point nearest the origin", items)
-    return "line"
+    return status
 
 
 exercise = Exercise(

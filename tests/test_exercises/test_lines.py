@@ -47,6 +47,11 @@ def test_what_is_no_normalised_line(pi: list, status: str) -> None:
     assert solve("3.5", pi=pi).status == status
 
 
+def test_a_multiple_of_coordinates_is_of_the_same_line() -> None:
+    answers = solve("3.5", pi=[3, 0, 4, 0, 10, 0]).answers
+    assert (plain(answers["d"]), plain(answers["p"])) == ("2", ["-8/5", "0", "6/5"])
+
+
 @pytest.mark.parametrize("seed", range(12))
 def test_a_known_line_from_two_moments(seed: int) -> None:
     draw = Random(seed)

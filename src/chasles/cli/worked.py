@@ -9,7 +9,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from chasles.exact.solution import Check, Line, Solution, Step
+from chasles.exact.solution import Check, Line, Solution, Step, cited
 from chasles.exact.spelling import decimal_text, text_of
 
 __all__ = ["worked_page"]
@@ -41,7 +41,7 @@ def _step(mark: str, step: Step | Check, signs: bool) -> RenderableType:
     grid.add_column(overflow="fold")
     said = Text(step.says)
     if step.cites:
-        said.append(f"  {'; '.join(citation.words for citation in step.cites)}", "dim cyan")
+        said.append(f"  {cited(step.cites)}", "dim cyan")
     grid.add_row(mark, said)
     for line in step.lines:
         grid.add_row("", _formula(line, signs))

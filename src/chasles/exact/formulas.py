@@ -6,7 +6,7 @@ from typing import Any
 
 from chasles.exact.linear import Solutions
 from chasles.exact.solution import Line
-from chasles.exact.spelling import decimal_text, latex_of, text_of
+from chasles.exact.spelling import decimal_text, latex_of, text_of, words_in_latex
 from chasles.vocabulary import Identity, Node, Number, Zero, latex, plain
 
 __all__ = ["chain", "compared", "confirmed", "equation", "note", "scalar_or_matrix", "solved", "stated"]
@@ -18,7 +18,7 @@ def scalar_or_matrix(value: Any) -> Any:
 
 
 def _written(name: Node | str) -> tuple[str, str]:
-    return (plain(name), latex(name)) if isinstance(name, Node) else (name, rf"\text{{{name}}}")
+    return (plain(name), latex(name)) if isinstance(name, Node) else (name, words_in_latex(name))
 
 
 def equation(name: Node | str, value: Any) -> Line:
@@ -37,21 +37,20 @@ def compared(left: Node, right: Node, values: tuple[Any, Any], same: bool) -> tu
     if isinstance(right, Number | Zero | Identity):
         asked = "as it must be" if same else f"and must be {text_of(values[1])}"
         line = equation(left, values[0])
-        return (Line(f"{line.text}, {asked}", rf"{line.latex} \text{{, {asked}}}", line.decimals),)
-    verdict = Line("the two are equal", r"\text{the two are equal}") if same else Line(
-        "the two differ", r"\text{the two differ}")  # fmt: skip
+        return (Line(f"{line.text}, {asked}", f"{line.latex} {words_in_latex(', ' + asked)}", line.decimals),)
+    verdict = note("the two are equal" if same else "the two differ")
     return equation(left, values[0]), equation(right, values[1]), verdict
 
 
 def stated(label: str, left: Node, right: Node) -> Line:
     """An equation without numbers."""
     text, in_latex = f"{plain(left)} = {plain(right)}", f"{latex(left)} = {latex(right)}"
-    return Line(f"{label}: {text}", rf"\text{{{label}: }} {in_latex}") if label else Line(text, in_latex)
+    return Line(f"{label}: {text}", f"{words_in_latex(label + ': ')} {in_latex}") if label else Line(text, in_latex)
 
 
 def note(text: str) -> Line:
     """A line of words."""
-    return Line(text, rf"\text{{{text.replace('_', chr(92) + '_')}}}")
+    return Line(text, words_in_latex(text))
 
 
 def confirmed(left: Node, right: Node, value: Any) -> Line:
@@ -64,7 +63,7 @@ def confirmed(left: Node, right: Node, value: Any) -> Line:
 def solved(unknown: Node, found: Solutions) -> Line:
     """All solutions of linear equations."""
     if not found.exist:
-        return Line("no solution", r"\text{no solution}")
+        return note("no solution")
     if found.unique:
         return equation(unknown, scalar_or_matrix(found.one))
     ways = " + ".join(f"s_{k} {text_of(way)}" for k, way in enumerate(found.directions, 1))

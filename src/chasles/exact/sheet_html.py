@@ -10,7 +10,7 @@ from itertools import count
 
 from latex2mathml.converter import convert
 
-from chasles.exact.solution import Check, Line, Solution, Step
+from chasles.exact.solution import Check, Line, Solution, Step, cited
 from chasles.exact.spelling import latex_of
 
 __all__ = ["as_html", "as_page"]
@@ -61,7 +61,7 @@ def _parts(solution: Solution) -> Iterator[str]:
 
 
 def _step(step: Step | Check) -> str:
-    cites = "; ".join(citation.words for citation in step.cites)
+    cites = cited(step.cites)
     cited = f' <span class="cites">{escape(cites)}</span>' if cites else ""
     return f"<li>{escape(step.says)}{cited}{''.join(map(_line, step.lines))}</li>"
 
@@ -72,7 +72,8 @@ def _line(line: Line) -> str:
 
 
 def _formula(latex: str) -> str:
-    return str(convert(latex))
+    # The converter leaves the backslash before an underscore in words.
+    return str(convert(latex)).replace(r"\_", "_")
 
 
 def _picture(solution: Solution) -> Iterator[str]:

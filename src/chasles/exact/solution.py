@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -11,7 +11,7 @@ from chasles.exact.spelling import as_data
 if TYPE_CHECKING:
     from chasles.exact.picture import Picture
 
-__all__ = ["Check", "Citation", "Line", "Solution", "Step"]
+__all__ = ["Check", "Citation", "Line", "Solution", "Step", "cited"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,11 +34,27 @@ class Citation:
     form: str = "printed"
 
     @property
-    def words(self) -> str:
-        """The number as it is cited, and that a corrected form stands in for the print."""
-        number = self.number if self.number.startswith(("text", "Thm", "Cor", "Ex")) else f"({self.number})"
-        part = f" part {self.part}" if self.part != 1 else ""
-        return f"{number}{part}" + ("" if self.form == "printed" else f", as {self.form}")
+    def shown(self) -> str:
+        """The number as it is cited."""
+        return self.number if self.number.startswith(("text", "Thm", "Cor", "Ex")) else f"({self.number})"
+
+
+def cited(citations: Sequence[Citation]) -> str:
+    """The numbers that are cited, in one line; where a corrected form stands in for the print, it is said."""
+    groups: dict[tuple[str, str], list[int]] = {}
+    for citation in citations:
+        groups.setdefault((citation.shown, citation.form), []).append(citation.part)
+    return "; ".join(f"{shown}{_parts(parts)}{_form(form)}" for (shown, form), parts in groups.items())
+
+
+def _parts(parts: list[int]) -> str:
+    if parts == [1]:
+        return ""
+    return f" part{'s' if len(parts) > 1 else ''} {', '.join(map(str, parts))}"
+
+
+def _form(form: str) -> str:
+    return "" if form == "printed" else f", as {form}"
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ from sympy.printing.str import StrPrinter
 
 from chasles.exact.numbers import decimals, normal
 
-__all__ = ["Spelled", "as_data", "decimal_text", "latex_of", "text_of"]
+__all__ = ["Spelled", "as_data", "decimal_text", "latex_of", "plain_in_latex", "text_of", "words_in_latex"]
 
 SHOWN_DIGITS = 6
 
@@ -89,9 +89,9 @@ def latex_of(value: Any) -> str:
     """The value in LaTeX."""
     match value:
         case None | bool() | str():
-            return rf"\text{{{text_of(value)}}}"
+            return words_in_latex(text_of(value))
         case Mapping():
-            parts = (rf"\text{{{key}: }} {latex_of(part)}" for key, part in value.items())
+            parts = (f"{words_in_latex(f'{key}: ')} {latex_of(part)}" for key, part in value.items())
             return r",\; ".join(parts)
         case Spelled():
             return value.as_latex()
@@ -100,6 +100,20 @@ def latex_of(value: Any) -> str:
     if isinstance(value, Sequence):
         return r"\left\{" + r",\; ".join(map(latex_of, value)) + r"\right\}"
     return str(sp.latex(normal(value)))
+
+
+def words_in_latex(words: str) -> str:
+    """Words among formulas."""
+    return rf"\text{{{plain_in_latex(words)}}}"
+
+
+def plain_in_latex(words: str) -> str:
+    """Words with what LaTeX reads as commands taken out or escaped."""
+    for sign in ("\\", "{", "}"):
+        words = words.replace(sign, "")
+    for sign in "&%$#_":
+        words = words.replace(sign, f"\\{sign}")
+    return words.replace("^", r"\^{}").replace("~", r"\~{}")
 
 
 def decimal_text(value: Any) -> str:
