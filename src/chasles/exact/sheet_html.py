@@ -62,8 +62,8 @@ def _parts(solution: Solution) -> Iterator[str]:
 
 def _step(step: Step | Check) -> str:
     cites = cited(step.cites)
-    cited = f' <span class="cites">{escape(cites)}</span>' if cites else ""
-    return f"<li>{escape(step.says)}{cited}{''.join(map(_line, step.lines))}</li>"
+    beside = f' <span class="cites">{escape(cites)}</span>' if cites else ""
+    return f"<li>{escape(step.says)}{beside}{''.join(map(_line, step.lines))}</li>"
 
 
 def _line(line: Line) -> str:
