@@ -1,6 +1,6 @@
 """The screw of a motion, as exercises ask for it: from the rotation and one point before and after."""
 
-from chasles.derivations.notation import Q, e, p_0, p_1, phi
+from chasles.derivations.notation import Q, d0, e, n, p_0, p_1, phi, pitch
 from chasles.derivations.s02_screw import (
     axial_displacement,
     displacement_of_landmark,
@@ -19,10 +19,15 @@ from chasles.exact.sheet import Sheet, equal
 from chasles.statements import rotation
 from chasles.vocabulary import cos, det, number, sin
 
-__all__ = ["NO_AXIS", "find_screw", "is_a_rotation"]
+__all__ = ["NO_AXIS", "SCREW_SIGNS", "SCREW_SYMBOLS", "find_screw", "is_a_rotation"]
 
 NO_AXIS = {"e": None, "p0": None, "n": None, "d0": None, "pitch": None}
 """The answers where all points move alike: no line is distinguished, and the pitch is infinite."""
+
+
+SCREW_SYMBOLS = {"Q": (Q,), "phi": (phi,), "e": (e,), "p0": (p_0,), "n": (n,), "d0": (d0,), "pitch": (pitch,)}
+SCREW_SIGNS = (("e", "phi", "n", "d0"),)
+"""A rotation through phi about e is one through -phi about -e; the advance along -e has the other sign."""
 
 
 def is_a_rotation(sheet: Sheet) -> bool:

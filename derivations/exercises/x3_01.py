@@ -1,6 +1,6 @@
 """Exercise 3.1: the screw of the displacement of a cube."""
 
-from chasles.derivations.exercises.motion import find_screw, is_a_rotation
+from chasles.derivations.exercises.motion import SCREW_SIGNS, SCREW_SYMBOLS, find_screw, is_a_rotation
 from chasles.derivations.notation import Q, a, a_, d_A, e_1, e_1_, e_2, e_2_, e_3, e_3_, p, triad, triad_
 from chasles.derivations.s02_screw import (
     displaced_triad,
@@ -10,6 +10,7 @@ from chasles.derivations.s02_screw import (
 )
 
 from chasles.exact.data import DataError
+from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
 from chasles.exact.lines import meets_plane
 from chasles.exact.numbers import is_zero
@@ -69,6 +70,13 @@ def edges_of(corners: dict[str, Value]) -> tuple[tuple[Value, Value], ...]:
     )
 
 
+def instance(draw: Draw) -> dict[str, Value]:
+    """A unit cube, turned and moved."""
+    turn, way = draw.rotation(), draw.vector()
+    ways = {"A": way * 0, **{name: turn[:, k] for k, name in enumerate(CORNERS[1:])}}
+    return {"after": draw.written(**{name: way + edge for name, edge in ways.items()})}
+
+
 exercise = Exercise(
     "3.1",
     "The displacement of a cube",
@@ -97,4 +105,8 @@ exercise = Exercise(
         "The book gives the positions only in a figure; a unit cube at the origin, A' = (2, 0, 0), stands in.",
     ),
     solve=solve,
+    instance=instance,
+    symbols=SCREW_SYMBOLS,
+    signs=SCREW_SIGNS,
+    turns=("phi",),
 )

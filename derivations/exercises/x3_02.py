@@ -14,6 +14,7 @@ from chasles.derivations.s07_statics import (
 )
 
 from chasles.exact.data import DataError
+from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
 from chasles.exact.numbers import sign
 from chasles.exact.picture import Arrow, Body, Line, Picture, Point
@@ -85,6 +86,11 @@ def picture(sheet: Sheet, total: Value, place: Value) -> Picture:
     return Picture("The forces and the axis of their wrench", (Body(edges), axis, *forces, *marks))
 
 
+def instance(draw: Draw) -> dict[str, Value]:
+    """The tetrahedron, with other forces."""
+    return {"forces": [[*draw.some(NAMES, 2), str(draw.integer(1, 3))] for _ in range(2)]}
+
+
 exercise = Exercise(
     "3.2",
     "Two forces on a tetrahedron",
@@ -115,4 +121,5 @@ exercise = Exercise(
         "points": "The book shows the axes only in a figure; P4 at the origin, P1 on X and P2 in the plane XY stand in."
     },
     solve=solve,
+    instance=instance,
 )

@@ -3,6 +3,7 @@
 from chasles.derivations.notation import p
 
 from chasles.exact.data import DataError
+from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
 from chasles.exact.numbers import is_zero, sign
 from chasles.exact.picture import Curve, Line, Picture, Point
@@ -135,6 +136,11 @@ def picture(lines: list[tuple[Value, Value]]) -> Picture:
     return Picture("Lines that meet three lines", (*swept, *drawn, *marks))
 
 
+def instance(draw: Draw) -> dict[str, Value]:
+    """Three lines, anyhow."""
+    return {"lines": [[*draw.written(a=draw.vector(), e=draw.vector()).values()] for _ in range(3)]}
+
+
 exercise = Exercise(
     "3.3",
     "All lines that meet three lines",
@@ -154,4 +160,5 @@ exercise = Exercise(
     assumptions=("Directions are used as they are given, of whatever length.",),
     stand_ins={"lines": "The book gives no lines; three rulings of the hyperboloid X^2 + Y^2 - Z^2 = 1 stand in."},
     solve=solve,
+    instance=instance,
 )

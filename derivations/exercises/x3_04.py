@@ -4,6 +4,7 @@ from chasles.derivations.notation import Q, e, one, phi, q, q_0
 from chasles.derivations.s02_screw import rotation_from_axis_angle
 from chasles.derivations.s04_twist import natural_invariants, rotation_from_linear_invariants
 
+from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
 from chasles.exact.lines import direction_of, normal_to
 from chasles.exact.numbers import angle, is_zero
@@ -97,6 +98,13 @@ def some_rotation(sheet: Sheet) -> Value:
     return sheet.compute(rotation_from_linear_invariants, "About their vector product.", at=turn)
 
 
+def instance(draw: Draw) -> dict[str, Value]:
+    """One wrench in two frames; now and then, two wrenches."""
+    turn, moment, force = draw.rotation(), draw.vector(), draw.vector()
+    other = force if draw.integer(0, 3) else draw.vector()
+    return draw.written(n1=turn * moment, f1=turn * force, n2=moment, f2=other)
+
+
 exercise = Exercise(
     "3.4",
     "One wrench, two sensors",
@@ -112,4 +120,8 @@ exercise = Exercise(
     ),
     statuses=("compatible", "incompatible"),
     solve=solve,
+    instance=instance,
+    symbols={"R": (Q,), "phi": (phi,), "e": (e,)},
+    signs=(("phi", "e"),),
+    turns=("phi",),
 )

@@ -8,6 +8,8 @@ from chasles.derivations.s02_screw import (
     screw_axis_point_is_nearest,
 )
 
+from chasles.exact.draw import Draw
+from chasles.exact.evaluate import Value
 from chasles.exact.picture import Line, Picture, Point
 from chasles.exact.sheet import Sheet
 from chasles.statements import Claim, Condition, unit
@@ -80,6 +82,12 @@ def solve(sheet: Sheet) -> str:
     return status
 
 
+def instance(draw: Draw) -> dict[str, Value]:
+    """A line by a rational direction and a point."""
+    direction = draw.unit()
+    return {"pi": draw.written(e=direction)["e"] + draw.written(n=draw.vector().cross(direction))["n"]}
+
+
 exercise = Exercise(
     "3.5",
     "The Plücker coordinates of a joint axis",
@@ -99,4 +107,6 @@ exercise = Exercise(
     ),
     statuses=("line", "not-a-line", "not-normalised"),
     solve=solve,
+    instance=instance,
+    symbols={"p": (p_0,)},
 )

@@ -1,9 +1,11 @@
 """Exercise 3.6: the screw of a gripper's motion, from its axes and one point."""
 
-from chasles.derivations.exercises.motion import find_screw, is_a_rotation
+from chasles.derivations.exercises.motion import SCREW_SIGNS, SCREW_SYMBOLS, find_screw, is_a_rotation
 from chasles.derivations.notation import Q, a, a_, e_1, e_1_, e_2, e_2_, e_3, e_3_, unit_columns
 from chasles.derivations.s02_screw import displaced_triad_as_columns, rotation_in_triad_axes, triad_as_columns
 
+from chasles.exact.draw import Draw
+from chasles.exact.evaluate import Value
 from chasles.exact.picture import Arrow, Line, Picture, Point
 from chasles.exact.sheet import Sheet
 from chasles.statements.exercise import Datum, Exercise, vector_shape
@@ -41,6 +43,12 @@ def solve(sheet: Sheet) -> str:
     return status
 
 
+def instance(draw: Draw) -> dict[str, Value]:
+    """Axes with rational components, and any two points."""
+    turn = draw.rotation()
+    return draw.written(i=turn[:, 0], j=turn[:, 1], k=turn[:, 2], p=draw.vector(), c=draw.vector())
+
+
 exercise = Exercise(
     "3.6",
     "A gripper on a workpiece",
@@ -59,4 +67,8 @@ exercise = Exercise(
     stand_ins=dict.fromkeys(("i", "j", "k"), DERIVED)
     | {"c": "The book shows C' only in a figure; (0, 1, 0) stands in."},
     solve=solve,
+    instance=instance,
+    symbols=SCREW_SYMBOLS,
+    signs=SCREW_SIGNS,
+    turns=("phi",),
 )

@@ -1,7 +1,7 @@
 """Exercise 3.7: a line from its moments about two points."""
 
 from chasles.derivations.exercises.x3_05 import nearest_point
-from chasles.derivations.notation import a, b, e, n, n_A, n_B, p
+from chasles.derivations.notation import a, b, e, n, n_A, n_B, p, p_0
 from chasles.derivations.s02_screw import (
     direction_is_unit,
     moment_about_A,
@@ -11,6 +11,7 @@ from chasles.derivations.s02_screw import (
     plucker_array_moved,
 )
 
+from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
 from chasles.exact.lines import unit_vectors_of
 from chasles.exact.picture import Arrow, Line, Picture, Point
@@ -77,6 +78,15 @@ def undetermined(sheet: Sheet) -> str:
     return "ambiguous"
 
 
+def instance(draw: Draw) -> dict[str, Value]:
+    """The moments of a line about two points; now and then, one that no line has."""
+    direction, point, one = draw.unit(), draw.vector(), draw.vector()
+    other = one + draw.vector()
+    wrong = draw.vector() * int(draw.integer(0, 3) == 0)
+    moments = (point - one).cross(direction), (point - other).cross(direction) + wrong
+    return draw.written(a=one, b=other, nA=moments[0], nB=moments[1])
+
+
 nearest_distance = norm(n)
 
 exercise = Exercise(
@@ -95,4 +105,6 @@ exercise = Exercise(
     ),
     statuses=("compatible", "incompatible", "ambiguous"),
     solve=solve,
+    instance=instance,
+    symbols={"e": (e,), "p": (p_0, p), "n0": (n,)},
 )

@@ -2,6 +2,8 @@
 
 from chasles.derivations.notation import omega, one, p
 
+from chasles.exact.draw import Draw
+from chasles.exact.evaluate import Value
 from chasles.exact.sheet import Sheet
 from chasles.statements import Claim, Theorem
 from chasles.statements.exercise import Datum, Exercise, Scalar, vector_shape
@@ -84,6 +86,11 @@ def solve(sheet: Sheet) -> str:
     return "ok"
 
 
+def instance(draw: Draw) -> dict[str, Value]:
+    """Small integers."""
+    return draw.written(omega=draw.vector(), p=draw.vector()) | {"factors": draw.integer(2, 6)}
+
+
 exercise = Exercise(
     "3.8",
     "Vector products over and over",
@@ -102,4 +109,5 @@ exercise = Exercise(
         "factors": "Four factors stand in.",
     },
     solve=solve,
+    instance=instance,
 )

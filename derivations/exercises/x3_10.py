@@ -3,6 +3,7 @@
 from chasles.derivations.notation import Q, omega
 
 from chasles.exact.data import DataError
+from chasles.exact.draw import Draw
 from chasles.exact.euler import conditioning, definitions_of, singular_set, symbolic, symbols_by_name
 from chasles.exact.evaluate import Value
 from chasles.exact.linear import kernel_of, rank_of
@@ -90,6 +91,12 @@ def backward(sheet: Sheet, W_fixed: Value, singular: bool) -> None:
     sheet.answer(rates=found)
 
 
+def instance(draw: Draw) -> dict[str, Value]:
+    """A sequence, angles that are nice parts of pi, and rates."""
+    angles = [draw.among(("pi/6", "-pi/4", "pi/3", "pi/2", "0", "2*pi/3", "-pi/6", "pi")) for _ in range(3)]
+    return {"sequence": draw.among(SEQUENCES), "angles": angles, **draw.written(rates=draw.vector())}
+
+
 exercise = Exercise(
     "3.10",
     "The angular velocity from Euler angles",
@@ -107,4 +114,5 @@ exercise = Exercise(
     assumptions=("Each rotation is about an axis of the frame as turned so far (intrinsic).",),
     stand_ins={"sequence": "The book refers to another chapter for the angles; the sequence zyz stands in."},
     solve=solve,
+    instance=instance,
 )

@@ -4,6 +4,8 @@ from chasles.derivations.notation import Q, a, force, moment_A, moment_P, p
 from chasles.derivations.s07_statics import moment_about_point, wrench_transfer_inverse
 
 from chasles.exact.data import DataError
+from chasles.exact.draw import Draw
+from chasles.exact.evaluate import Value
 from chasles.exact.picture import Arrow, Picture, Point
 from chasles.exact.sheet import Sheet
 from chasles.statements import rotation
@@ -44,6 +46,11 @@ def solve(sheet: Sheet) -> str:
     return "ok"
 
 
+def instance(draw: Draw) -> dict[str, Value]:
+    """Any readouts, any point, any frame."""
+    return draw.written(n=draw.vector(), f=draw.vector(), r=draw.vector() / 10, R=draw.rotation())
+
+
 exercise = Exercise(
     "3.19",
     "A wrench from a force sensor",
@@ -60,4 +67,5 @@ exercise = Exercise(
         "R": f"R = 1, parallel frames, {OTHER}.",
     },
     solve=solve,
+    instance=instance,
 )

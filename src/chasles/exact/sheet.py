@@ -63,6 +63,7 @@ class Sheet:
         self.values: dict[Node, Any] = {}
         self.steps: list[Step] = []
         self.checks: list[Check] = []
+        self.tests: list[tuple[Node, Node, Mapping[Any, Any], str]] = []
         self.answers: dict[str, Any] = {}
         self.picture: Picture | None = None
 
@@ -212,6 +213,8 @@ class Sheet:
         if not equal(*values):
             raise Refuted(f"{says}: {text_of(values[0])} is not {text_of(values[1])}")
         left, right = sides
+        if isinstance(left, Node) and isinstance(right, Node):
+            self.tests.append((left, right, at or {}, says))
         lines = (confirmed(left, right, values[1]),) if isinstance(left, Node) and isinstance(right, Node) else ()
         self.checks.append(Check(says, lines, tuple(map(self.cite, cited))))
 

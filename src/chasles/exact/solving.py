@@ -9,9 +9,10 @@ from chasles.exact.data import DataError, read_data
 from chasles.exact.numbers import NotDecided
 from chasles.exact.sheet import Sheet
 from chasles.exact.solution import Solution
+from chasles.statements.exercise import Exercise
 from chasles.statements.exercises import exercise as find_exercise
 
-__all__ = ["solve", "solve_with"]
+__all__ = ["solve", "solve_with", "solved_on_sheet"]
 
 
 def solve(exercise: str, /, **data: Any) -> Solution:
@@ -25,7 +26,11 @@ def solve(exercise: str, /, **data: Any) -> Solution:
 
 def solve_with(number: str, data: Mapping[str, Any]) -> Solution:
     """The same with the data in a dictionary."""
-    exercise = find_exercise(number)
+    return solved_on_sheet(find_exercise(number), data)[0]
+
+
+def solved_on_sheet(exercise: Exercise, data: Mapping[str, Any]) -> tuple[Solution, Sheet]:
+    """The solution, and the sheet on which it was found."""
     values = read_data(exercise, data)
     sheet = Sheet(values)
     try:
@@ -33,7 +38,7 @@ def solve_with(number: str, data: Mapping[str, Any]) -> Solution:
     except NotDecided as error:
         raise DataError(f"{error}; give numbers that square roots express") from error
     assert status in exercise.statuses, f"{status} is not among {exercise.statuses}"
-    return Solution(
+    solution = Solution(
         exercise.number,
         exercise.title,
         exercise.asked,
@@ -45,3 +50,4 @@ def solve_with(number: str, data: Mapping[str, Any]) -> Solution:
         tuple(sheet.checks),
         sheet.picture,
     )
+    return solution, sheet

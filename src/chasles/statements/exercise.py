@@ -6,6 +6,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from chasles.vocabulary import Node
+
 __all__ = ["Datum", "Exercise", "ListOf", "Record", "Scalar", "Shape", "Tuple", "Word", "matrix_shape", "vector_shape"]
 
 
@@ -89,6 +91,9 @@ class Datum:
 class Exercise:
     """An exercise: what is `asked`, in our words, part by part; the `data`; how it is solved.
 
+    For practice: `instance` draws new data; `symbols` are the book's symbols for answers, by the answers' names;
+    `signs` are groups of answers that may all be given with the other sign, `turns` angles up to whole turns.
+
     `solve` writes the solution on a sheet and returns its status, one of `statuses`. `assumptions` are always made;
     `stand_ins` only where a key has its default: said of the keys for which the book gives none.
     """
@@ -101,6 +106,10 @@ class Exercise:
     statuses: tuple[str, ...] = ("ok",)
     assumptions: tuple[str, ...] = ()
     stand_ins: Mapping[str, str] = field(default_factory=dict)
+    instance: Callable[[Any], dict[str, Any]] | None = None
+    symbols: Mapping[str, tuple[Node, ...]] = field(default_factory=dict)
+    signs: tuple[tuple[str, ...], ...] = ()
+    turns: tuple[str, ...] = ()
 
     @property
     def keys(self) -> tuple[str, ...]:

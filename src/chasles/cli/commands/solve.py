@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 import click
 
 from chasles.cli.book import as_data
 from chasles.cli.failures import BAD_INPUT, Failure
+from chasles.cli.files import text_of_file, write_whole
 
 __all__ = ["command"]
 
@@ -31,14 +31,14 @@ def command(exercise: str, data: Path | None, html: Path | None, json: bool) -> 
     from chasles.statements.exercises import UnknownExercise
 
     try:
-        given = read_json(_text(data)) if data is not None else {}
+        given = read_json(text_of_file(data)) if data is not None else {}
         solution = solve_with(exercise.removeprefix("Ex").strip(), given)
     except (DataError, UnknownExercise) as error:
         raise Failure(str(error.args[0]), BAD_INPUT) from error
     if html is not None:
         from chasles.exact.sheet_html import as_page
 
-        _write(html, as_page(solution))
+        write_whole(html, as_page(solution))
     if json:
         click.echo(as_json(solution.as_data()))
     elif html is None:
@@ -46,22 +46,3 @@ def command(exercise: str, data: Path | None, html: Path | None, json: bool) -> 
         screen.show(*worked_page(solution, screen.signs))
     else:
         click.echo(f"wrote {html}", err=True)
-
-
-def _text(file: Path) -> str:
-    try:
-        return sys.stdin.read() if str(file) == "-" else file.read_text("utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        reason = error.strerror if isinstance(error, OSError) else "it is not UTF-8 text"
-        raise Failure(f"cannot read {file}: {reason}", BAD_INPUT) from error
-
-
-def _write(file: Path, text: str) -> None:
-    """Write a draft beside the file and put it in its place, so that a page is whole or as it was."""
-    draft = file.with_name(f".{file.name}.draft")
-    try:
-        draft.write_text(text, "utf-8")
-        draft.replace(file)
-    except OSError as error:
-        draft.unlink(missing_ok=True)
-        raise Failure(f"cannot write {file}: {error.strerror}", BAD_INPUT) from error
