@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from math import nan
 from typing import Any
+
+from sympy import lambdify
 
 from chasles.exact.numbers import normal
 from chasles.exact.picture import Arrow, Body, Curve, Graph, Line, Picture, Point
@@ -12,6 +15,7 @@ __all__ = ["drawn"]
 # Okabe and Ito's palette.
 BLACK, ORANGE, BLUE, GREEN, RED, GREY = "#000000", "#E69F00", "#0072B2", "#009E73", "#D55E00", "#999999"
 COLOURS = (BLUE, RED, GREEN, ORANGE)
+SAMPLES = 360
 
 
 def drawn(picture: Picture) -> Any:
@@ -35,10 +39,22 @@ def drawn(picture: Picture) -> Any:
     return figure
 
 
+def _height(value: Any, at: float) -> float:
+    """The value of the function there; where it has none, there is a gap in the curve."""
+    try:
+        return float(value(at))
+    except (ZeroDivisionError, OverflowError, ValueError):
+        return nan
+
+
 def _draw_graph(axes: Any, title: str, graph: Graph) -> None:
     styles = ("-", "--", ":", "-.")
-    for place, (label, points) in enumerate(graph.curves):
-        axes.plot(*zip(*map(_at, points), strict=True), styles[place % 4], color=COLOURS[place % 4], label=label)
+    first, last = graph.over
+    places = [first + (last - first) * k / SAMPLES for k in range(SAMPLES + 1)]
+    for place, (label, function) in enumerate(graph.curves):
+        value = lambdify(graph.variable, function, "math")
+        heights = [_height(value, at) for at in places]
+        axes.plot(places, heights, styles[place % 4], color=COLOURS[place % 4], label=label)
     axes.set_title(title, fontsize=11, wrap=True)
     axes.set_xlabel(graph.unit)
     axes.set_ylim(0, graph.most)

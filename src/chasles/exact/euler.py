@@ -38,17 +38,13 @@ def conditioning(determinant: Node) -> Graph:
     The second axis is normal to the others; W^T W has the eigenvalues 1 and 1 +- g, g the cosine between these, and
     g^2 + (det W)^2 = 1: the ratio of the largest and the smallest singular value is (1 + |g|) / |det W|.
     """
-    sine = "sin" in singular_set(determinant)
-    sizes, ratios = [], []
-    for degrees in range(0, 361, 4):
-        turn = sp.pi * degrees / 180
-        size, g = (abs(sp.sin(turn)), abs(sp.cos(turn))) if sine else (abs(sp.cos(turn)), abs(sp.sin(turn)))
-        sizes.append((sp.Integer(degrees), size))
-        if size != 0:
-            ratios.append((sp.Integer(degrees), (1 + g) / size))
-        else:
-            ratios.append((sp.Integer(degrees), sp.Integer(1000)))
-    return Graph("second angle in degrees", (("|det W|", tuple(sizes)), ("condition number of W", tuple(ratios))), 8)
+    degrees = sp.Symbol("theta_2", real=True)
+    turn = sp.pi * degrees / 180
+    size, cosine = abs(sp.sin(turn)), abs(sp.cos(turn))
+    if "cos" in singular_set(determinant):
+        size, cosine = cosine, size
+    curves = (("|det W|", size), ("condition number of W", (1 + cosine) / size))
+    return Graph("second angle in degrees", degrees, (0, 360), curves, most=8)
 
 
 def singular_set(determinant: Node) -> str:

@@ -53,10 +53,12 @@ class Curve:
 
 @dataclass(frozen=True, slots=True)
 class Graph:
-    """Curves in a plane: each a label with its points; `unit` says what is along the first axis."""
+    """Functions of one variable, each with its label; `unit` says what the variable is, which runs over a range."""
 
     unit: str
-    curves: tuple[tuple[str, tuple[tuple[Any, Any], ...]], ...]
+    variable: Any
+    over: tuple[int, int]
+    curves: tuple[tuple[str, Any], ...]
     most: int | None = None
 
 
