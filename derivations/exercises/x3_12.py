@@ -24,7 +24,8 @@ def solve(sheet: Sheet) -> str:
     whole, (wedge, rest) = whole_prism(corners, height), cut_prism(corners, height, upward, offset)
     through_top = compare(2 * slope * corners[1][1], height) > 0
     sheet.step(
-        f"The plane leaves the prism through its {'top' if through_top else 'sides'}: at the far edge its height is",
+        f"The plane leaves the prism through {'its top' if through_top else 'the far side'}: there, at Y = (sqrt(3)/2) side, "
+        "its height is",
         ("Z", normal(2 * slope * corners[1][1])),
     )
     drawn = [Drawn(prism_edges(corners, height)), Curve(section_of(prism_edges(corners, height), upward, offset), "cut")]

@@ -9,10 +9,10 @@ from typing import Any
 import sympy as sp
 
 from chasles.exact.evaluate import column_of, matrix_of
-from chasles.exact.fields import Field
 from chasles.exact.moments import Moments
 from chasles.exact.numbers import is_zero, normal
 from chasles.exact.solids import Plane, prism
+from chasles.exact.surds import SurdField
 
 __all__ = [
     "Body",
@@ -58,16 +58,17 @@ def regular_hexagon(side: Any) -> tuple[Any, ...]:
 def whole_prism(polygon: Sequence[Any], height: Any) -> Body:
     """The right prism of unit density over a polygon in the plane Z = 0.
 
-    Raises ValueError for a polygon that is not simple and a height that is not positive.
+    Raises ValueError for a polygon that is not simple and a height that is not positive, NotDecided for coordinates
+    that square roots do not express.
     """
-    field = Field(height, *(x for corner in polygon for x in corner))
+    field = SurdField()
     corners = [tuple(map(field, corner)) for corner in polygon]
     return _body(field, prism(corners, field(height), field.sign).moments())
 
 
 def cut_prism(polygon: Sequence[Any], height: Any, normal_of_plane: Any, offset: Any) -> tuple[Body, Body]:
     """The parts of the prism with normal . x below the offset and above it; raises as `whole_prism` does."""
-    field = Field(height, offset, *normal_of_plane, *(x for corner in polygon for x in corner))
+    field = SurdField()
     corners = [tuple(map(field, corner)) for corner in polygon]
     plane = Plane(tuple(map(field, normal_of_plane)), field(offset))
     below, above = prism(corners, field(height), field.sign).cut(plane, field.sign)
@@ -87,7 +88,10 @@ def joined(one: Body, other: Body) -> Body:
 
 
 def cotangent_of_degrees(angle: Any) -> Any:
-    """The cotangent of an angle given in degrees, between 0 and 90."""
+    """The cotangent of an angle given in degrees, between 0 and 90.
+
+    Square roots express it for multiples of 3 degrees, and whenever those of the tangent do.
+    """
     return normal(1 / sp.tan(normal(angle * sp.pi / 180)))
 
 
@@ -103,7 +107,7 @@ def _inertia(second: Any) -> Any:
     return matrix_of(second.trace() * sp.eye(3) - second)
 
 
-def _body(field: Field, moments: Moments) -> Body:
+def _body(field: SurdField, moments: Moments) -> Body:
     def read(x: Any) -> Any:
         return normal(field.expression(x))
 

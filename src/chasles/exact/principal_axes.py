@@ -15,7 +15,7 @@ from sympy import Poly
 from sympy.polys.matrices import DomainMatrix
 
 from chasles.exact.fields import Field, sign_of
-from chasles.exact.numbers import is_zero, normal, root
+from chasles.exact.numbers import is_zero, normal, root, sign
 from chasles.exact.roots import Root, X, place_of
 from chasles.exact.spectra import characteristic, eigenvalues
 
@@ -28,8 +28,8 @@ CHOICE_OF_AXES = (
 )
 
 
-def principal_axes(matrix: Any) -> list[list[Any]]:
-    """The rows; entries are exact expressions, or a Root where the eigenvalues are.
+def principal_axes(matrix: Any) -> Any:
+    """The rows, as a matrix of exact numbers; as lists with a Root for each entry where the eigenvalues are such.
 
     `matrix` is symmetric, 3 x 3, of exact numbers.
     """
@@ -41,7 +41,7 @@ def principal_axes(matrix: Any) -> list[list[Any]]:
     decimals = sp.Matrix([[_expression(entry) for entry in row] for row in rows])
     if sign_of(decimals.det(method="berkowitz")) < 0:
         rows[2] = [_negative(entry) for entry in rows[2]]
-    return rows
+    return rows if isinstance(found[0][0], Root) else sp.ImmutableMatrix(rows)
 
 
 def _projector(matrix: Any, value: Any, values: list[Any]) -> Any:
@@ -61,8 +61,8 @@ def _rows(projector: Any) -> list[list[Any]]:
         if is_zero(projector[j, j]):
             continue
         column = projector[:, j]
-        length = root(projector[j, j])
-        rows.append([normal(entry / length) for entry in column])
+        # Each entry by itself as a signed root, which is short where entry / length is not.
+        rows.append([sign(entry) * root(entry**2 / projector[j, j]) for entry in column])
         projector = (projector - column * column.T / projector[j, j]).applyfunc(normal)
     return rows
 
@@ -128,12 +128,12 @@ def _negative(entry: Any) -> Any:
     return with_fields(entry, coefficients=tuple(lead * c for c in turned), index=count - 1 - entry.index)
 
 
-def in_axes(matrix: Any, axes: list[list[Any]]) -> Any:
-    """The matrix in a frame whose axes are the given rows of exact numbers: rows matrix rows^T."""
-    rows = sp.Matrix(axes)
-    return ((rows * matrix).applyfunc(normal) * rows.T).applyfunc(normal)
+def in_axes(matrix: Any, axes: Any) -> Any:
+    """The matrix in a frame whose axes are the rows of a matrix: axes matrix axes^T."""
+    return ((axes * matrix).applyfunc(normal) * axes.T).applyfunc(normal)
 
 
-def columns_of(axes: list[list[Any]]) -> tuple[Any, ...]:
+def columns_of(axes: Any) -> tuple[Any, ...]:
     """The axes as column vectors; a Root becomes SymPy's."""
-    return tuple(sp.ImmutableMatrix([_expression(entry) for entry in row]) for row in axes)
+    rows = axes if isinstance(axes, list) else axes.tolist()
+    return tuple(sp.ImmutableMatrix([_expression(entry) for entry in row]) for row in rows)

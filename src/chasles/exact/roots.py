@@ -18,7 +18,7 @@ from sympy import CRootOf, Poly, Symbol, latex
 from chasles.exact.fields import Field, sign_of
 from chasles.exact.numbers import NotDecided, normal, root
 
-__all__ = ["Root", "place_of", "real_roots", "remainders"]
+__all__ = ["Root", "merged", "place_of", "real_roots", "remainders"]
 
 X = Symbol("x")
 DIGITS = 30
@@ -55,11 +55,26 @@ def real_roots(coefficients: list[Any]) -> list[tuple[Any, int]]:
     `coefficients`, exact real numbers, highest power first, are of a polynomial that has real roots only. NotDecided
     if it has a factor of degree three or more over a field that contains pi.
     """
+    if len(coefficients) < 4:
+        return merged([(value, 1) for value in _of_low_degree(*coefficients[1:])])
     field = Field(*coefficients)
     found: list[tuple[Any, int]] = []
     for factor, multiplicity in _factors(coefficients, field):
         found += [(value, multiplicity) for value in _roots_of_factor(factor, field)]
-    return sorted(found, key=cmp_to_key(lambda one, other: sign_of(_value(one[0]) - _value(other[0]))))
+    return merged(found)
+
+
+def merged(found: list[tuple[Any, int]]) -> list[tuple[Any, int]]:
+    """Numbers with multiplicities in ascending order, those of equal ones added."""
+    counted: dict[Any, int] = {}
+    for value, multiplicity in found:
+        counted[value] = counted.get(value, 0) + multiplicity
+    order = cmp_to_key(lambda one, other: sign_of(_value(one[0]) - _value(other[0])))
+    return sorted(counted.items(), key=order)
+
+
+def _of_low_degree(*rest: Any) -> list[Any]:
+    return [normal(-rest[0])] if len(rest) == 1 else _of_quadratic(*rest)
 
 
 def remainders(coefficients: list[Any], values: list[Any]) -> list[Any]:
@@ -110,10 +125,8 @@ def _factors(coefficients: list[Any], field: Field) -> list[tuple[Poly, int]]:
 
 def _roots_of_factor(factor: Poly, field: Field) -> list[Any]:
     _, *rest = [field.expression(c) for c in factor.rep.to_list()]
-    if len(rest) == 1:
-        return [normal(-rest[0])]
-    if len(rest) == 2:
-        return _of_quadratic(*rest)
+    if len(rest) < 3:
+        return _of_low_degree(*rest)
     if field.free:
         raise NotDecided(f"{factor.as_expr()} has no roots that square roots express, and no integer coefficients")
     halves = _halves(*rest, field) if len(rest) == 4 else ()

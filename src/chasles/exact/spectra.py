@@ -11,9 +11,10 @@ from typing import Any
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
+from chasles.exact.evaluate import column_of
 from chasles.exact.fields import Field
-from chasles.exact.numbers import normal, sign
-from chasles.exact.roots import real_roots, remainders
+from chasles.exact.numbers import is_zero, normal, sign
+from chasles.exact.roots import Root, merged, real_roots, remainders
 
 __all__ = [
     "characteristic",
@@ -29,6 +30,9 @@ __all__ = [
 
 def characteristic(matrix: Any) -> list[Any]:
     """The coefficients of det(x 1 - matrix), highest power first."""
+    if matrix.rows < 3:
+        values = [-matrix.trace(), matrix.det()]
+        return [sp.Integer(1), *(normal(value) for value in values[: matrix.rows])]
     field = Field(*matrix)
     rows = [[field(matrix[i, j]) for j in range(matrix.cols)] for i in range(matrix.rows)]
     coefficients = DomainMatrix(rows, matrix.shape, field.domain).charpoly()
@@ -36,8 +40,23 @@ def characteristic(matrix: Any) -> list[Any]:
 
 
 def eigenvalues(matrix: Any) -> list[tuple[Any, int]]:
-    """The distinct eigenvalues of a symmetric matrix in ascending order, each with its multiplicity."""
-    return real_roots(characteristic(matrix))
+    """The distinct eigenvalues of a symmetric matrix in ascending order, each with its multiplicity.
+
+    A matrix that falls into blocks has the eigenvalues of these.
+    """
+    found: list[tuple[Any, int]] = []
+    for places in blocks_of(matrix):
+        found += real_roots(characteristic(matrix.extract(places, places)))
+    return merged(found)
+
+
+def blocks_of(matrix: Any) -> list[list[int]]:
+    """The rows that entries other than zero link with each other, directly or through further rows."""
+    blocks: list[list[int]] = []
+    for i in range(matrix.rows):
+        linked = [block for block in blocks if any(not is_zero(matrix[i, j]) for j in block)]
+        blocks = [block for block in blocks if block not in linked] + [sorted([*sum(linked, []), i])]
+    return blocks
 
 
 def signature(matrix: Any) -> tuple[int, int, int]:
@@ -64,18 +83,22 @@ def is_positive_definite(matrix: Any) -> bool:
     return all(sign(minor) > 0 for minor in leading_minors(matrix))
 
 
-def each_eigenvalue(matrix: Any) -> list[Any]:
-    """The eigenvalues of a symmetric matrix in ascending order, each as often as its multiplicity says."""
-    return [value for value, multiplicity in eigenvalues(matrix) for _ in range(multiplicity)]
+def each_eigenvalue(matrix: Any) -> Any:
+    """The eigenvalues of a symmetric matrix in ascending order, each as often as its multiplicity says.
+
+    A column of exact numbers, or a list where a Root is among them.
+    """
+    found = [value for value, multiplicity in eigenvalues(matrix) for _ in range(multiplicity)]
+    return found if any(isinstance(value, Root) for value in found) else column_of(*found)
 
 
-def residues_of(matrix: Any, values: list[Any]) -> list[Any]:
+def residues_of(matrix: Any, values: Any) -> Any:
     """What is left of the characteristic polynomial divided by these as its roots, and of its degree: all zero if they
     are the eigenvalues.
     """
-    return remainders(characteristic(matrix), values)
+    return column_of(*remainders(characteristic(matrix), list(values)))
 
 
-def diagonal(values: list[Any]) -> Any:
+def diagonal(values: Any) -> Any:
     """The diagonal matrix of exact numbers."""
     return sp.ImmutableMatrix(sp.diag(*values))
