@@ -19,7 +19,7 @@ from chasles.exact.numbers import is_zero, normal, root, sign
 from chasles.exact.roots import Root, X, place_of
 from chasles.exact.spectra import characteristic, eigenvalues
 
-__all__ = ["CHOICE_OF_AXES", "columns_of", "in_axes", "principal_axes"]
+__all__ = ["CHOICE_OF_AXES", "columns_of", "in_axes", "principal_axes", "product"]
 
 CHOICE_OF_AXES = (
     "Axes are rows, in the order of ascending moments. Each is the unit projection, onto the space of its moment, of the "
@@ -130,7 +130,12 @@ def _negative(entry: Any) -> Any:
 
 def in_axes(matrix: Any, axes: Any) -> Any:
     """The matrix in a frame whose axes are the rows of a matrix: axes matrix axes^T."""
-    return ((axes * matrix).applyfunc(normal) * axes.T).applyfunc(normal)
+    return product(product(axes, matrix), axes.T)
+
+
+def product(one: Any, other: Any) -> Any:
+    """The product of two matrices, entries in normal form."""
+    return (one * other).applyfunc(normal)
 
 
 def columns_of(axes: Any) -> tuple[Any, ...]:
