@@ -16,9 +16,9 @@ import sympy as sp
 from sympy import CRootOf, Poly, Symbol, latex
 
 from chasles.exact.fields import Field, sign_of
-from chasles.exact.numbers import NotDecided, normal, root
+from chasles.exact.numbers import NotDecided, is_zero, normal, root
 
-__all__ = ["Root", "merged", "place_of", "real_roots", "remainders"]
+__all__ = ["Root", "merged", "place_of", "real_roots", "remainders", "same_number"]
 
 X = Symbol("x")
 DIGITS = 30
@@ -62,6 +62,13 @@ def real_roots(coefficients: list[Any]) -> list[tuple[Any, int]]:
     for factor, multiplicity in _factors(coefficients, field):
         found += [(value, multiplicity) for value in _roots_of_factor(factor, field)]
     return merged(found)
+
+
+def same_number(one: Any, other: Any) -> bool:
+    """Whether two such roots are equal; a Root and a number that square roots express are not."""
+    if isinstance(one, Root) or isinstance(other, Root):
+        return bool(one == other)
+    return is_zero(one - other)
 
 
 def merged(found: list[tuple[Any, int]]) -> list[tuple[Any, int]]:

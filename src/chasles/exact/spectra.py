@@ -25,6 +25,7 @@ __all__ = [
     "leading_minors",
     "residues_of",
     "signature",
+    "smallest_belongs_to",
 ]
 
 
@@ -97,6 +98,21 @@ def residues_of(matrix: Any, values: Any) -> Any:
     are the eigenvalues.
     """
     return column_of(*remainders(characteristic(matrix), list(values)))
+
+
+def smallest_belongs_to(matrix: Any, vector: Any) -> bool:
+    """Whether a vector is zero, or an eigenvector of the smallest eigenvalue of a symmetric 3 x 3 matrix.
+
+    The eigenvalue of an eigenvector is its Rayleigh quotient, which is the smallest if matrix less quotient times
+    identity has no negative eigenvalue.
+    """
+    if all(map(is_zero, vector)):
+        return True
+    if not all(map(is_zero, vector.cross(matrix * vector))):
+        return False
+    quotient = normal((vector.T * matrix * vector)[0, 0] / (vector.T * vector)[0, 0])
+    _, negative, _ = signature((matrix - quotient * sp.eye(3)).applyfunc(normal))
+    return negative == 0
 
 
 def diagonal(values: Any) -> Any:

@@ -1,0 +1,74 @@
+"""Exercise 3.17: the rate of the inertia dyad, and with it that of the momentum screw."""
+
+from chasles.derivations.notation import M, M_A, O, Omega, W_dyad, mu, t
+from chasles.derivations.s03_fixed_point import angular_velocity_matrix_of_vector
+from chasles.derivations.s08_dynamics import (
+    angular_velocity_dyad,
+    inertia_turns_with_the_body,
+    momentum_screw_by_dyad,
+    rate_of_inertia_dyad,
+    rate_of_momentum_screw_by_rate_of_dyad,
+    twist_at_center_of_mass,
+    twist_is_in_null_space,
+)
+
+from chasles.exact.sheet import Sheet
+from chasles.statements import Claim
+from chasles.statements.exercise import Exercise
+from chasles.vocabulary import rate
+
+product_rule = Claim(
+    "Ex 3.17",
+    rate(mu),
+    M @ rate(t) + rate(M) @ t,
+    part=4,
+    says="The rate of the momentum screw by the product rule.",
+    given=(momentum_screw_by_dyad,),
+)
+
+rate_substituted = Claim(
+    "Ex 3.17",
+    rate(mu),
+    M @ rate(t) + W_dyad @ M @ t - M @ W_dyad @ t,
+    part=5,
+    says="The rate of the dyad, substituted.",
+    given=(momentum_screw_by_dyad, rate_of_inertia_dyad),
+)
+
+STEPS = (
+    (inertia_turns_with_the_body, "The moment of inertia at C turns with the body; the mass stays."),
+    (rate_of_inertia_dyad, "Blockwise: the rate of the inertia dyad."),
+    (product_rule, "The momentum screw is a product."),
+    (rate_substituted, "Into it goes the rate of the dyad."),
+    (twist_is_in_null_space, "Its last term vanishes: the twist lies in the null space of W."),
+    (rate_of_momentum_screw_by_rate_of_dyad, "What remains is (3.143)."),
+)
+
+
+def proved(sheet: Sheet, steps: tuple[tuple[object, str], ...]) -> str:
+    """Each step is decided where it is cited; the answers say what is proved, and under which hypotheses."""
+    proofs = []
+    for statement, says in steps:
+        sheet.step(says, cites=(statement,))
+        (citation,) = sheet.steps[-1].cites
+        proofs.append({"number": citation.words, "says": statement.says, "verdict": citation.verdict,
+                       "needs": list(citation.needs)})  # fmt: skip
+    sheet.answer(proofs=proofs)
+    return "ok"
+
+
+def solve(sheet: Sheet) -> str:
+    """A road of decided steps."""
+    return proved(sheet, STEPS)
+
+
+exercise = Exercise(
+    "3.17",
+    "The rate of the inertia dyad",
+    asked=(
+        "Show that the rate of the inertia dyad is W M - M W.",
+        "Show with it that the rate of the momentum screw is M dt/dt + W M t.",
+    ),
+    assumptions=("The inertia dyad, the twist and the momentum screw are those at the center of mass.",),
+    solve=solve,
+)
