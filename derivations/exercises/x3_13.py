@@ -42,11 +42,9 @@ def solve(sheet: Sheet) -> str:
     """The interpretation is a claim; the rest is Section 3.8."""
     points = sheet["points"]
     body = point_masses(sheet["m"], points)
-    sheet.step(
-        "The interpretation: equal masses m at points P_i, whose positions are the columns of P, have this moment of "
-        "inertia about the origin.",
-        cites=(matrix_is_inertia, no_point_adds_nothing, one_more_point),
-    )
+    sheet.state(matrix_is_inertia)
+    sheet.state(no_point_adds_nothing)
+    sheet.state(one_more_point)
     sheet.given({over_body(rho * p @ p.T): body.second}, "For these points: the matrix m P P^T.")
     about_origin = sheet.compute(matrix_is_inertia, "The moment of inertia about the origin.")
     mass_properties(sheet, body, "the points")

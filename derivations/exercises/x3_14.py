@@ -58,17 +58,20 @@ def solve(sheet: Sheet) -> str:
     found = {name: observer(sheet, name) for name in ("A", "B")}
     compatible = equal(found["A"][0], found["B"][0])
     says = "are equal: in suitable axes both matrices are the same" if compatible else "differ: no one body has both"
+    for claim in invariants:
+        sheet.state(claim)
     sheet.step(f"The invariants {says}.", ("A", found["A"][0]), ("B", found["B"][0]), cites=invariants)
     if compatible:
         show_rotation(sheet)
     admissible = [is_admissible for _, is_admissible, _ in found.values()]
     planar = [is_planar for _, _, is_planar in found.values()]
+    sheet.state(second_moment)
+    sheet.state(only_bodies_have_it)
     sheet.step(
         "Is it the moment of inertia of a body? Only if half its trace less the matrix is positive-semidefinite.",
         ("A", found["A"][1]),
         ("B", found["B"][1]),
         ("all elements in one plane", all(planar)),
-        cites=(second_moment, only_bodies_have_it),
     )
     sheet.answer(compatible=compatible, physically_admissible=all(admissible), planar=all(planar))
     return "ok"

@@ -76,12 +76,14 @@ def solve(sheet: Sheet) -> str:
     sheet.compute(point)
     sheet.compute(inertia_about_point, "The moment of inertia at P, by Steiner's theorem.")
     every = not any(sheet.show(share_all, "All three axes are common if and only if this is zero."))
-    sheet.step("Why: the matrices commute if and only if it is.", cites=(commutator,))
+    sheet.state(commutator)
     some = is_zero(sheet.show(share_one, "At least one axis is common if and only if this is zero."))
-    sheet.step("Why: an axis is common only if it is along d, or normal to d.", cites=(one_common_axis, no_other_axis))
+    sheet.state(no_other_axis)
+    sheet.state(one_common_axis)
+    sheet.state(axis_along_d)
+    sheet.state(axis_normal_to_d)
     at_C, at_P = each_eigenvalue(sheet.values[I_C]), each_eigenvalue(sheet.values[I_A])
-    says = "The moments of common axes: the same along d, greater by m |d|^2 normal to it."
-    sheet.step(says, ("at C", at_C), ("at P", at_P), cites=(axis_along_d, axis_normal_to_d))
+    sheet.step("The principal moments, in ascending order.", ("at C", at_C), ("at P", at_P))
     sheet.check(commutator, "The commutator, substituted.")
     for name, matrix, moments in (("C", I_C, at_C), ("P", I_A, at_P)):
         residues = residues_of(sheet.values[matrix], moments)

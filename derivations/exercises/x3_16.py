@@ -70,8 +70,9 @@ not_only_there = Claim(
 def solve(sheet: Sheet) -> str:
     """The moments at each point, and whether the smallest is that at C."""
     sheet.given({I_C: require_inertia("I_C", sheet["I_C"]), m: sheet["m"], c: sheet.value(zero)})
-    says = "The proof: about any direction x, the moment at P is not less than at C."
-    sheet.step(says, cites=(greater_by_a_square, no_moment_is_smaller, least_at_center_of_mass))
+    sheet.state(greater_by_a_square)
+    sheet.state(no_moment_is_smaller)
+    sheet.state(least_at_center_of_mass)
     at_C = each_eigenvalue(sheet.values[I_C])
     sheet.step("The principal moments at C.", ("moments", at_C))
     found, equal_ones = [], []
@@ -83,8 +84,7 @@ def solve(sheet: Sheet) -> str:
         if same_number(found[-1][0], at_C[0]) != equal_ones[-1]:
             raise Refuted(f"the moments {found[-1][0]} and {at_C[0]} contradict what d says")
     if any(same and any(d) for d, same in zip(sheet["d"], equal_ones, strict=True)):
-        says = "So the minimum is not attained at the center of mass alone, but on an axis (or plane, or space) through it."
-        sheet.step(says, cites=(not_only_there,))
+        sheet.state(not_only_there, f"So the minimum is not attained at the center of mass alone. {not_only_there.says}")
     sheet.answer(moments_C=at_C, moments_P=found, smallest_equal_to_C=equal_ones)
     axes = columns_of(principal_axes(sheet.values[I_C]))
     items = [Arrow(sheet.values[c], axis, f"axis {k} at C") for k, axis in enumerate(axes, 1)]

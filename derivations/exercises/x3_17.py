@@ -49,7 +49,7 @@ def proved(sheet: Sheet, steps: tuple[tuple[object, str], ...]) -> str:
     """Each step is decided where it is cited; the answers say what is proved, and under which hypotheses."""
     proofs = []
     for statement, says in steps:
-        sheet.step(says, cites=(statement,))
+        sheet.state(statement, says)
         (citation,) = sheet.steps[-1].cites
         proofs.append({"number": citation.words, "says": statement.says, "verdict": citation.verdict,
                        "needs": list(citation.needs)})  # fmt: skip

@@ -44,8 +44,8 @@ def solve(sheet: Sheet) -> str:
     at_A = sheet.values[M_A]
     minors = leading_minors(at_A)
     definite = is_positive_definite(at_A)
-    says = "M_A is positive-definite if and only if I_C is; here, its leading minors are"
-    sheet.step(says, ("minors", minors), ("positive-definite", definite), cites=(inertia_dyad_is_definite,))
+    sheet.state(inertia_dyad_is_definite)
+    sheet.step("Here, its leading minors.", ("minors", minors), ("positive-definite", definite))
     positive = 3 + signature(sheet["I_C"])[0]
     sheet.check((signature(at_A)[0], positive), "M_A has three positive eigenvalues more than I_C, as M_C has.")
     values = each_eigenvalue(at_A)
@@ -64,8 +64,8 @@ def solve(sheet: Sheet) -> str:
 
 def derive(sheet: Sheet) -> None:
     """(3.147), from the kinetic energy as a quadratic form of the twist at A."""
-    says = "The twist at C is U times that at A; so the kinetic energy is a quadratic form of the twist at A, with U^T M U."
-    sheet.step(says, cites=(twist_at_center_of_mass_from_A, inertia_dyad_moved, energy_by_twist_at_A))
+    for statement in (twist_at_center_of_mass_from_A, inertia_dyad_moved, energy_by_twist_at_A):
+        sheet.state(statement)
     sheet.compute(inertia_about_point_by_matrices, "The moment of inertia at A.")
     sheet.compute(inertia_dyad, "Multiplied out: the inertia dyad at A.")
     sheet.compute(inertia_dyad_at_center_of_mass, "That at the center of mass.")
@@ -81,7 +81,9 @@ def decompose(sheet: Sheet) -> dict[str, object]:
         "The hint asks for M_A = M_C + P P^T (and m R R^T for it). Then M_A - M_C would have no negative eigenvalue; "
         f"it has {positive} positive, {negative} negative and {null} zero."
     )
-    sheet.step(says, cites=(no_decomposition,))
+    sheet.step(says)
+    sheet.state(no_decomposition)
+    sheet.refute(steiner_by_dyads, "Not with the P that Steiner's theorem suggests:")
     exists = negative == 0
     if exists:
         sheet.step("Here A is the center of mass, and P = 0 (R = 0) does it.")

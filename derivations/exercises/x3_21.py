@@ -70,6 +70,15 @@ orthogonal_on_average = Claim(
 
 twist_of_axes = cross(omega, rate(omega))
 
+accelerations_are_orthogonal = Claim(
+    "Ex 3.21",
+    dot(rate(Omega) @ r_C, Omega**2 @ r_C),
+    number(0),
+    part=7,
+    says="The last sentence of the exercise, taken at its word: the two accelerations are orthogonal.",
+    given=given,
+)
+
 
 def solve(sheet: Sheet) -> str:
     """The claims, at the values; and what the exercise's last sentence says of them."""
@@ -103,6 +112,9 @@ def accelerations(sheet: Sheet) -> object:
     tangential = sheet.show(rate(Omega) @ r_C, "The tangential acceleration of a point at r, relative to another.")
     centripetal = sheet.show(Omega**2 @ r_C, "Its centripetal acceleration.", cites=(acceleration_by_matrices,))
     product = sheet.show(dot(rate(Omega) @ r_C, Omega**2 @ r_C), "Their product.", cites=(product_of_accelerations,))
+    sheet.refute(accelerations_are_orthogonal, "It is not so.")
+    sheet.state(product_of_accelerations)
+    sheet.state(orthogonal_on_average)
     sheet.check(product_of_accelerations, "The product, by omega . r and omega x alpha . r.")
     sheet.show(twist_of_axes, "It vanishes for all r if and only if this does.")
     axes = {e_1: sheet.value(unit_columns[0]), e_2: sheet.value(unit_columns[1]), e_3: sheet.value(unit_columns[2])}
