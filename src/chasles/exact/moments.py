@@ -58,6 +58,15 @@ class Moments:
             ),
         )
 
+    def stretched(self, factors: Vector) -> Moments:
+        """The moments of the body after its coordinates are multiplied by positive factors, one for each axis."""
+        volume = factors[0] * factors[1] * factors[2]
+        return Moments(
+            volume * self.volume,
+            tuple(volume * factors[i] * self.first[i] for i in AXES),
+            tuple(tuple(volume * factors[i] * factors[j] * self.second[i][j] for j in AXES) for i in AXES),
+        )
+
     @property
     def centroid(self) -> Vector:
         """The center of mass (m); ZeroDivisionError where the volume is zero."""
