@@ -96,7 +96,9 @@ def as_4x4(part: Moments) -> list[list]:
 
 
 def test_a_plane_beside_the_prism_leaves_one_part_empty() -> None:
-    solid = prism([(Fraction(0), Fraction(0)), (Fraction(1), Fraction(0)), (Fraction(0), Fraction(1))], Fraction(2), sign)
+    solid = prism(
+        [(Fraction(0), Fraction(0)), (Fraction(1), Fraction(0)), (Fraction(0), Fraction(1))], Fraction(2), sign
+    )
     for offset in (2, 5):
         below, above = solid.cut(Plane((Fraction(0), Fraction(0), Fraction(1)), Fraction(offset)), sign)
         assert below == solid.moments()
@@ -157,9 +159,7 @@ def test_side_height_and_angle_may_stay_symbols(height: sp.Rational) -> None:
 
 def below_at(field: Field, part: Moments, values: dict) -> Moments:
     read = lambda x: field.expression(x).subs(values)  # noqa: E731
-    return Moments(
-        read(part.volume), tuple(map(read, part.first)), tuple(tuple(map(read, row)) for row in part.second)
-    )
+    return Moments(read(part.volume), tuple(map(read, part.first)), tuple(tuple(map(read, row)) for row in part.second))
 
 
 def test_the_hexagonal_prism_by_symbols() -> None:

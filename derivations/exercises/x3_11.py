@@ -34,7 +34,11 @@ def mass_properties(sheet: Sheet, body: Body, whose: str) -> None:
     sheet.given({inertia.right: body.centroidal_inertia}, "The integral about the center of mass.")
     sheet.compute(inertia, f"The centroidal moment of inertia of {whose}.")
     about_origin = {a: sheet.value(zero), I_A: body.inertia}
-    sheet.check(inertia_about_point, f"Steiner's theorem leads to the moment of inertia of {whose} at the origin.", at=about_origin)
+    sheet.check(
+        inertia_about_point,
+        f"Steiner's theorem leads to the moment of inertia of {whose} at the origin.",
+        at=about_origin,
+    )
 
 
 def principal(sheet: Sheet, whose: str) -> tuple[object, object, object]:
@@ -43,7 +47,11 @@ def principal(sheet: Sheet, whose: str) -> tuple[object, object, object]:
     moments, radii = each_eigenvalue(matrix), each_eigenvalue(sheet.value(I_C / m))
     axes = principal_axes(matrix)
     distinct = len(eigenvalues(matrix))
-    freedom = {1: " All are equal: every axis is principal.", 2: " Two are equal: every axis in their plane is principal.", 3: ""}
+    freedom = {
+        1: " All are equal: every axis is principal.",
+        2: " Two are equal: every axis in their plane is principal.",
+        3: "",
+    }
     sheet.step(
         f"Principal moments of inertia of {whose}, their axes as rows, and the squares of the radii of gyration.{freedom[distinct]}",
         ("moments", moments),
@@ -83,7 +91,13 @@ exercise = Exercise(
         "Find its centroidal principal moments and axes of inertia.",
     ),
     data=(
-        Datum("side", Scalar(positive=True), 25, "side of the hexagon, in any unit of length (the book: mm)", from_book=True),
+        Datum(
+            "side",
+            Scalar(positive=True),
+            25,
+            "side of the hexagon, in any unit of length (the book: mm)",
+            from_book=True,
+        ),
         Datum("height", Scalar(positive=True), 150, "height of the prism, in the same unit", from_book=True),
     ),
     assumptions=(

@@ -4,7 +4,15 @@ from chasles.derivations.exercises.x3_11 import UNIT_DENSITY, drawn_axes, mass_p
 from chasles.derivations.notation import I_C, a, c, m, zero
 from chasles.derivations.s08_dynamics import inertia_about_point
 
-from chasles.exact.bodies import Body, cotangent_of_degrees, cut_prism, joined, regular_hexagon, tangent_of_double_angle, whole_prism
+from chasles.exact.bodies import (
+    Body,
+    cotangent_of_degrees,
+    cut_prism,
+    joined,
+    regular_hexagon,
+    tangent_of_double_angle,
+    whole_prism,
+)
 from chasles.exact.data import DataError
 from chasles.exact.evaluate import column_of
 from chasles.exact.numbers import compare, normal
@@ -28,7 +36,10 @@ def solve(sheet: Sheet) -> str:
         "its height is",
         ("Z", normal(2 * slope * corners[1][1])),
     )
-    drawn = [Drawn(prism_edges(corners, height)), Curve(section_of(prism_edges(corners, height), upward, offset), "cut")]
+    drawn = [
+        Drawn(prism_edges(corners, height)),
+        Curve(section_of(prism_edges(corners, height), upward, offset), "cut"),
+    ]
     for name, body in (("wedge", wedge), ("rest", rest)):
         drawn += part(sheet, name, body, side)
     together(sheet, whole, wedge, rest)
@@ -40,7 +51,9 @@ def cutting_plane(sheet: Sheet) -> tuple[object, object, object]:
     """The slope dZ/dY of the plane, its upward normal, and its offset along that."""
     angle = sheet["angle_deg"]
     if compare(angle, 0) <= 0 or compare(angle, 90) >= 0:
-        raise DataError(f"angle_deg: expected an angle between 0 and 90, and got {angle}: the plane would not cut the prism")
+        raise DataError(
+            f"angle_deg: expected an angle between 0 and 90, and got {angle}: the plane would not cut the prism"
+        )
     slope = cotangent_of_degrees(angle)
     edge = regular_hexagon(sheet["side"])[4]
     upward = column_of(0, -slope, 1)
@@ -56,7 +69,9 @@ def part(sheet: Sheet, name: str, body: Body, size: object) -> tuple[object, ...
     mass_properties(sheet, body, whose)
     moments, radii, axes = principal(sheet, whose)
     tangent = tangent_of_double_angle(sheet.values[I_C])
-    sheet.step(f"The axes of {whose} in the YZ plane: tan(2 theta) = 2 I_yz / (I_yy - I_zz).", ("tan(2 theta)", tangent))
+    sheet.step(
+        f"The axes of {whose} in the YZ plane: tan(2 theta) = 2 I_yz / (I_yy - I_zz).", ("tan(2 theta)", tangent)
+    )
     found = {
         "V": sheet.values[m],
         "centroid": sheet.values[c],
@@ -80,7 +95,10 @@ def together(sheet: Sheet, whole: Body, wedge: Body, rest: Body) -> None:
         bound = {m: body.mass, c: sheet.answers[f"{name}.centroid"], I_C: sheet.answers[f"{name}.I_C_over_rho"]}
         says = f"The moment of inertia of the {name} about the origin, by Steiner's theorem."
         about_origin.append(sheet.compute(inertia_about_point, says, at={**bound, a: sheet.value(zero)}))
-    sheet.check((about_origin[0] + about_origin[1], whole.inertia), "Moved to the origin, the moments of inertia of the parts add up to the prism's.")
+    sheet.check(
+        (about_origin[0] + about_origin[1], whole.inertia),
+        "Moved to the origin, the moments of inertia of the parts add up to the prism's.",
+    )
 
 
 exercise = Exercise(
@@ -91,7 +109,13 @@ exercise = Exercise(
         "Find the centroidal principal moments and axes of inertia of each part.",
     ),
     data=(
-        Datum("side", Scalar(positive=True), 25, "side of the hexagon, in any unit of length (the book: mm)", from_book=True),
+        Datum(
+            "side",
+            Scalar(positive=True),
+            25,
+            "side of the hexagon, in any unit of length (the book: mm)",
+            from_book=True,
+        ),
         Datum("height", Scalar(positive=True), 150, "height of the prism, in the same unit", from_book=True),
         Datum("angle_deg", Scalar(), 45, "angle between the plane and the axis, in degrees", from_book=True),
     ),

@@ -65,7 +65,9 @@ exercise = Exercise(
     asked=("Give a mechanical interpretation of m [tr(P P^T) 1 - P P^T], for equal masses m at points P_i.",),
     data=(
         Datum("m", Scalar(positive=True), 1, "the mass at each point"),
-        Datum("points", ListOf(vector_shape()), [[1, 0, 0], [0, 2, 0], [0, 0, 3], [1, 1, 1]], "positions of the points"),
+        Datum(
+            "points", ListOf(vector_shape()), [[1, 0, 0], [0, 2, 0], [0, 0, 3], [1, 1, 1]], "positions of the points"
+        ),
     ),
     assumptions=(
         "Exercise 2.23 is not in the chapter: P is taken to be the matrix whose columns are the positions p_i.",

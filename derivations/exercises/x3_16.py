@@ -84,7 +84,9 @@ def solve(sheet: Sheet) -> str:
         if same_number(found[-1][0], at_C[0]) != equal_ones[-1]:
             raise Refuted(f"the moments {found[-1][0]} and {at_C[0]} contradict what d says")
     if any(same and any(d) for d, same in zip(sheet["d"], equal_ones, strict=True)):
-        sheet.state(not_only_there, f"So the minimum is not attained at the center of mass alone. {not_only_there.says}")
+        sheet.state(
+            not_only_there, f"So the minimum is not attained at the center of mass alone. {not_only_there.says}"
+        )
     sheet.answer(moments_C=at_C, moments_P=found, smallest_equal_to_C=equal_ones)
     axes = columns_of(principal_axes(sheet.values[I_C]))
     items = [Arrow(sheet.values[c], axis, f"axis {k} at C") for k, axis in enumerate(axes, 1)]

@@ -69,7 +69,10 @@ STEPS = (
     (sum_is_skew, "What is left is minus a sum that is skew-symmetric."),
     (difference_is_skew, "So the difference is skew-symmetric, whatever wrench acts on the body."),
     (no_power, "A skew-symmetric matrix makes no power."),
-    (newton_euler_by_dyads, "W M is what multiplies the twist in the Newton-Euler equations: the part of C for a robot."),
+    (
+        newton_euler_by_dyads,
+        "W M is what multiplies the twist in the Newton-Euler equations: the part of C for a robot.",
+    ),
     (rate_of_energy, "So the rate of the energy is the power of the wrench."),
 )
 

@@ -94,7 +94,10 @@ def decompose(sheet: Sheet) -> dict[str, object]:
             "P, and no R, exists.",
         )
     sheet.step("What does hold: M_A = B + m P P^T, with the moment of inertia alone in B.", cites=(steiner_by_dyads,))
-    first, second = sheet.show(B_node, "The positive-semidefinite part.", named="B"), sheet.show(P_node, "And P.", named="P")
+    first, second = (
+        sheet.show(B_node, "The positive-semidefinite part.", named="B"),
+        sheet.show(P_node, "And P.", named="P"),
+    )
     sheet.check(steiner_by_dyads, "B + m P P^T is M_A.")
     sheet.check((signature(first)[1], 0), "B has no negative eigenvalue.")
     return {"B": first, "P": second, "signature_MA_minus_MC": list(found), "hint_decomposition_exists": exists}
@@ -119,7 +122,8 @@ exercise = Exercise(
         "the corrected (3.148).",
     ),
     stand_ins=dict.fromkeys(
-        ("I_C", "m", "c", "a"), "The exercise gives no numbers: I_C = diag(3, 4, 5), m = 1, c = 0 and a = (1, 0, 0) stand in."
+        ("I_C", "m", "c", "a"),
+        "The exercise gives no numbers: I_C = diag(3, 4, 5), m = 1, c = 0 and a = (1, 0, 0) stand in.",
     ),
     solve=solve,
 )

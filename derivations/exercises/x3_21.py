@@ -103,7 +103,9 @@ def solve(sheet: Sheet) -> str:
     sheet.check((sheet.value(size_of_second.left), second**2), "The second norm, from the matrix.")
     sheet.check((trace, 0), "The inner product is zero.")
     sheet.answer(trace=trace, dot_tangential_centripetal=product, norm_A=first, norm_O2=second)
-    sheet.answer(orthogonal_for_this_r=here, orthogonal_for_all_r=everywhere, last_sentence=what_holds(here, everywhere))
+    sheet.answer(
+        orthogonal_for_this_r=here, orthogonal_for_all_r=everywhere, last_sentence=what_holds(here, everywhere)
+    )
     return "ok"
 
 
@@ -121,7 +123,9 @@ def accelerations(sheet: Sheet) -> object:
     sheet.check(orthogonal_on_average, "Over the three coordinate axes, the products add up to zero.", at=axes)
     arrows = (("omega", sheet["omega"]), ("r", sheet["r"]), ("tangential", tangential), ("centripetal", centripetal))
     origin = 0 * sheet["r"]
-    sheet.picture = Picture("The relative accelerations of a point", tuple(Arrow(origin, v, k) for k, v in arrows if any(v)))
+    sheet.picture = Picture(
+        "The relative accelerations of a point", tuple(Arrow(origin, v, k) for k, v in arrows if any(v))
+    )
     return product
 
 

@@ -112,5 +112,7 @@ def _body(field: SurdField, moments: Moments) -> Body:
         return normal(field.expression(x))
 
     return Body(
-        read(moments.volume), column_of(*map(read, moments.first)), matrix_of([[read(x) for x in row] for row in moments.second])
+        read(moments.volume),
+        column_of(*map(read, moments.first)),
+        matrix_of([[read(x) for x in row] for row in moments.second]),
     )

@@ -48,10 +48,7 @@ class Moments:
             tuple(self.first[i] + self.volume * by[i] for i in AXES),
             tuple(
                 tuple(
-                    self.second[i][j]
-                    + self.first[i] * by[j]
-                    + by[i] * self.first[j]
-                    + self.volume * by[i] * by[j]
+                    self.second[i][j] + self.first[i] * by[j] + by[i] * self.first[j] + self.volume * by[i] * by[j]
                     for j in AXES
                 )
                 for i in AXES
@@ -83,17 +80,13 @@ class Moments:
     def inertia(self) -> Square:
         """The integral of |x|^2 1 - x x^T: the moment of inertia about the origin, over the density (m^5)."""
         trace = self.second[0][0] + self.second[1][1] + self.second[2][2]
-        return tuple(
-            tuple((trace - self.second[i][j]) if i == j else -self.second[i][j] for j in AXES) for i in AXES
-        )
+        return tuple(tuple((trace - self.second[i][j]) if i == j else -self.second[i][j] for j in AXES) for i in AXES)
 
 
 def of_tetrahedron(a: Vector, b: Vector, c: Vector) -> Moments:
     """The signed moments of the tetrahedron with one corner at the origin; positive where a, b, c are right-handed."""
     volume = (
-        a[0] * (b[1] * c[2] - b[2] * c[1])
-        + a[1] * (b[2] * c[0] - b[0] * c[2])
-        + a[2] * (b[0] * c[1] - b[1] * c[0])
+        a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
     ) / 6
     total = tuple(a[i] + b[i] + c[i] for i in AXES)
     return Moments(

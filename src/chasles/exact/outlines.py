@@ -43,7 +43,9 @@ def _angle(point: Any, corners: Sequence[Any], normal_of_plane: Any) -> float:
     middle = sum(corners[1:], corners[0]) / len(corners)
     across = corners[0] - middle
     upward = normal_of_plane.cross(across)
-    return atan2(float((upward.T * (point - middle))[0, 0]), float((across.T * (point - middle))[0, 0]) * _size(upward, across))
+    return atan2(
+        float((upward.T * (point - middle))[0, 0]), float((across.T * (point - middle))[0, 0]) * _size(upward, across)
+    )
 
 
 def _size(one: Any, other: Any) -> float:

@@ -156,7 +156,9 @@ def _halves(b: Any, c: Any, d: Any, e: Any, field: Field) -> tuple[tuple[Any, An
         halves = ((sp.Integer(0), (p - width) / 2), (sp.Integer(0), (p + width) / 2))
     else:
         resolvent = _factors([sp.Integer(1), 2 * p, p**2 - 4 * r, -(q**2)], field)
-        square = next((-field.expression(factor.rep.to_list()[1]) for factor, _ in resolvent if factor.degree() == 1), None)
+        square = next(
+            (-field.expression(factor.rep.to_list()[1]) for factor, _ in resolvent if factor.degree() == 1), None
+        )
         if square is None:
             return ()
         u = root(square)
