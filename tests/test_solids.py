@@ -26,7 +26,7 @@ def sign(x: Fraction) -> int:
 
 
 def star(draw: Random, corners: int) -> list[tuple[Fraction, Fraction]]:
-    """A polygon that is star-shaped about the origin, in general not convex, with rational corners, counter-clockwise."""
+    """A polygon that is star-shaped about the origin, in general not convex, counter-clockwise."""
     found = []
     for place in range(corners):
         t = Fraction(2 * place + 1, corners) - 1  # tan of a quarter of the turn, so that the corners go round once
@@ -128,7 +128,7 @@ HALF_HEXAGON = ((1, 0), ("1/2", "1/2"), ("-1/2", "1/2"), (-1, 0), ("-1/2", "-1/2
 
 
 def symbolic(height_over_side: sp.Rational) -> tuple[Moments, Moments, Moments, Case, Field]:
-    """The prism of Exercise 3.12 and its parts by side, height and cotangent, with Y in units of sqrt(3): no root occurs."""
+    """The prism of Exercise 3.12 and its parts by symbols, with Y in units of sqrt(3): no root occurs."""
     field = Field(s, h, k)
     case = Case(field, {s: sp.Rational(1), h: height_over_side, k: sp.Rational(1)})
     corners = [tuple(field(s * sp.Rational(x)) for x in corner) for corner in HALF_HEXAGON]
@@ -171,7 +171,7 @@ def test_the_hexagonal_prism_by_symbols() -> None:
 
 
 def test_a_sample_between_two_cases_is_refused() -> None:
-    with pytest.raises(ValueError, match="boundary of the case: .* vanishes"):
+    with pytest.raises(ValueError, match=r"boundary of the case: .* vanishes"):
         symbolic(sp.Integer(1))
     field = Field(s)
     with pytest.raises(ValueError, match="gives no value to s"):

@@ -33,6 +33,11 @@ def rotation(draw: Random) -> sp.Matrix:
     return (sp.eye(3) - skew).inv() * (sp.eye(3) + skew)
 
 
+def signs_of(values: list) -> tuple[int, int, int]:
+    decimals = [float(value) for value in values]
+    return sum(x > 0 for x in decimals), sum(x < 0 for x in decimals), decimals.count(0)
+
+
 def congruence(draw: Random, size: int) -> sp.Matrix:
     """A matrix of determinant one."""
     lower = sp.Matrix(size, size, lambda i, j: 1 if i == j else draw.randint(-2, 2) if j < i else 0)
@@ -70,9 +75,7 @@ def test_known_eigenvalues_and_axes(values: tuple, seed: int) -> None:
         first = next(entry for entry in axes.row(i) if not is_zero(entry))
         assert float(first) > 0
     assert residues_of(matrix, found).is_zero_matrix
-    assert signature(matrix) == tuple(sum(float(v) * turn > 0 for v in expected) for turn in (1, -1)) + (
-        sum(v == 0 for v in expected),
-    )
+    assert signature(matrix) == signs_of(expected)
     assert is_positive_definite(matrix) == (expected[0] > 0)
 
 
@@ -123,7 +126,7 @@ def test_signature_is_kept_by_congruence(seed: int) -> None:
     entries = [draw.choice((-2, -1, 0, 0, 1, 3, 5)) for _ in range(size)]
     change = congruence(draw, size)
     matrix = sp.ImmutableMatrix(change * sp.diag(*entries) * change.T)
-    expected = tuple(sum(entry * turn > 0 for entry in entries) for turn in (1, -1)) + (entries.count(0),)
+    expected = signs_of(entries)
     assert signature(matrix) == expected
     assert is_positive_definite(matrix) == (expected == (size, 0, 0))
     assert leading_minors(matrix)[-1] == sp.prod(entries)

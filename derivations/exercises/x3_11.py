@@ -10,6 +10,7 @@ from chasles.derivations.s08_dynamics import (
 )
 
 from chasles.exact.bodies import Body, regular_hexagon, whole_prism
+from chasles.exact.moments import Exact
 from chasles.exact.outlines import prism_edges
 from chasles.exact.picture import Arrow, Picture, Point
 from chasles.exact.picture import Body as Drawn
@@ -22,7 +23,7 @@ UNIT_DENSITY = "The density is one: a mass stands for a volume, and a moment of 
 
 
 def mass_properties(sheet: Sheet, body: Body, whose: str) -> None:
-    """Bind mass, center of mass and centroidal moment of inertia of a body, whose integrals over its elements are known.
+    """Bind mass, center of mass and centroidal moment of inertia of a body, whose integrals are known.
 
     The integral about the center of mass and the one about the origin are found apart; Steiner's theorem relates them.
     """
@@ -41,7 +42,7 @@ def mass_properties(sheet: Sheet, body: Body, whose: str) -> None:
     )
 
 
-def principal(sheet: Sheet, whose: str) -> tuple[object, object, object]:
+def principal(sheet: Sheet, whose: str) -> tuple[Exact, Exact, Exact]:
     """Principal moments (ascending), squares of the radii of gyration, and axes (rows), of what is bound."""
     matrix, total = sheet.values[I_C], sheet.values[m]
     moments, radii = each_eigenvalue(matrix), each_eigenvalue(sheet.value(I_C / m))
@@ -53,7 +54,8 @@ def principal(sheet: Sheet, whose: str) -> tuple[object, object, object]:
         3: "",
     }
     sheet.step(
-        f"Principal moments of inertia of {whose}, their axes as rows, and the squares of the radii of gyration.{freedom[distinct]}",
+        f"Principal moments of inertia of {whose}, their axes as rows, and the squares of the radii of gyration."
+        f"{freedom[distinct]}",
         ("moments", moments),
         ("axes", axes),
         ("k^2", radii),
@@ -64,11 +66,13 @@ def principal(sheet: Sheet, whose: str) -> tuple[object, object, object]:
     return moments, radii, axes
 
 
-def drawn_axes(sheet: Sheet, axes: object, size: object, whose: str) -> tuple[Arrow | Point, ...]:
-    """The center of mass that is bound, and the principal axes from it."""
+def drawn_axes(
+    sheet: Sheet, axes: Exact, size: Exact, name: str = "C", labelled: bool = True
+) -> tuple[Arrow | Point, ...]:
+    """The principal axes, from the center of mass that is bound."""
     center, rows = sheet.values[c], columns_of(axes)
-    arrows = tuple(Arrow(center, size * axis, f"axis {k} of {whose}") for k, axis in enumerate(rows, 1))
-    return (Point(center, "C"), *arrows)
+    arrows = tuple(Arrow(center, size * axis, f"axis {k}" if labelled else "") for k, axis in enumerate(rows, 1))
+    return (Point(center, name), *arrows)
 
 
 def solve(sheet: Sheet) -> str:
@@ -78,7 +82,7 @@ def solve(sheet: Sheet) -> str:
     mass_properties(sheet, whole_prism(corners, height), "the prism")
     _, radii, axes = principal(sheet, "the prism")
     sheet.answer(V=sheet.values[m], centroid=sheet.values[c], I_C_over_rho=sheet.values[I_C], k2=radii)
-    items = (Drawn(prism_edges(corners, height)), *drawn_axes(sheet, axes, side, "the prism"))
+    items = (Drawn(prism_edges(corners, height)), *drawn_axes(sheet, axes, side))
     sheet.picture = Picture("The prism and its principal axes", items)
     return "ok"
 

@@ -15,10 +15,11 @@ from chasles.exact.bodies import (
 )
 from chasles.exact.data import DataError
 from chasles.exact.evaluate import column_of
+from chasles.exact.moments import Exact
 from chasles.exact.numbers import compare, normal
 from chasles.exact.outlines import prism_edges, section_of
+from chasles.exact.picture import Arrow, Curve, Picture, Point
 from chasles.exact.picture import Body as Drawn
-from chasles.exact.picture import Curve, Picture
 from chasles.exact.principal_axes import CHOICE_OF_AXES
 from chasles.exact.sheet import Sheet
 from chasles.statements.exercise import Datum, Exercise, Scalar
@@ -32,22 +33,24 @@ def solve(sheet: Sheet) -> str:
     whole, (wedge, rest) = whole_prism(corners, height), cut_prism(corners, height, upward, offset)
     through_top = compare(2 * slope * corners[1][1], height) > 0
     sheet.step(
-        f"The plane leaves the prism through {'its top' if through_top else 'the far side'}: there, at Y = (sqrt(3)/2) side, "
-        "its height is",
+        f"The plane leaves the prism through {'its top' if through_top else 'the far side'}: its height there, "
+        "at Y = (sqrt(3)/2) side, is",
         ("Z", normal(2 * slope * corners[1][1])),
     )
-    drawn = [
-        Drawn(prism_edges(corners, height)),
-        Curve(section_of(prism_edges(corners, height), upward, offset), "cut"),
-    ]
-    for name, body in (("wedge", wedge), ("rest", rest)):
-        drawn += part(sheet, name, body, side)
+    edges = prism_edges(corners, height)
+    # Four colours take turns: with the section between the two sets of axes, like axes are alike.
+    drawn = (
+        Drawn(edges),
+        *part(sheet, "wedge", wedge, side),
+        Curve(section_of(edges, upward, offset), "section"),
+        *part(sheet, "rest", rest, side),
+    )
     together(sheet, whole, wedge, rest)
-    sheet.picture = Picture("The two parts of the prism, with their principal axes", tuple(drawn))
+    sheet.picture = Picture("The two parts of the prism, with their principal axes", drawn)
     return "ok"
 
 
-def cutting_plane(sheet: Sheet) -> tuple[object, object, object]:
+def cutting_plane(sheet: Sheet) -> tuple[Exact, Exact, Exact]:
     """The slope dZ/dY of the plane, its upward normal, and its offset along that."""
     angle = sheet["angle_deg"]
     if compare(angle, 0) <= 0 or compare(angle, 90) >= 0:
@@ -63,7 +66,7 @@ def cutting_plane(sheet: Sheet) -> tuple[object, object, object]:
     return slope, upward, offset
 
 
-def part(sheet: Sheet, name: str, body: Body, size: object) -> tuple[object, ...]:
+def part(sheet: Sheet, name: str, body: Body, size: Exact) -> tuple[Arrow | Point, ...]:
     """The answers for one part; what is drawn of it."""
     whose = f"the {name}"
     mass_properties(sheet, body, whose)
@@ -82,7 +85,7 @@ def part(sheet: Sheet, name: str, body: Body, size: object) -> tuple[object, ...
         "tan_2theta": tangent,
     }
     sheet.answer(**{f"{name}.{key}": value for key, value in found.items()})
-    return drawn_axes(sheet, axes, size, whose)
+    return drawn_axes(sheet, axes, size, f"C of {whose}", labelled=name == "wedge")
 
 
 def together(sheet: Sheet, whole: Body, wedge: Body, rest: Body) -> None:
@@ -122,7 +125,7 @@ exercise = Exercise(
     assumptions=(
         UNIT_DENSITY,
         "The base lies in the plane Z = 0 with its center at the origin and two opposite corners on the X axis.",
-        "The plane holds the edge of the base at Y = -(sqrt(3)/2) side, Z = 0, and rises towards +Y; the wedge is below.",
+        "The plane holds the edge of the base at Y = -(sqrt(3)/2) side and rises towards +Y; the wedge is below it.",
         CHOICE_OF_AXES,
     ),
     solve=solve,

@@ -4,7 +4,8 @@ from chasles.derivations.notation import I_C, Q, half, one, over_body, r_C, rho,
 from chasles.derivations.s08_dynamics import density_is_positive, inertia
 
 from chasles.exact.inertia_data import require_symmetric
-from chasles.exact.principal_axes import product, principal_axes
+from chasles.exact.moments import Exact
+from chasles.exact.principal_axes import principal_axes, product
 from chasles.exact.sheet import Sheet, equal
 from chasles.exact.spectra import each_eigenvalue, residues_of, signature
 from chasles.statements import Claim, Definite, Theorem, rotation
@@ -77,7 +78,7 @@ def solve(sheet: Sheet) -> str:
     return "ok"
 
 
-def observer(sheet: Sheet, name: str) -> tuple[object, bool, bool]:
+def observer(sheet: Sheet, name: str) -> tuple[Exact, bool, bool]:
     """What one observer's matrix says: its invariants, whether a body can have it, whether that body is planar."""
     at = {I_C: require_symmetric(name, sheet[name])}
     triple = sheet.show(column(tr(I_C), second, det(I_C)), f"The invariants, as {name} has them.", at=at)

@@ -5,7 +5,7 @@ from chasles.derivations.s08_dynamics import inertia_about_point
 
 from chasles.exact.inertia_data import require_inertia
 from chasles.exact.numbers import is_zero
-from chasles.exact.picture import Arrow, Picture, Point
+from chasles.exact.picture import Arrow, Curve, Picture, Point
 from chasles.exact.principal_axes import columns_of, principal_axes
 from chasles.exact.sheet import Sheet
 from chasles.exact.spectra import each_eigenvalue, residues_of
@@ -96,12 +96,17 @@ def solve(sheet: Sheet) -> str:
 def drawn(sheet: Sheet) -> Picture:
     """C and P with the principal axes at each."""
     size = sheet.value(norm(r_C)) / 2 if any(sheet["d"]) else 1
-    places = (("C", sheet.values[c], sheet.values[I_C]), ("P", sheet.values[a], sheet.values[I_A]))
-    items = [Point(at, name) for name, at, _ in places]
-    for name, at, matrix in places:
-        axes = columns_of(principal_axes(matrix))
-        items += [Arrow(at, size * axis, f"axis {k} at {name}") for k, axis in enumerate(axes, 1)]
-    return Picture("The principal axes at C and at P", tuple(items))
+    center, other = sheet.values[c], sheet.values[a]
+    rows = [columns_of(principal_axes(sheet.values[matrix])) for matrix in (I_C, I_A)]
+    # Four colours take turns: with d between the two sets of axes, like axes are alike.
+    items = (
+        Point(center, "C"),
+        Point(other, "P"),
+        *(Arrow(center, size * axis, f"axis {k}") for k, axis in enumerate(rows[0], 1)),
+        Arrow(center, other - center, "d") if any(sheet["d"]) else Curve((center, center)),
+        *(Arrow(other, size * axis) for axis in rows[1]),
+    )
+    return Picture("The principal axes at C and at P", items)
 
 
 exercise = Exercise(

@@ -5,10 +5,11 @@ from chasles.derivations.notation import I_A, I_C, a, arc, c, e, m, r_C, x_any, 
 from chasles.derivations.s08_dynamics import inertia_about_point, mass_is_positive
 
 from chasles.exact.inertia_data import require_inertia
+from chasles.exact.moments import Exact
 from chasles.exact.picture import Arrow, Picture, Point
 from chasles.exact.principal_axes import columns_of, principal_axes
-from chasles.exact.sheet import Refuted, Sheet
 from chasles.exact.roots import same_number
+from chasles.exact.sheet import Refuted, Sheet
 from chasles.exact.spectra import each_eigenvalue, residues_of, signature, smallest_belongs_to
 from chasles.statements import Claim, Definite, Definition, Minimum, Theorem
 from chasles.statements.exercise import Datum, Exercise, ListOf, Scalar, matrix_shape, vector_shape
@@ -25,8 +26,8 @@ greater_by_a_square = Claim(
 no_moment_is_smaller = Theorem(
     "Ex 3.16",
     part=2,
-    says="None is smaller than at C. For the unit x of the smallest moment at P: that moment is x . I_P x, which is not "
-    "less than x . I_C x, nor this than the smallest moment at C.",
+    says="None is smaller than at C. For the unit x of the smallest moment at P: that moment is x . I_P x, which is "
+    "not less than x . I_C x, nor this than the smallest moment at C.",
     forms=(
         Definite(
             x_any.T @ paren(I_A - I_C) @ x_any,
@@ -89,13 +90,13 @@ def solve(sheet: Sheet) -> str:
         )
     sheet.answer(moments_C=at_C, moments_P=found, smallest_equal_to_C=equal_ones)
     axes = columns_of(principal_axes(sheet.values[I_C]))
-    items = [Arrow(sheet.values[c], axis, f"axis {k} at C") for k, axis in enumerate(axes, 1)]
+    items: list[Arrow | Point] = [Arrow(sheet.values[c], axis, f"axis {k} at C") for k, axis in enumerate(axes, 1)]
     items += [Point(d, f"P{k}") for k, d in enumerate(sheet["d"], 1)]
     sheet.picture = Picture("The principal axes at C, and the points", tuple(items))
     return "ok"
 
 
-def moments_at(sheet: Sheet, d: object) -> object:
+def moments_at(sheet: Sheet, d: Exact) -> Exact:
     """The principal moments at one point."""
     at = {r_C: d}
     at |= {a: sheet.compute(point, at=at)}
@@ -118,12 +119,12 @@ exercise = Exercise(
         Datum("d", ListOf(vector_shape()), [[1, 0, 0], [0, 1, 0], [1, 1, 1]], "positions from the center of mass"),
     ),
     assumptions=(
-        "The exercise says 'at the center of mass', which is one place where the minimum is attained, and not the only one.",
+        "The exercise says 'at the center of mass': that is one place where the minimum is attained, not the only one.",
     ),
     stand_ins=dict.fromkeys(
         ("I_C", "m", "d"),
-        "The exercise gives no numbers: I_C = diag(3, 4, 5), m = 1 and three points stand in; at the first, on the axis of "
-        "the smallest moment, that moment is the same as at C.",
+        "The exercise gives no numbers: I_C = diag(3, 4, 5), m = 1 and three points stand in; at the first, on the "
+        "axis of the smallest moment, that moment is the same as at C.",
     ),
     solve=solve,
 )

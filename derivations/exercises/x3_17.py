@@ -1,19 +1,16 @@
 """Exercise 3.17: the rate of the inertia dyad, and with it that of the momentum screw."""
 
-from chasles.derivations.notation import M, M_A, O, Omega, W_dyad, mu, t
-from chasles.derivations.s03_fixed_point import angular_velocity_matrix_of_vector
+from chasles.derivations.notation import M, W_dyad, mu, t
 from chasles.derivations.s08_dynamics import (
-    angular_velocity_dyad,
     inertia_turns_with_the_body,
     momentum_screw_by_dyad,
     rate_of_inertia_dyad,
     rate_of_momentum_screw_by_rate_of_dyad,
-    twist_at_center_of_mass,
     twist_is_in_null_space,
 )
 
 from chasles.exact.sheet import Sheet
-from chasles.statements import Claim
+from chasles.statements import Claim, Statement
 from chasles.statements.exercise import Exercise
 from chasles.vocabulary import rate
 
@@ -45,14 +42,15 @@ STEPS = (
 )
 
 
-def proved(sheet: Sheet, steps: tuple[tuple[object, str], ...]) -> str:
+def proved(sheet: Sheet, steps: tuple[tuple[Statement, str], ...]) -> str:
     """Each step is decided where it is cited; the answers say what is proved, and under which hypotheses."""
     proofs = []
     for statement, says in steps:
         sheet.state(statement, says)
         (citation,) = sheet.steps[-1].cites
-        proofs.append({"number": citation.words, "says": statement.says, "verdict": citation.verdict,
-                       "needs": list(citation.needs)})  # fmt: skip
+        number = f"{citation.shown} part {citation.part}"
+        needs = list(citation.needs)
+        proofs.append({"number": number, "says": statement.says, "verdict": citation.verdict, "needs": needs})
     sheet.answer(proofs=proofs)
     return "ok"
 

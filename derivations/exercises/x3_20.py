@@ -1,6 +1,7 @@
 """Exercise 3.20: the inertia dyad at any point: its blocks, its definiteness, and what Steiner's theorem becomes."""
 
-from chasles.derivations.notation import A, C, I_C, M_A, M_C, O, a, c, m, one, p
+from chasles.derivations.notation import I_C, M_A, M_C, A, C, O, a, c, m, one, p
+from chasles.derivations.s04_twist import twist_transfer_matrix
 from chasles.derivations.s08_dynamics import (
     energy_by_twist_at_A,
     inertia_about_point_by_matrices,
@@ -13,7 +14,6 @@ from chasles.derivations.s08_dynamics import (
     steiner_by_dyads,
     twist_at_center_of_mass_from_A,
 )
-from chasles.derivations.s04_twist import twist_transfer_matrix
 
 from chasles.exact.inertia_data import require_inertia
 from chasles.exact.picture import Arrow, Picture, Point
@@ -90,8 +90,8 @@ def decompose(sheet: Sheet) -> dict[str, object]:
     else:
         sheet.show(
             probe.T @ paren(M_A - M_C) @ probe,
-            "For the columns x of this matrix, x . (M_A - M_C) x is on the diagonal: never positive, not all zero. So no "
-            "P, and no R, exists.",
+            "For the columns x of this matrix, x . (M_A - M_C) x is on the diagonal: never positive, not all zero. So "
+            "no P, and no R, exists.",
         )
     sheet.step("What does hold: M_A = B + m P P^T, with the moment of inertia alone in B.", cites=(steiner_by_dyads,))
     first, second = (
@@ -118,8 +118,8 @@ exercise = Exercise(
         Datum("a", vector_shape(), [1, 0, 0], "position of A"),
     ),
     assumptions=(
-        "The decomposition of the hint exists only if A is the center of mass; elsewhere the dyad is positive-definite by "
-        "the corrected (3.148).",
+        "The decomposition of the hint exists only if A is the center of mass; elsewhere the dyad is positive-definite "
+        "by the corrected (3.148).",
     ),
     stand_ins=dict.fromkeys(
         ("I_C", "m", "c", "a"),

@@ -4,6 +4,7 @@ from chasles.derivations.notation import Omega, e_1, e_2, e_3, omega, r_C, unit_
 from chasles.derivations.s03_fixed_point import angular_velocity_matrix_of_vector
 from chasles.derivations.s05_acceleration import acceleration_by_matrices, angular_acceleration_matrix
 
+from chasles.exact.moments import Exact
 from chasles.exact.numbers import is_zero, root, sign
 from chasles.exact.picture import Arrow, Picture
 from chasles.exact.sheet import Sheet
@@ -49,9 +50,9 @@ product_of_accelerations = Claim(
     dot(rate(Omega) @ r_C, Omega**2 @ r_C),
     dot(omega, r_C) * dot(cross(omega, rate(omega)), r_C),
     part=5,
-    says="The product of the tangential and the centripetal acceleration of a point at r from another: it vanishes for "
-    "all r if and only if the angular acceleration is parallel to the angular velocity (or one is zero); and for those r "
-    "that are normal to omega, or to omega x alpha.",
+    says="The product of the tangential and the centripetal acceleration of a point at r from another: it vanishes "
+    "for all r if and only if the angular acceleration is parallel to the angular velocity (or one is zero); and for "
+    "those r that are normal to omega, or to omega x alpha.",
     given=given,
 )
 
@@ -62,7 +63,7 @@ orthogonal_on_average = Claim(
     + dot(rate(Omega) @ e_3, Omega**2 @ e_3),
     number(0),
     part=6,
-    says="What the orthogonality of the matrices restates: for three points on perpendicular axes, at the same distance, "
+    says="What the orthogonality of the matrices restates: for three points on perpendicular axes, at one distance, "
     "the products add up to zero. The accelerations are orthogonal on average over all directions of r.",
     given=given,
     assuming=(orthonormal(e_1, e_2, e_3),),
@@ -90,26 +91,25 @@ def solve(sheet: Sheet) -> str:
     trace = sheet.show(
         terms_are_orthogonal.left, "The inner product of its two terms is always zero.", cites=(terms_are_orthogonal,)
     )
-    first = sheet.show(norm(alpha), "The magnitude of the angular acceleration.") * root(2)
-    second = sheet.show(norm(omega) ** 2, "The square of the angular speed.") * root(2)
-    says = "The norms of the two terms."
-    sheet.step(says, ("of the first", first), ("of the second", second), cites=(size_of_first, size_of_second))
+    first = root(sheet.show(size_of_first.left, size_of_first.says))
+    second = root(sheet.show(size_of_second.left, size_of_second.says))
     angle = "a right angle" if sign(first) and sign(second) else "not defined: one of the terms is zero"
-    sheet.step(f"The angle between the terms is {angle}.")
+    sheet.step(
+        f"The norms. The angle between the terms is {angle}.", ("of the first", first), ("of the second", second)
+    )
     product = accelerations(sheet)
     everywhere = not any(sheet.value(twist_of_axes))
     here = is_zero(product)
-    sheet.check((sheet.value(size_of_first.left), first**2), "The first norm, from the matrix.")
-    sheet.check((sheet.value(size_of_second.left), second**2), "The second norm, from the matrix.")
-    sheet.check((trace, 0), "The inner product is zero.")
+    sheet.check(size_of_first, "The first norm, from the angular acceleration.")
+    sheet.check(size_of_second, "The second norm, from the angular velocity.")
+    sheet.check(terms_are_orthogonal, "The inner product is zero.")
     sheet.answer(trace=trace, dot_tangential_centripetal=product, norm_A=first, norm_O2=second)
-    sheet.answer(
-        orthogonal_for_this_r=here, orthogonal_for_all_r=everywhere, last_sentence=what_holds(here, everywhere)
-    )
+    verdict = what_holds(here, everywhere)
+    sheet.answer(orthogonal_for_this_r=here, orthogonal_for_all_r=everywhere, last_sentence=verdict)
     return "ok"
 
 
-def accelerations(sheet: Sheet) -> object:
+def accelerations(sheet: Sheet) -> Exact:
     """The product of the two accelerations of a point at r: from the matrices, and from the vectors."""
     tangential = sheet.show(rate(Omega) @ r_C, "The tangential acceleration of a point at r, relative to another.")
     centripetal = sheet.show(Omega**2 @ r_C, "Its centripetal acceleration.", cites=(acceleration_by_matrices,))
@@ -123,9 +123,8 @@ def accelerations(sheet: Sheet) -> object:
     sheet.check(orthogonal_on_average, "Over the three coordinate axes, the products add up to zero.", at=axes)
     arrows = (("omega", sheet["omega"]), ("r", sheet["r"]), ("tangential", tangential), ("centripetal", centripetal))
     origin = 0 * sheet["r"]
-    sheet.picture = Picture(
-        "The relative accelerations of a point", tuple(Arrow(origin, v, k) for k, v in arrows if any(v))
-    )
+    drawn = tuple(Arrow(origin, vector, name) for name, vector in arrows if any(vector))
+    sheet.picture = Picture("The relative accelerations of a point", drawn)
     return product
 
 
@@ -153,8 +152,8 @@ exercise = Exercise(
     assumptions=("norm_A is the norm of the first term, d(Omega)/dt, and norm_O2 that of the second, Omega^2.",),
     stand_ins=dict.fromkeys(
         ("omega", "alpha", "r"),
-        "The exercise gives no numbers: omega = (0, 0, 1), alpha = (1, 0, 0), r = (0, 1, 1) stand in, for which the last "
-        "sentence of the exercise fails.",
+        "The exercise gives no numbers: omega = (0, 0, 1), alpha = (1, 0, 0), r = (0, 1, 1) stand in, for which the "
+        "last sentence of the exercise fails.",
     ),
     solve=solve,
 )

@@ -102,7 +102,7 @@ def test_the_parts_and_the_whole(side: object, height: object, degrees: object, 
 
 
 def test_a_cut_through_the_top_by_hand() -> None:
-    """A plane at 45 degrees and a height of sqrt(3)/2: over the near half the height is y + sqrt(3)/2, then the prism's."""
+    """At 45 degrees and a height of sqrt(3)/2: over the near half up to y + sqrt(3)/2, over the far half to the top."""
     answers = solve("3.12", side=1, height="sqrt(3)/2", angle_deg=45).answers
     x, y = sp.symbols("x y", real=True)
     near = sp.integrate(sp.integrate(y + ROOT_3 / 2, (x, -1 - y / ROOT_3, 1 + y / ROOT_3)), (y, -ROOT_3 / 2, 0))

@@ -1,4 +1,4 @@
-"""Bodies by their exact mass moments, in the numbers in which exercises are solved: prisms, their parts, point masses."""
+"""Bodies by their exact mass moments, in the numbers of exercises: prisms, their parts, point masses."""
 
 from __future__ import annotations
 

@@ -22,9 +22,9 @@ from chasles.exact.spectra import characteristic, eigenvalues
 __all__ = ["CHOICE_OF_AXES", "columns_of", "in_axes", "principal_axes", "product"]
 
 CHOICE_OF_AXES = (
-    "Axes are rows, in the order of ascending moments. Each is the unit projection, onto the space of its moment, of the "
-    "first coordinate axis that is not normal to that space and to the rows before it; the last row's sign makes the "
-    "rows right-handed."
+    "Axes are rows, in the order of ascending moments. Each is the unit projection, onto the space of its moment, of "
+    "the first coordinate axis that is not normal to that space and to the rows before it; the last row's sign makes "
+    "the rows right-handed."
 )
 
 
@@ -45,13 +45,13 @@ def principal_axes(matrix: Any) -> Any:
 
 
 def _projector(matrix: Any, value: Any, values: list[Any]) -> Any:
-    """The projector onto an eigenspace: the product over the other eigenvalues of (matrix - other) / (value - other)."""
+    """The projector onto an eigenspace: the product of (matrix - other) / (value - other) over the others."""
     one = sp.eye(3)
-    product = one
+    found = one
     for other in values:
         if other is not value:
-            product = (product * (matrix - other * one)).applyfunc(normal) / (value - other)
-    return product.applyfunc(normal)
+            found = product(found, matrix - other * one) / (value - other)
+    return found.applyfunc(normal)
 
 
 def _rows(projector: Any) -> list[list[Any]]:

@@ -26,7 +26,7 @@ DIGITS = 30
 
 @dataclass(frozen=True, slots=True)
 class Root:
-    """The real root number `index`, counted from the least, of an irreducible integer polynomial, highest power first."""
+    """Real root number `index`, from the least, of an irreducible integer polynomial, highest power first."""
 
     coefficients: tuple[int, ...]
     index: int
@@ -75,9 +75,13 @@ def merged(found: list[tuple[Any, int]]) -> list[tuple[Any, int]]:
     """Numbers with multiplicities in ascending order, those of equal ones added."""
     counted: dict[Any, int] = {}
     for value, multiplicity in found:
-        counted[value] = counted.get(value, 0) + multiplicity
-    order = cmp_to_key(lambda one, other: sign_of(_value(one[0]) - _value(other[0])))
-    return sorted(counted.items(), key=order)
+        known = next((other for other in counted if same_number(value, other)), value)
+        counted[known] = counted.get(known, 0) + multiplicity
+    return sorted(counted.items(), key=cmp_to_key(_order))
+
+
+def _order(one: tuple[Any, int], other: tuple[Any, int]) -> int:
+    return 0 if one[0] is other[0] else sign_of(_value(one[0]) - _value(other[0]))
 
 
 def _of_low_degree(*rest: Any) -> list[Any]:
@@ -90,7 +94,8 @@ def remainders(coefficients: list[Any], values: list[Any]) -> list[Any]:
     An exact number is divided out as a linear factor. A Root is by the integer polynomial that has it: this must
     divide the product of the polynomial with its conjugates.
     """
-    left, found = list(coefficients), []
+    left = list(coefficients)
+    found: list[Any] = []
     for value in values:
         if isinstance(value, Root):
             continue
@@ -136,7 +141,7 @@ def _roots_of_factor(factor: Poly, field: Field) -> list[Any]:
         return _of_low_degree(*rest)
     if field.free:
         raise NotDecided(f"{factor.as_expr()} has no roots that square roots express, and no integer coefficients")
-    halves = _halves(*rest, field) if len(rest) == 4 else ()
+    halves = _halves(rest, field) if len(rest) == 4 else ()
     return [value for half in halves for value in _of_quadratic(*half)] or _places(factor)
 
 
@@ -146,8 +151,9 @@ def _of_quadratic(b: Any, c: Any) -> list[Any]:
     return [normal((-b - width) / 2), normal((-b + width) / 2)]
 
 
-def _halves(b: Any, c: Any, d: Any, e: Any, field: Field) -> tuple[tuple[Any, Any], ...]:
+def _halves(coefficients: list[Any], field: Field) -> tuple[tuple[Any, Any], ...]:
     """Two quadratics whose product is x^4 + b x^3 + c x^2 + d x + e, by Descartes; none if no square root splits it."""
+    b, c, d, e = coefficients
     p = normal(c - 3 * b**2 / 8)
     q = normal(d - b * c / 2 + b**3 / 8)
     r = normal(e - b * d / 4 + b**2 * c / 16 - 3 * b**4 / 256)

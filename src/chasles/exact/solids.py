@@ -29,7 +29,7 @@ class Plane:
     offset: Number
 
     def height(self, point: Vector) -> Number:
-        """normal . x - offset: negative below the plane, positive above."""
+        """Normal . x - offset: negative below the plane, positive above."""
         return sum((n * x for n, x in zip(self.normal, point, strict=True)), -self.offset)
 
 

@@ -6,6 +6,7 @@ an equality where all roots are real) or from minors: no decimal decides anythin
 
 from __future__ import annotations
 
+from itertools import chain, pairwise
 from typing import Any
 
 import sympy as sp
@@ -56,7 +57,7 @@ def blocks_of(matrix: Any) -> list[list[int]]:
     blocks: list[list[int]] = []
     for i in range(matrix.rows):
         linked = [block for block in blocks if any(not is_zero(matrix[i, j]) for j in block)]
-        blocks = [block for block in blocks if block not in linked] + [sorted([*sum(linked, []), i])]
+        blocks = [block for block in blocks if block not in linked] + [sorted([i, *chain.from_iterable(linked)])]
     return blocks
 
 
@@ -71,7 +72,7 @@ def signature(matrix: Any) -> tuple[int, int, int]:
 
 def _changes(signs: list[int]) -> int:
     seen = [one for one in signs if one]
-    return sum(one != other for one, other in zip(seen, seen[1:], strict=False))
+    return sum(one != other for one, other in pairwise(seen))
 
 
 def leading_minors(matrix: Any) -> list[Any]:
@@ -94,8 +95,9 @@ def each_eigenvalue(matrix: Any) -> Any:
 
 
 def residues_of(matrix: Any, values: Any) -> Any:
-    """What is left of the characteristic polynomial divided by these as its roots, and of its degree: all zero if they
-    are the eigenvalues.
+    """What is left of the characteristic polynomial, and of its degree, divided by these as its roots.
+
+    All zero if they are the eigenvalues.
     """
     return column_of(*remainders(characteristic(matrix), list(values)))
 

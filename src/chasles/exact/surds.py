@@ -24,7 +24,7 @@ class _Element:
         return _Element(self.tower, self.tower.add(self.value, self._other(other)))
 
     def __radd__(self, other: Any) -> _Element:
-        return self + other
+        return _Element(self.tower, self.tower.add(self._other(other), self.value))
 
     def __neg__(self) -> _Element:
         return _Element(self.tower, self.tower.negative(self.value))
