@@ -95,10 +95,10 @@ def observer(sheet: Sheet, name: str) -> tuple[Exact, bool, bool]:
 
 def show_rotation(sheet: Sheet) -> None:
     """A rotation that takes the matrix of B into that of A, where square roots express one."""
-    axes_A, axes_B = principal_axes(sheet["A"]), principal_axes(sheet["B"])
-    if isinstance(axes_A, list):
+    if isinstance(sheet.answers["eigenvalues_A"], list):
         sheet.step("Equal characteristic polynomials: both are the same diagonal matrix in their principal axes.")
         return
+    axes_A, axes_B = principal_axes(sheet["A"]), principal_axes(sheet["B"])
     says = "A rotation from the axes of B to those of A; half-turns about principal axes lead to others."
     sheet.given({Q: product(axes_A.T, axes_B)}, says)
     sheet.check((sheet.value(turned, {I_C: sheet["B"]}), sheet["A"]), "It takes the matrix of B into that of A.")

@@ -5,8 +5,8 @@ from chasles.derivations.s08_dynamics import inertia_about_point
 
 from chasles.exact.inertia_data import require_inertia
 from chasles.exact.numbers import is_zero
+from chasles.exact.outlines import axes_to_draw
 from chasles.exact.picture import Arrow, Curve, Picture, Point
-from chasles.exact.principal_axes import columns_of, principal_axes
 from chasles.exact.sheet import Sheet
 from chasles.exact.spectra import each_eigenvalue, residues_of
 from chasles.statements import Claim, Definition, perpendicular, symmetric
@@ -97,7 +97,7 @@ def drawn(sheet: Sheet) -> Picture:
     """C and P with the principal axes at each."""
     size = sheet.value(norm(r_C)) / 2 if any(sheet["d"]) else 1
     center, other = sheet.values[c], sheet.values[a]
-    rows = [columns_of(principal_axes(sheet.values[matrix])) for matrix in (I_C, I_A)]
+    rows = [axes_to_draw(sheet.values[matrix]) for matrix in (I_C, I_A)]
     # Four colours take turns: with d between the two sets of axes, like axes are alike.
     items = (
         Point(center, "C"),

@@ -6,8 +6,8 @@ from chasles.derivations.s08_dynamics import inertia_about_point, mass_is_positi
 
 from chasles.exact.inertia_data import require_inertia
 from chasles.exact.moments import Exact
+from chasles.exact.outlines import axes_to_draw
 from chasles.exact.picture import Arrow, Picture, Point
-from chasles.exact.principal_axes import columns_of, principal_axes
 from chasles.exact.roots import same_number
 from chasles.exact.sheet import Refuted, Sheet
 from chasles.exact.spectra import each_eigenvalue, residues_of, signature, smallest_belongs_to
@@ -89,7 +89,7 @@ def solve(sheet: Sheet) -> str:
             not_only_there, f"So the minimum is not attained at the center of mass alone. {not_only_there.says}"
         )
     sheet.answer(moments_C=at_C, moments_P=found, smallest_equal_to_C=equal_ones)
-    axes = columns_of(principal_axes(sheet.values[I_C]))
+    axes = axes_to_draw(sheet.values[I_C])
     items: list[Arrow | Point] = [Arrow(sheet.values[c], axis, f"axis {k} at C") for k, axis in enumerate(axes, 1)]
     items += [Point(d, f"P{k}") for k, d in enumerate(sheet["d"], 1)]
     sheet.picture = Picture("The principal axes at C, and the points", tuple(items))

@@ -16,8 +16,8 @@ from chasles.derivations.s08_dynamics import (
 )
 
 from chasles.exact.inertia_data import require_inertia
+from chasles.exact.outlines import axes_to_draw
 from chasles.exact.picture import Arrow, Picture, Point
-from chasles.exact.principal_axes import columns_of, principal_axes
 from chasles.exact.sheet import Sheet
 from chasles.exact.spectra import each_eigenvalue, is_positive_definite, leading_minors, residues_of, signature
 from chasles.statements import Claim
@@ -56,7 +56,7 @@ def solve(sheet: Sheet) -> str:
     sheet.check(determinant_of_dyad, "The determinant does not depend on the point.")
     parts = decompose(sheet)
     sheet.answer(M_A=at_A, **parts, eig_M_A=values, positive_definite=definite, det=determinant)
-    axes = columns_of(principal_axes(sheet["I_C"]))
+    axes = axes_to_draw(sheet["I_C"])
     items = [Arrow(sheet["c"], axis, f"axis {k} at C") for k, axis in enumerate(axes, 1)]
     sheet.picture = Picture("The two points", (Point(sheet["c"], "C"), Point(sheet["a"], "A"), *items))
     return "ok"

@@ -8,12 +8,29 @@ enclosure, or the question is declined.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from functools import reduce
+from functools import lru_cache, reduce
 from math import gcd
 from operator import add, mul
 from typing import Any
 
-from sympy import Add, Expr, Mul, Pow, Rational, Symbol, cos, cot, expand, pi, sin, sympify, tan
+from sympy import (
+    Add,
+    Expr,
+    Integer,
+    Mul,
+    Pow,
+    Rational,
+    Symbol,
+    cos,
+    cot,
+    expand,
+    factorint,
+    pi,
+    sin,
+    sqrt,
+    sympify,
+    tan,
+)
 from sympy.polys.domains import QQ
 
 from chasles.exact.moments import Number
@@ -31,9 +48,9 @@ class Field:
 
     def __init__(self, *values: Any) -> None:
         atoms = dict.fromkeys(atom for value in values for atom in _atoms(sympify(value)))
-        self.roots = tuple(atom for atom in atoms if _is_small_root(atom))
+        self.roots = tuple(sorted((atom for atom in atoms if _is_small_root(atom)), key=str))
         self.free = tuple(sorted((atom for atom in atoms if atom not in self.roots), key=str))
-        self.algebraic = QQ.algebraic_field(*self.roots) if self.roots else QQ
+        self.algebraic, self._of_roots = _algebraic(self.roots)
         self._symbols = {atom: Symbol(f"free_{place}") for place, atom in enumerate(self.free)}
         self.domain = self.algebraic.frac_field(*self._symbols.values()) if self.free else self.algebraic
         self._elements: dict[Expr, Number] = {}
@@ -61,7 +78,10 @@ class Field:
                 return self(value.base) ** int(value.exp)
             case Pow(exp=Rational(p=p)) if p != 1:
                 return self(Pow(value.base, Rational(1, value.exp.q))) ** int(p)
-        return self.domain.convert_from(self.algebraic.from_sympy(value), self.algebraic)
+        if value in self._of_roots:
+            element = self._of_roots[value]
+            return self.domain.convert_from(element, self.algebraic) if self.free else element
+        return reduce(mul, (self(root) for root in _prime_roots(value)))
 
     def expression(self, element: Number) -> Expr:
         """The element as a SymPy expression, roots of numbers multiplied out."""
@@ -123,6 +143,21 @@ def sign_of(value: Expr) -> int:
     raise NotDecided(f"nothing decides the sign of {value}")
 
 
+@lru_cache(maxsize=200)
+def _algebraic(roots: tuple[Expr, ...]) -> tuple[Any, dict[Expr, Number]]:
+    """The extension of the rationals by some roots, and what each of these is in it."""
+    domain = QQ.algebraic_field(*roots) if roots else QQ
+    return domain, {root: domain.from_sympy(root) for root in roots}
+
+
+def _prime_roots(value: Expr) -> tuple[Expr, ...]:
+    """The square root of an integer as those of its prime factors; another root as it is."""
+    match value:
+        case Pow(base=Integer(), exp=Rational(p=1, q=2)) if value.base > 1:
+            return tuple(sqrt(prime) for prime in factorint(value.base, multiple=True))
+    return (value,)
+
+
 def _atoms(value: Expr) -> Iterator[Expr]:
     """Whatever the four operations do not take apart."""
     match value:
@@ -134,7 +169,7 @@ def _atoms(value: Expr) -> Iterator[Expr]:
         case Pow(exp=Rational(q=1)):
             yield from _atoms(value.base)
         case Pow(exp=Rational()):
-            yield Pow(value.base, Rational(1, value.exp.q))
+            yield from _prime_roots(Pow(value.base, Rational(1, value.exp.q)))
         case cot():
             yield tan(value.args[0])
         case _:

@@ -1,4 +1,4 @@
-"""The outlines of prisms and of the sections that planes make in them, for pictures."""
+"""What pictures of solids show: the outlines of prisms, the sections that planes make in them, axes in decimals."""
 
 from __future__ import annotations
 
@@ -6,12 +6,13 @@ from collections.abc import Sequence
 from math import atan2
 from typing import Any
 
+import mpmath
 import sympy as sp
 
 from chasles.exact.evaluate import matrix_of
 from chasles.exact.numbers import normal, sign
 
-__all__ = ["prism_edges", "section_of"]
+__all__ = ["axes_to_draw", "prism_edges", "section_of"]
 
 Edge = tuple[Any, Any]
 
@@ -36,6 +37,17 @@ def section_of(edges: Sequence[Edge], normal_of_plane: Any, offset: Any) -> tupl
     corners = list(dict.fromkeys(found))
     ordered = sorted(corners, key=lambda point: _angle(point, corners, normal_of_plane))
     return (*ordered, *ordered[:1])
+
+
+def axes_to_draw(matrix: Any) -> tuple[Any, ...]:
+    """Unit eigenvectors of a symmetric 3 x 3 matrix in decimals, by ascending eigenvalue: drawn, and nothing else."""
+    _, vectors = mpmath.eigsy(mpmath.matrix([[mpmath.mpf(str(sp.N(x, 20))) for x in row] for row in matrix.tolist()]))
+    columns = [[sp.Rational(float(vectors[i, j])) for i in range(3)] for j in range(3)]
+    return tuple(sp.ImmutableMatrix(column) * (1 if _first(column) > 0 else -1) for column in columns)
+
+
+def _first(column: list[Any]) -> Any:
+    return next(x for x in column if abs(x) > sp.Rational(1, 10**9))
 
 
 def _angle(point: Any, corners: Sequence[Any], normal_of_plane: Any) -> float:

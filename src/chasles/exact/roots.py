@@ -105,7 +105,7 @@ def remainders(coefficients: list[Any], values: list[Any]) -> list[Any]:
         found.append(quotient.pop())
         left = quotient
     field = Field(*left)
-    rest = Poly([field.domain.to_sympy(field(c)) for c in left], X, domain=field.domain)
+    rest = Poly.from_list([field(c) for c in left], X, domain=field.domain)
     product = rest.norm() if field.domain.is_Algebraic else rest
     places = dict.fromkeys(value for value in values if isinstance(value, Root))
     found += [product.rem(Poly(place.coefficients, X, domain="QQ")).as_expr() for place in places]
@@ -131,7 +131,7 @@ def _value(found: Any) -> Any:
 
 
 def _factors(coefficients: list[Any], field: Field) -> list[tuple[Poly, int]]:
-    polynomial = Poly([field.domain.to_sympy(field(c)) for c in coefficients], X, domain=field.domain)
+    polynomial = Poly.from_list([field(c) for c in coefficients], X, domain=field.domain)
     return [(factor.monic(), multiplicity) for factor, multiplicity in polynomial.factor_list()[1]]
 
 
@@ -178,7 +178,7 @@ def _places(factor: Poly) -> list[Any]:
     rational = factor.norm() if factor.domain.is_Algebraic else factor
     least = rational.sqf_part()
     places = [Root(_integers(least), index) for index in range(least.count_roots())]
-    digits = DIGITS
+    digits = DIGITS // 2
     while len(places) > factor.degree():
         places = [place for place in places if _may_vanish(factor, place, digits)]
         digits *= 2
