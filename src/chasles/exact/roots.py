@@ -85,7 +85,11 @@ def _order(one: tuple[Any, int], other: tuple[Any, int]) -> int:
 
 
 def _of_low_degree(*rest: Any) -> list[Any]:
-    return [normal(-rest[0])] if len(rest) == 1 else _of_quadratic(*rest)
+    if len(rest) == 1:
+        return [normal(-rest[0])]
+    if strangers := [c for c in rest if c.has(sp.Function)]:
+        raise NotDecided(f"square roots of sines, as in that of {strangers[0]}, are not told apart")
+    return _of_quadratic(*rest)
 
 
 def remainders(coefficients: list[Any], values: list[Any]) -> list[Any]:
@@ -140,7 +144,10 @@ def _roots_of_factor(factor: Poly, field: Field) -> list[Any]:
     if len(rest) < 3:
         return _of_low_degree(*rest)
     if field.free:
-        raise NotDecided(f"{factor.as_expr()} has no roots that square roots express, and no integer coefficients")
+        strangers = ", ".join(map(str, field.free))
+        raise NotDecided(
+            f"a polynomial with {strangers} in it has roots beyond square roots, and no integer coefficients"
+        )
     halves = _halves(rest, field) if len(rest) == 4 else ()
     return [value for half in halves for value in _of_quadratic(*half)] or _places(factor)
 
