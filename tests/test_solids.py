@@ -173,6 +173,11 @@ def test_the_hexagonal_prism_by_symbols() -> None:
 def test_a_sample_between_two_cases_is_refused() -> None:
     with pytest.raises(ValueError, match=r"boundary of the case: .* vanishes"):
         symbolic(sp.Integer(1))
+    field = Field(s, h)
+    case = Case(field, {s: sp.Rational(1), h: sp.Rational(2)})
+    assert case(1 / (field(s) - field(h))) == -1
+    assert [sp.simplify(value * (s - h)) for value in case.conditions] == [1]
+    assert list(case.conditions.values()) == [-1]
     field = Field(s)
     with pytest.raises(ValueError, match="gives no value to s"):
         Case(field, {})

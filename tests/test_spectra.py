@@ -93,6 +93,8 @@ def test_equal_eigenvalues_in_different_blocks_are_one() -> None:
         [[5, -1, -1], [-1, 6, -1], [-1, -1, 7]],
         [[2, ROOT_2, 0], [ROOT_2, 3, 1], [0, 1, 4]],
         [["1/3", 1, 0], [1, "2/7", 2], [0, 2, -1]],
+        [[ROOT_2, 1, 0], [1, 3, 1], [0, 1, 4]],
+        [[2, 0, 1], [0, 3, 1], [1, 1, 7]],
     ],
 )
 def test_a_cubic_that_square_roots_do_not_solve(rows: list) -> None:
