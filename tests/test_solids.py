@@ -178,6 +178,7 @@ def test_a_sample_between_two_cases_is_refused() -> None:
     assert case(1 / (field(s) - field(h))) == -1
     assert [sp.simplify(value * (s - h)) for value in case.conditions] == [1]
     assert list(case.conditions.values()) == [-1]
+    assert Case(field, {s: sp.Rational(3), h: sp.Rational(2)})(1 / (field(s) - field(h))) == 1
     field = Field(s)
     with pytest.raises(ValueError, match="gives no value to s"):
         Case(field, {})
