@@ -28,15 +28,11 @@ __all__ = [
 
 @dataclass(frozen=True, slots=True)
 class Body:
-    """Integrals over a body: of 1, of x, of x x^T, each times the density, about the origin; empty where 1 gives 0."""
+    """Integrals over a body: of 1, of x, of x x^T, each times the density, about the origin."""
 
     mass: Any
     first: Any
     second: Any
-
-    @property
-    def is_empty(self) -> bool:
-        return bool(self.mass == 0)
 
     @property
     def inertia(self) -> Any:
