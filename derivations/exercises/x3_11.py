@@ -10,7 +10,8 @@ from chasles.derivations.s08_dynamics import (
 )
 
 from chasles.exact.bodies import Body, regular_hexagon, whole_prism
-from chasles.exact.moments import Exact
+from chasles.exact.draw import Draw
+from chasles.exact.evaluate import Value
 from chasles.exact.outlines import prism_edges
 from chasles.exact.picture import Arrow, Picture, Point
 from chasles.exact.picture import Body as Drawn
@@ -42,7 +43,7 @@ def mass_properties(sheet: Sheet, body: Body, whose: str) -> None:
     )
 
 
-def principal(sheet: Sheet, whose: str) -> tuple[Exact, Exact, Exact]:
+def principal(sheet: Sheet, whose: str) -> tuple[Value, Value, Value]:
     """Principal moments (ascending), squares of the radii of gyration, and axes (rows), of what is bound."""
     matrix, total = sheet.values[I_C], sheet.values[m]
     moments, radii = each_eigenvalue(matrix), each_eigenvalue(sheet.value(I_C / m))
@@ -67,7 +68,7 @@ def principal(sheet: Sheet, whose: str) -> tuple[Exact, Exact, Exact]:
 
 
 def drawn_axes(
-    sheet: Sheet, axes: Exact, size: Exact, name: str = "C", labelled: bool = True
+    sheet: Sheet, axes: Value, size: Value, name: str = "C", labelled: bool = True
 ) -> tuple[Arrow | Point, ...]:
     """The principal axes, from the center of mass that is bound."""
     center, rows = sheet.values[c], columns_of(axes)
@@ -85,6 +86,11 @@ def solve(sheet: Sheet) -> str:
     items = (Drawn(prism_edges(corners, height)), *drawn_axes(sheet, axes, side))
     sheet.picture = Picture("The prism and its principal axes", items)
     return "ok"
+
+
+def instance(draw: Draw) -> dict[str, Value]:
+    """A prism of whole numbers."""
+    return {"side": draw.integer(1, 9), "height": draw.integer(1, 20)}
 
 
 exercise = Exercise(
@@ -110,4 +116,5 @@ exercise = Exercise(
         CHOICE_OF_AXES,
     ),
     solve=solve,
+    instance=instance,
 )

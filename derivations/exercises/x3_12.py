@@ -14,8 +14,7 @@ from chasles.exact.bodies import (
     whole_prism,
 )
 from chasles.exact.data import DataError
-from chasles.exact.evaluate import column_of
-from chasles.exact.moments import Exact
+from chasles.exact.evaluate import Value, column_of
 from chasles.exact.numbers import compare, normal
 from chasles.exact.outlines import prism_edges, section_of
 from chasles.exact.picture import Arrow, Curve, Picture, Point
@@ -50,7 +49,7 @@ def solve(sheet: Sheet) -> str:
     return "ok"
 
 
-def cutting_plane(sheet: Sheet) -> tuple[Exact, Exact, Exact]:
+def cutting_plane(sheet: Sheet) -> tuple[Value, Value, Value]:
     """The slope dZ/dY of the plane, its upward normal, and its offset along that."""
     angle = sheet["angle_deg"]
     if compare(angle, 0) <= 0 or compare(angle, 90) >= 0:
@@ -66,7 +65,7 @@ def cutting_plane(sheet: Sheet) -> tuple[Exact, Exact, Exact]:
     return slope, upward, offset
 
 
-def part(sheet: Sheet, name: str, body: Body, size: Exact) -> tuple[Arrow | Point, ...]:
+def part(sheet: Sheet, name: str, body: Body, size: Value) -> tuple[Arrow | Point, ...]:
     """The answers for one part; what is drawn of it."""
     whose = f"the {name}"
     mass_properties(sheet, body, whose)

@@ -5,6 +5,8 @@ from chasles.derivations.notation import I_A, I_C, O, a, c, m, one, over_body, p
 from chasles.derivations.s08_dynamics import inertia_with_respect_to_point
 
 from chasles.exact.bodies import point_masses
+from chasles.exact.draw import Draw
+from chasles.exact.evaluate import Value
 from chasles.exact.picture import Picture, Point
 from chasles.exact.sheet import Sheet
 from chasles.statements import Claim, Definition
@@ -59,6 +61,12 @@ def solve(sheet: Sheet) -> str:
     return "ok"
 
 
+def instance(draw: Draw) -> dict[str, Value]:
+    """Three to five points."""
+    points = [draw.written(p=draw.vector())["p"] for _ in range(draw.integer(3, 5))]
+    return {"m": draw.integer(1, 5), "points": points}
+
+
 exercise = Exercise(
     "3.13",
     "What a matrix of Exercise 2.23 means",
@@ -78,4 +86,5 @@ exercise = Exercise(
         "points": "The exercise gives no numbers: four points that lie in no plane stand in.",
     },
     solve=solve,
+    instance=instance,
 )

@@ -3,11 +3,12 @@
 from chasles.derivations.notation import I_C, Q, half, one, over_body, r_C, rho, x_any
 from chasles.derivations.s08_dynamics import density_is_positive, inertia
 
+from chasles.exact.draw import Draw
+from chasles.exact.evaluate import Value
 from chasles.exact.inertia_data import require_symmetric
-from chasles.exact.moments import Exact
-from chasles.exact.principal_axes import principal_axes, product
+from chasles.exact.principal_axes import in_axes, principal_axes, product
 from chasles.exact.sheet import Sheet, equal
-from chasles.exact.spectra import each_eigenvalue, residues_of, signature
+from chasles.exact.spectra import diagonal, each_eigenvalue, residues_of, signature
 from chasles.statements import Claim, Definite, Theorem, rotation
 from chasles.statements.exercise import Datum, Exercise, matrix_shape
 from chasles.vocabulary import column, det, dot, number, paren, tr
@@ -78,7 +79,7 @@ def solve(sheet: Sheet) -> str:
     return "ok"
 
 
-def observer(sheet: Sheet, name: str) -> tuple[Exact, bool, bool]:
+def observer(sheet: Sheet, name: str) -> tuple[Value, bool, bool]:
     """What one observer's matrix says: its invariants, whether a body can have it, whether that body is planar."""
     at = {I_C: require_symmetric(name, sheet[name])}
     triple = sheet.show(column(tr(I_C), second, det(I_C)), f"The invariants, as {name} has them.", at=at)
@@ -106,6 +107,14 @@ def show_rotation(sheet: Sheet) -> None:
     sheet.check((det(Q), number(1)), "It is proper.")
 
 
+def instance(draw: Draw) -> dict[str, Value]:
+    """One body, or two that differ in one moment, as seen from two frames."""
+    moments = draw.among(((3, 4, 5), (2, 2, 3), (1, 2, 3), (4, 5, 8)))
+    others = draw.among((moments, (*moments[:2], moments[2] + 1)))
+    turns = draw.rotation(), draw.rotation()
+    return draw.written(A=in_axes(diagonal(moments), turns[0]), B=in_axes(diagonal(others), turns[1]))
+
+
 exercise = Exercise(
     "3.14",
     "Two measurements of one moment of inertia",
@@ -128,4 +137,5 @@ exercise = Exercise(
         "a further condition, which the exercise does not ask for and which is tested as well.",
     ),
     solve=solve,
+    instance=instance,
 )

@@ -3,12 +3,15 @@
 from chasles.derivations.notation import I_A, I_C, a, c, e, m, r_C, x_any, zero
 from chasles.derivations.s08_dynamics import inertia_about_point
 
+from chasles.exact.draw import Draw
+from chasles.exact.evaluate import Value
 from chasles.exact.inertia_data import require_inertia
 from chasles.exact.numbers import is_zero
 from chasles.exact.outlines import axes_to_draw
 from chasles.exact.picture import Arrow, Curve, Picture, Point
+from chasles.exact.principal_axes import in_axes
 from chasles.exact.sheet import Sheet
-from chasles.exact.spectra import each_eigenvalue, residues_of
+from chasles.exact.spectra import diagonal, each_eigenvalue, residues_of
 from chasles.statements import Claim, Definition, perpendicular, symmetric
 from chasles.statements.exercise import Datum, Exercise, Scalar, matrix_shape, vector_shape
 from chasles.vocabulary import CPM, cross, det, dot, norm, paren, row
@@ -109,6 +112,13 @@ def drawn(sheet: Sheet) -> Picture:
     return Picture("The principal axes at C and at P", items)
 
 
+def instance(draw: Draw) -> dict[str, Value]:
+    """A body, and a point on one of its axes or in one of its principal planes."""
+    turn, moments = draw.rotation(), draw.among(((3, 4, 5), (2, 2, 3), (4, 5, 8)))
+    d = turn[:, 0] * draw.integer(0, 3) + turn[:, 1] * draw.integer(0, 3)
+    return draw.written(I_C=in_axes(diagonal(moments), turn), m=draw.integer(1, 4), d=d)
+
+
 exercise = Exercise(
     "3.15",
     "Principal axes at the center of mass and elsewhere",
@@ -130,4 +140,5 @@ exercise = Exercise(
         ("I_C", "m", "d"), "The exercise gives no numbers: I_C = diag(3, 4, 5), m = 1 and d = (1, 1, 0) stand in."
     ),
     solve=solve,
+    instance=instance,
 )

@@ -4,13 +4,15 @@ from chasles.derivations.exercises.x3_15 import point
 from chasles.derivations.notation import I_A, I_C, a, arc, c, e, m, r_C, x_any, zero
 from chasles.derivations.s08_dynamics import inertia_about_point, mass_is_positive
 
+from chasles.exact.draw import Draw
+from chasles.exact.evaluate import Value
 from chasles.exact.inertia_data import require_inertia
-from chasles.exact.moments import Exact
 from chasles.exact.outlines import axes_to_draw
 from chasles.exact.picture import Arrow, Picture, Point
+from chasles.exact.principal_axes import in_axes
 from chasles.exact.roots import same_number
 from chasles.exact.sheet import Refuted, Sheet
-from chasles.exact.spectra import each_eigenvalue, residues_of, signature, smallest_belongs_to
+from chasles.exact.spectra import diagonal, each_eigenvalue, residues_of, signature, smallest_belongs_to
 from chasles.statements import Claim, Definite, Definition, Minimum, Theorem
 from chasles.statements.exercise import Datum, Exercise, ListOf, Scalar, matrix_shape, vector_shape
 from chasles.vocabulary import cross, norm, paren
@@ -96,7 +98,7 @@ def solve(sheet: Sheet) -> str:
     return "ok"
 
 
-def moments_at(sheet: Sheet, d: Exact) -> Exact:
+def moments_at(sheet: Sheet, d: Value) -> Value:
     """The principal moments at one point."""
     at = {r_C: d}
     at |= {a: sheet.compute(point, at=at)}
@@ -107,6 +109,13 @@ def moments_at(sheet: Sheet, d: Exact) -> Exact:
     _, smaller, _ = signature(matrix - sheet.values[I_C])
     sheet.check((smaller, 0), "The difference from I_C has no negative eigenvalue.")
     return moments
+
+
+def instance(draw: Draw) -> dict[str, Value]:
+    """A body, and a point on each of its axes."""
+    turn, moments = draw.rotation(), draw.among(((3, 4, 5), (2, 2, 3), (4, 5, 8)))
+    points = [turn[:, k] * draw.integer(1, 3) for k in range(3)]
+    return draw.written(I_C=in_axes(diagonal(moments), turn), m=draw.integer(1, 4), d=points)
 
 
 exercise = Exercise(
@@ -127,4 +136,5 @@ exercise = Exercise(
         "axis of the smallest moment, that moment is the same as at C.",
     ),
     solve=solve,
+    instance=instance,
 )

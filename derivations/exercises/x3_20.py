@@ -15,11 +15,21 @@ from chasles.derivations.s08_dynamics import (
     twist_at_center_of_mass_from_A,
 )
 
+from chasles.exact.draw import Draw
+from chasles.exact.evaluate import Value
 from chasles.exact.inertia_data import require_inertia
 from chasles.exact.outlines import axes_to_draw
 from chasles.exact.picture import Arrow, Picture, Point
+from chasles.exact.principal_axes import in_axes
 from chasles.exact.sheet import Sheet
-from chasles.exact.spectra import each_eigenvalue, is_positive_definite, leading_minors, residues_of, signature
+from chasles.exact.spectra import (
+    diagonal,
+    each_eigenvalue,
+    is_positive_definite,
+    leading_minors,
+    residues_of,
+    signature,
+)
 from chasles.statements import Claim
 from chasles.statements.exercise import Datum, Exercise, Scalar, matrix_shape, vector_shape
 from chasles.vocabulary import column, det, matrix, paren
@@ -103,6 +113,13 @@ def decompose(sheet: Sheet) -> dict[str, object]:
     return {"B": first, "P": second, "signature_MA_minus_MC": list(found), "hint_decomposition_exists": exists}
 
 
+def instance(draw: Draw) -> dict[str, Value]:
+    """A body, and a point on one of its axes."""
+    turn, center = draw.rotation(), draw.vector()
+    inertia = in_axes(diagonal(draw.among(((3, 4, 5), (2, 2, 3), (4, 5, 8)))), turn)
+    return draw.written(I_C=inertia, m=draw.integer(1, 4), c=center, a=center + turn[:, 0] * draw.integer(0, 3))
+
+
 exercise = Exercise(
     "3.20",
     "The inertia dyad at any point",
@@ -126,4 +143,5 @@ exercise = Exercise(
         "The exercise gives no numbers: I_C = diag(3, 4, 5), m = 1, c = 0 and a = (1, 0, 0) stand in.",
     ),
     solve=solve,
+    instance=instance,
 )

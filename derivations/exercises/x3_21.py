@@ -4,7 +4,8 @@ from chasles.derivations.notation import Omega, e_1, e_2, e_3, omega, r_C, unit_
 from chasles.derivations.s03_fixed_point import angular_velocity_matrix_of_vector
 from chasles.derivations.s05_acceleration import acceleration_by_matrices, angular_acceleration_matrix
 
-from chasles.exact.moments import Exact
+from chasles.exact.draw import Draw
+from chasles.exact.evaluate import Value
 from chasles.exact.numbers import is_zero, root, sign
 from chasles.exact.picture import Arrow, Picture
 from chasles.exact.sheet import Sheet
@@ -109,7 +110,7 @@ def solve(sheet: Sheet) -> str:
     return "ok"
 
 
-def accelerations(sheet: Sheet) -> Exact:
+def accelerations(sheet: Sheet) -> Value:
     """The product of the two accelerations of a point at r: from the matrices, and from the vectors."""
     tangential = sheet.show(rate(Omega) @ r_C, "The tangential acceleration of a point at r, relative to another.")
     centripetal = sheet.show(Omega**2 @ r_C, "Its centripetal acceleration.", cites=(acceleration_by_matrices,))
@@ -137,6 +138,11 @@ def what_holds(here: bool, everywhere: bool) -> str:
     return "fails: the accelerations are not orthogonal here; they are on average over all directions of r"
 
 
+def instance(draw: Draw) -> dict[str, Value]:
+    """Three vectors."""
+    return draw.written(omega=draw.vector(), alpha=draw.vector(), r=draw.vector())
+
+
 exercise = Exercise(
     "3.21",
     "Orthogonal terms of the angular-acceleration matrix",
@@ -156,4 +162,5 @@ exercise = Exercise(
         "last sentence of the exercise fails.",
     ),
     solve=solve,
+    instance=instance,
 )

@@ -8,9 +8,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-__all__ = ["Exact", "Moments", "Number", "Vector", "of_tetrahedron", "sum_of"]
+__all__ = ["Moments", "Number", "Vector", "of_tetrahedron", "sum_of"]
 
-Exact: TypeAlias = Any  # an exact number, or a SymPy vector or matrix of such
 Number: TypeAlias = Any  # SymPy's domain elements, surds, fractions: whatever divides exactly
 Vector: TypeAlias = tuple[Number, ...]
 Square: TypeAlias = tuple[tuple[Number, ...], ...]
