@@ -164,3 +164,10 @@ def test_the_default_sensor() -> None:
 def test_malformed_sensors(data: dict, match: str) -> None:
     with pytest.raises(DataError, match=match):
         solve("3.19", **data)
+
+
+def test_more_square_roots_than_can_be_handled_are_refused_at_once() -> None:
+    roots = [f"sqrt({prime})" for prime in (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37)]
+    points = {name: roots[3 * k : 3 * k + 3] for k, name in enumerate(NAMES)}
+    with pytest.raises(DataError, match="more than 8 independent square roots; give simpler numbers"):
+        solve("3.2", points=points)

@@ -9,6 +9,7 @@ from chasles.exact.data import DataError, read_data
 from chasles.exact.numbers import NotDecided
 from chasles.exact.sheet import Sheet
 from chasles.exact.solution import Solution
+from chasles.exact.tower import TooManyRoots
 from chasles.statements.exercise import Exercise
 from chasles.statements.exercises import exercise as find_exercise
 
@@ -31,12 +32,14 @@ def solve_with(number: str, data: Mapping[str, Any]) -> Solution:
 
 def solved_on_sheet(exercise: Exercise, data: Mapping[str, Any]) -> tuple[Solution, Sheet]:
     """The solution, and the sheet on which it was found."""
-    values = read_data(exercise, data)
-    sheet = Sheet(values)
     try:
+        values = read_data(exercise, data)
+        sheet = Sheet(values)
         status = exercise.solve(sheet)
     except NotDecided as error:
         raise DataError(f"{error}; give numbers that square roots express") from error
+    except TooManyRoots as error:
+        raise DataError(f"{error}; give simpler numbers") from error
     assert status in exercise.statuses, f"{status} is not among {exercise.statuses}"
     solution = Solution(
         exercise.number,

@@ -12,10 +12,15 @@ from math import gcd, isqrt, lcm
 
 from chasles.proof.squarefree import squarefree
 
-__all__ = ["NegativeRadicand", "Surd", "Tower"]
+__all__ = ["MOST_ROOTS", "NegativeRadicand", "Surd", "TooManyRoots", "Tower"]
 
 Surd = Fraction | tuple[int, "Surd", "Surd"]
 ZERO = Fraction(0)
+MOST_ROOTS = 8
+
+
+class TooManyRoots(ArithmeticError):
+    """A number with more independent square roots than can be handled: each doubles the terms of all others."""
 
 
 class NegativeRadicand(ValueError):
@@ -74,13 +79,15 @@ class Tower:
     def root(self, x: Surd) -> Surd:
         """The square root that is not negative, taken into the field if it is not there yet.
 
-        Raises NegativeRadicand for a negative number.
+        Raises NegativeRadicand for a negative number, TooManyRoots for one root more than can be handled.
         """
         if self.sign(x) < 0:
             raise NegativeRadicand("the square root of a negative number")
         found = self._root_within(x, len(self.radicands))
         if found is None and self._take_parts(x):
             found = self._root_within(x, len(self.radicands))
+        if found is None and len(self.radicands) == MOST_ROOTS:
+            raise TooManyRoots(f"a number has more than {MOST_ROOTS} independent square roots")
         if found is None:
             outside, inside = _without_squares(x)
             self.radicands.append(inside)
