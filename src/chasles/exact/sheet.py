@@ -1,7 +1,7 @@
 """The sheet on which an exercise is solved: each step evaluates, tests or solves an equation of the book, exactly.
 
 Values are bound to the book's symbols. A step names a declaration; its right side, at the values known so far, gives
-the value of its left side. A claim is decided before it is used, and used as corrected where its print fails; what it
+the value of its left side. A claim is decided before it is used, and used as repaired where its print fails; what it
 assumes is tested at the values. Nothing is computed by a formula that the book does not declare.
 """
 
@@ -23,9 +23,8 @@ from chasles.exact.spelling import text_of
 from chasles.proof.judge import Judge
 from chasles.proof.road import walk
 from chasles.proof.verdict import Fails
-from chasles.statements import Claim, Hypothesis, Inverse, Statement, Theorem
+from chasles.statements import Claim, Hypothesis, Inverse, Statement, Theorem, load
 from chasles.statements.derivation import Derivation
-from chasles.statements.problem import default_form
 from chasles.statements.statement import bare
 from chasles.vocabulary import Node, latex, plain, replace
 
@@ -46,7 +45,7 @@ class Refuted(AssertionError):
 
 @cache
 def _judge() -> Judge:
-    return Judge()
+    return Judge(book=load())
 
 
 def equal(one: Any, other: Any) -> bool:
@@ -225,15 +224,12 @@ class Sheet:
     def cite(self, sentence: Sentence) -> Citation:
         """The sentence's number, and what is decided of it."""
         decision = _judge().decide(sentence)
-        form = self._form(sentence) if isinstance(sentence, Statement) else "printed"
-        verdict = decision.correction.verdict if decision.correction and form != "printed" else decision.verdict
+        correction = None if decision.verdict.true else decision.correction
+        form, verdict = (correction.form, correction.verdict) if correction else ("printed", decision.verdict)
         return Citation(sentence.number, sentence.part, verdict.name, tuple(getattr(verdict, "needs", ())), form)
 
-    def _form(self, statement: Statement) -> str:
-        return _judge().standing(statement) if isinstance(statement, Claim) else default_form(statement)
-
     def _sides(self, statement: Statement, moved: Mapping[Any, Node] | None) -> tuple[Node, Node]:
-        left, right = statement.form(self._form(statement))
+        left, right = _judge().standing(statement)
         return (replace(left, moved), replace(right, moved)) if moved else (left, right)
 
     def _require(self, assuming: Iterable[Hypothesis], at: Mapping[Any, Any] | None = None) -> None:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from chasles.exact.spelling import as_data
+from chasles.proof.decision import HOW
 
 if TYPE_CHECKING:
     from chasles.exact.picture import Picture
@@ -54,7 +55,7 @@ def _parts(parts: list[int]) -> str:
 
 
 def _form(form: str) -> str:
-    return "" if form == "printed" else f", as {form}"
+    return "" if form == "printed" else f", {HOW[form]}"
 
 
 @dataclass(frozen=True, slots=True)
