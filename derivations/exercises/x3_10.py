@@ -30,7 +30,7 @@ def solve(sheet: Sheet) -> str:
     chosen = [roads[f"euler_{sheet['sequence']}_{frame}"] for frame in FRAMES]
     fixed, body = (sheet.walk(road, "A derivation, each step decided.") for road in chosen)
     rotation, axes = definitions_of(chosen[0])
-    names = symbols_by_name(rotation.right, fixed["W"], body["W"])
+    names = symbols_by_name(rotation.right, fixed["W"], body["W_body"])
     angles = [names[f"theta_{k}"] for k in (1, 2, 3)]
     for axis in axes:
         sheet.values[axis.left] = sheet.value(axis.right)
@@ -40,11 +40,11 @@ def solve(sheet: Sheet) -> str:
     if known:
         sheet.step("The angles.", *zip(angles, values, strict=True))
     W_fixed, W_body = (
-        sheet.show(found["W"], f"W in the {frame} frame.", named="W")
-        for frame, found in zip(FRAMES, (fixed, body), strict=True)
+        sheet.show(found, f"W in the {frame} frame.", named="W")
+        for frame, found in zip(FRAMES, (fixed["W"], body["W_body"]), strict=True)
     )
     determinant = sheet.show(fixed["det(W)"], "The determinant, the same in both frames.", named="det(W)")
-    sheet.check((body["det(W)"], fixed["det(W)"]), "The determinants are equal, as the frames are turned.")
+    sheet.check((body["det(W_body)"], fixed["det(W)"]), "The determinants are equal, as the frames are turned.")
     sheet.answer(W_fixed=W_fixed, W_body=W_body, det=determinant)
     where = singular_set(fixed["det(W)"])
     sheet.picture = Picture(

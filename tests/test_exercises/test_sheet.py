@@ -114,7 +114,7 @@ def test_a_corrected_form_stands_in_for_a_print_that_fails() -> None:
     slip = Claim("9.3", cross(a, a_), cross(a_, a), says="Crosses commute.", corrected=-cross(a_, a))
     sheet.given({a: column_of(1, 0, 0), a_: column_of(0, 1, 0)})
     assert sheet.holds(slip)
-    assert sheet.steps[-1].cites[0].form == "corrected"
+    assert sheet.steps[-1].cites[0].form == "repair"
 
 
 def test_linear_conditions_are_solved_for_all_solutions() -> None:

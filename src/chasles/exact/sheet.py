@@ -22,11 +22,12 @@ from chasles.exact.solution import Check, Citation, Line, Step
 from chasles.exact.spelling import text_of
 from chasles.proof.judge import Judge
 from chasles.proof.road import walk
+from chasles.proof.variables import angle_multiples
 from chasles.proof.verdict import Fails
 from chasles.statements import Claim, Hypothesis, Inverse, Statement, Theorem, load
 from chasles.statements.derivation import Derivation
 from chasles.statements.statement import bare
-from chasles.vocabulary import Node, latex, plain, replace
+from chasles.vocabulary import Call, Node, latex, plain, replace
 
 __all__ = ["HypothesisFails", "Refuted", "Sheet", "equal"]
 
@@ -134,8 +135,9 @@ class Sheet:
     def invert(self, inverse: Inverse, says: str = "") -> bool:
         """Bind the arguments of the formula that is inverted, by its first branch that applies.
 
-        An angle becomes known by its cosine and sine. Signs are chosen as the inverse says: the first entry of what
-        shares a sign that is not zero is positive. False, with nothing bound, where no branch applies.
+        An angle becomes known by its cosine and sine, also where those of its half are found. Signs are chosen as the
+        inverse says: the first entry of what shares a sign that is not zero is positive. False, with nothing bound,
+        where no branch applies.
         """
         for branch in inverse.branches:
             if is_zero(self.value(branch.where)) or not self._true(branch.assuming):
@@ -143,7 +145,7 @@ class Sheet:
             found = {node: self.value(value) for node, value in branch.values}
             turn = self._turn(inverse.sign, found)
             found = {node: turn * value if node in inverse.sign else value for node, value in found.items()}
-            self.values |= found
+            self.values |= found | _whole_angles(found)
             lines = tuple(chain([plain(node), *([plain(value)] if turn == 1 or node not in inverse.sign else [])],
                                  [latex(node), *([latex(value)] if turn == 1 or node not in inverse.sign else [])],
                                  found[node]) for node, value in branch.values)  # fmt: skip
@@ -272,3 +274,17 @@ def _normal(value: Any) -> Any:
             return normal(value)
         case _:
             return value
+
+
+def _whole_angles(found: Mapping[Node, Any]) -> dict[Node, Any]:
+    """Cosine and sine of the angles of which a fraction is known by its own."""
+    whole: dict[Node, Any] = {}
+    for node, cosine in found.items():
+        if isinstance(node, Call) and node.function == "cos":
+            sine = found[Call("sin", node.argument)]
+            ((symbol, fraction),) = angle_multiples(node.argument, {}).items()
+            turned = cosine, sine
+            for _ in range(1, (1 / fraction).numerator):
+                turned = turned[0] * cosine - turned[1] * sine, turned[1] * cosine + turned[0] * sine
+            whole |= {Call(name, symbol): normal(value) for name, value in zip(("cos", "sin"), turned, strict=True)}
+    return whole
