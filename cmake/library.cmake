@@ -4,7 +4,8 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 include(CTest)
 
-add_library(chasles ${chasles_sources})
+add_library(chasles)
+chasles_add_sources(chasles)
 add_library(chasles::chasles ALIAS chasles)
 set_target_properties(
     chasles
@@ -16,7 +17,6 @@ set_target_properties(
         VERSION ${PROJECT_VERSION}
         SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
 )
-target_compile_options(chasles PRIVATE ${chasles_compile_options})
 target_include_directories(
     chasles PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/generated/c/include>" "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>"
 )

@@ -1,6012 +1,16 @@
 /* chasles._kernels: the C kernels as NumPy generalised ufuncs. Made by `chasles emit`; not to be edited by hand.
  *
  * NumPy broadcasts, checks core shapes, casts, buffers, keeps overlapping operands apart and releases the global lock
- * around each loop; a loop gathers one item from any strides, calls the C kernel and scatters what it gives.
+ * around each loop; the loop hands its batch, of any strides, to the C library.
  */
-#include <pyconfig.h>
+#include "kernels.h"
 
-/* The stable ABI does not load in a free-threaded interpreter, which gets a build of its own. */
-#if !defined(Py_LIMITED_API) && !defined(Py_GIL_DISABLED)
-#define Py_LIMITED_API 0x030B0000
-#endif
-#include <Python.h>
-
-#ifndef NPY_NO_DEPRECATED_API
-#define NPY_NO_DEPRECATED_API NPY_2_0_API_VERSION
-#endif
-#ifndef NPY_TARGET_VERSION
-#define NPY_TARGET_VERSION NPY_2_0_API_VERSION
-#endif
+#include <stdlib.h>
 #include <string.h>
 
-#include <numpy/ndarraytypes.h>
-#include <numpy/ufuncobject.h>
+#include <numpy/arrayobject.h>
 
-#include "chasles.h"
-
-/* The entries of an item, row-major, from where their strides say. */
-static inline void gather_f(
-    float *to, const char *from, npy_intp rows, npy_intp columns, npy_intp down, npy_intp across)
-{
-    for (npy_intp i = 0; i < rows; i++) {
-        for (npy_intp j = 0; j < columns; j++) {
-            to[i * columns + j] = *(const float *)(from + i * down + j * across);
-        }
-    }
-}
-
-/* The entries of an item, row-major, to where their strides say. */
-static inline void scatter_f(
-    const float *from, char *to, npy_intp rows, npy_intp columns, npy_intp down, npy_intp across)
-{
-    for (npy_intp i = 0; i < rows; i++) {
-        for (npy_intp j = 0; j < columns; j++) {
-            *(float *)(to + i * down + j * across) = from[i * columns + j];
-        }
-    }
-}
-
-/* The entries of an item, row-major, from where their strides say. */
-static inline void gather_d(
-    double *to, const char *from, npy_intp rows, npy_intp columns, npy_intp down, npy_intp across)
-{
-    for (npy_intp i = 0; i < rows; i++) {
-        for (npy_intp j = 0; j < columns; j++) {
-            to[i * columns + j] = *(const double *)(from + i * down + j * across);
-        }
-    }
-}
-
-/* The entries of an item, row-major, to where their strides say. */
-static inline void scatter_d(
-    const double *from, char *to, npy_intp rows, npy_intp columns, npy_intp down, npy_intp across)
-{
-    for (npy_intp i = 0; i < rows; i++) {
-        for (npy_intp j = 0; j < columns; j++) {
-            *(double *)(to + i * down + j * across) = from[i * columns + j];
-        }
-    }
-}
-
-/*
- * (2.38) The loops of cross_product_matrix.
- *   verdict: defined; assumes nothing
- *   0 operations; derivation sha256 1dcc0e58f219711b3c3f86b749f8c10b4db63734a02b20de3d9c405c9765483d
- */
-static void cross_product_matrix_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_cross_product_matrixf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void cross_product_matrix_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_cross_product_matrix(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction cross_product_matrix_loops[] = {
-    cross_product_matrix_f,
-    cross_product_matrix_d,
-};
-static const char cross_product_matrix_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (2.49) The loops of rotation_from_axis_angle.
- *   verdict: defined; assumes |e| = 1
- *   24 operations; derivation sha256 dd485fc9fc55c9da723bbd623b2225ec82c9e8dbfe322dbf4dfe768c7d30e93a
- */
-static void rotation_from_axis_angle_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        chasles_rotation_from_axis_anglef(x0, *x1, x2);
-        scatter_f(x2, at[2], 3, 3, steps[4], steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void rotation_from_axis_angle_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        chasles_rotation_from_axis_angle(x0, *x1, x2);
-        scatter_d(x2, at[2], 3, 3, steps[4], steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction rotation_from_axis_angle_loops[] = {
-    rotation_from_axis_angle_f,
-    rotation_from_axis_angle_d,
-};
-static const char rotation_from_axis_angle_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.2) The loops of point_after_displacement.
- *   verdict: holds; assumes nothing
- *   21 operations; derivation sha256 af99d11eca408718e24cab7a00a1fd908df2c4445259caf108fa6366c29b6560
- */
-static void point_after_displacement_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[9];
-        float x1[3];
-        float x2[3];
-        float x3[3];
-        float x4[3];
-        gather_f(x0, at[0], 3, 3, steps[5], steps[6]);
-        gather_f(x1, at[1], 1, 3, 0, steps[7]);
-        gather_f(x2, at[2], 1, 3, 0, steps[8]);
-        gather_f(x3, at[3], 1, 3, 0, steps[9]);
-        chasles_point_after_displacementf(x0, x1, x2, x3, x4);
-        scatter_f(x4, at[4], 1, 3, 0, steps[10]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void point_after_displacement_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[9];
-        double x1[3];
-        double x2[3];
-        double x3[3];
-        double x4[3];
-        gather_d(x0, at[0], 3, 3, steps[5], steps[6]);
-        gather_d(x1, at[1], 1, 3, 0, steps[7]);
-        gather_d(x2, at[2], 1, 3, 0, steps[8]);
-        gather_d(x3, at[3], 1, 3, 0, steps[9]);
-        chasles_point_after_displacement(x0, x1, x2, x3, x4);
-        scatter_d(x4, at[4], 1, 3, 0, steps[10]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction point_after_displacement_loops[] = {
-    point_after_displacement_f,
-    point_after_displacement_d,
-};
-static const char point_after_displacement_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.7) The loops of pitch_of_motion.
- *   verdict: holds under; assumes phi != 0, |e| = 1
- *   6 operations; derivation sha256 a00b650de0c575f7c9b2294f993cd4d248ffaaa64b28a7f2d4581cd5c90cdf7f
- */
-static void pitch_of_motion_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[3];
-        float x3[1];
-        gather_f(x0, at[0], 1, 3, 0, steps[4]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 3, 0, steps[5]);
-        chasles_pitch_of_motionf(x0, *x1, x2, x3);
-        scatter_f(x3, at[3], 1, 1, 0, 0);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void pitch_of_motion_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[3];
-        double x3[1];
-        gather_d(x0, at[0], 1, 3, 0, steps[4]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 3, 0, steps[5]);
-        chasles_pitch_of_motion(x0, *x1, x2, x3);
-        scatter_d(x3, at[3], 1, 1, 0, 0);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction pitch_of_motion_loops[] = {
-    pitch_of_motion_f,
-    pitch_of_motion_d,
-};
-static const char pitch_of_motion_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.16) The loops of normal_matrix_inverse.
- *   verdict: holds under; assumes phi != 0, |e| = 1
- *   17 operations; derivation sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c
- */
-static void normal_matrix_inverse_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        chasles_normal_matrix_inversef(x0, *x1, x2);
-        scatter_f(x2, at[2], 3, 3, steps[4], steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void normal_matrix_inverse_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        chasles_normal_matrix_inverse(x0, *x1, x2);
-        scatter_d(x2, at[2], 3, 3, steps[4], steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction normal_matrix_inverse_loops[] = {
-    normal_matrix_inverse_f,
-    normal_matrix_inverse_d,
-};
-static const char normal_matrix_inverse_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.18) The loops of screw_axis_point.
- *   verdict: holds under; assumes phi != 0, |e| = 1
- *   39 operations; derivation sha256 fd931c592a794abc154e30cb8754cc954c9fa9f827a0928a1e82185b1b2a8b81
- */
-static void screw_axis_point_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[3];
-        float x3[3];
-        float x4[3];
-        gather_f(x0, at[0], 1, 3, 0, steps[5]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 3, 0, steps[6]);
-        gather_f(x3, at[3], 1, 3, 0, steps[7]);
-        chasles_screw_axis_pointf(x0, *x1, x2, x3, x4);
-        scatter_f(x4, at[4], 1, 3, 0, steps[8]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void screw_axis_point_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[3];
-        double x3[3];
-        double x4[3];
-        gather_d(x0, at[0], 1, 3, 0, steps[5]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 3, 0, steps[6]);
-        gather_d(x3, at[3], 1, 3, 0, steps[7]);
-        chasles_screw_axis_point(x0, *x1, x2, x3, x4);
-        scatter_d(x4, at[4], 1, 3, 0, steps[8]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction screw_axis_point_loops[] = {
-    screw_axis_point_f,
-    screw_axis_point_d,
-};
-static const char screw_axis_point_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.23) The loops of plucker_line.
- *   verdict: defined; assumes p_1 != p_2
- *   21 operations; derivation sha256 32c3975b5a0a9106d94e083a43fadc2be5fbb7bda4c600d797436f2a818ba4e5
- */
-static void plucker_line_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[3];
-        float x2[6];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_plucker_linef(x0, x1, x2);
-        scatter_f(x2, at[2], 1, 6, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void plucker_line_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[3];
-        double x2[6];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_plucker_line(x0, x1, x2);
-        scatter_d(x2, at[2], 1, 6, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction plucker_line_loops[] = {
-    plucker_line_f,
-    plucker_line_d,
-};
-static const char plucker_line_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.29a) The loops of plucker_transfer.
- *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 6d53a1bee79a6a2a63aafa29de9b2815a5d19f7d96ef743e8fd201bd98bf5faf
- */
-static void plucker_transfer_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[6];
-        float x1[3];
-        float x2[3];
-        float x3[6];
-        gather_f(x0, at[0], 1, 6, 0, steps[4]);
-        gather_f(x1, at[1], 1, 3, 0, steps[5]);
-        gather_f(x2, at[2], 1, 3, 0, steps[6]);
-        chasles_plucker_transferf(x0, x1, x2, x3);
-        scatter_f(x3, at[3], 1, 6, 0, steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void plucker_transfer_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[6];
-        double x1[3];
-        double x2[3];
-        double x3[6];
-        gather_d(x0, at[0], 1, 6, 0, steps[4]);
-        gather_d(x1, at[1], 1, 3, 0, steps[5]);
-        gather_d(x2, at[2], 1, 3, 0, steps[6]);
-        chasles_plucker_transfer(x0, x1, x2, x3);
-        scatter_d(x3, at[3], 1, 6, 0, steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction plucker_transfer_loops[] = {
-    plucker_transfer_f,
-    plucker_transfer_d,
-};
-static const char plucker_transfer_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.2.3 h The loops of rotation_in_triad_axes.
- *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 17b2c6690d171cd369c93be59a7a8c3b70bc0108c48d7358142e2312ebf805ee
- */
-static void rotation_in_triad_axes_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[9];
-        float x1[9];
-        float x2[9];
-        gather_f(x0, at[0], 3, 3, steps[3], steps[4]);
-        gather_f(x1, at[1], 3, 3, steps[5], steps[6]);
-        chasles_rotation_in_triad_axesf(x0, x1, x2);
-        scatter_f(x2, at[2], 3, 3, steps[7], steps[8]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void rotation_in_triad_axes_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[9];
-        double x1[9];
-        double x2[9];
-        gather_d(x0, at[0], 3, 3, steps[3], steps[4]);
-        gather_d(x1, at[1], 3, 3, steps[5], steps[6]);
-        chasles_rotation_in_triad_axes(x0, x1, x2);
-        scatter_d(x2, at[2], 3, 3, steps[7], steps[8]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction rotation_in_triad_axes_loops[] = {
-    rotation_in_triad_axes_f,
-    rotation_in_triad_axes_d,
-};
-static const char rotation_in_triad_axes_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.2.3 g The loops of rotation_from_triads.
- *   verdict: holds under; assumes e_1, e_2, e_3 are orthonormal and right-handed
- *   45 operations; derivation sha256 0c12a1c3d699670fac6168e45da2070083d35015f2bd6eac4cd2f1464da2b780
- */
-static void rotation_from_triads_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[9];
-        float x1[9];
-        float x2[9];
-        gather_f(x0, at[0], 3, 3, steps[3], steps[4]);
-        gather_f(x1, at[1], 3, 3, steps[5], steps[6]);
-        chasles_rotation_from_triadsf(x0, x1, x2);
-        scatter_f(x2, at[2], 3, 3, steps[7], steps[8]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void rotation_from_triads_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[9];
-        double x1[9];
-        double x2[9];
-        gather_d(x0, at[0], 3, 3, steps[3], steps[4]);
-        gather_d(x1, at[1], 3, 3, steps[5], steps[6]);
-        chasles_rotation_from_triads(x0, x1, x2);
-        scatter_d(x2, at[2], 3, 3, steps[7], steps[8]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction rotation_from_triads_loops[] = {
-    rotation_from_triads_f,
-    rotation_from_triads_d,
-};
-static const char rotation_from_triads_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.45) The loops of axial_vector.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 8c4348a6af61531ef5e1d340b707a886d5ae17216e0e81a5fdda49099e70eece
- */
-static void axial_vector_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[9];
-        float x1[3];
-        gather_f(x0, at[0], 3, 3, steps[2], steps[3]);
-        chasles_axial_vectorf(x0, x1);
-        scatter_f(x1, at[1], 1, 3, 0, steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void axial_vector_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[9];
-        double x1[3];
-        gather_d(x0, at[0], 3, 3, steps[2], steps[3]);
-        chasles_axial_vector(x0, x1);
-        scatter_d(x1, at[1], 1, 3, 0, steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction axial_vector_loops[] = {
-    axial_vector_f,
-    axial_vector_d,
-};
-static const char axial_vector_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.50) The loops of velocity_of_point.
- *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 b5acf63f8b2ae232595725548e5ba32264be6bf6d52d501066130e78c9ed0486
- */
-static void velocity_of_point_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[3];
-        float x2[3];
-        float x3[3];
-        float x4[3];
-        gather_f(x0, at[0], 1, 3, 0, steps[5]);
-        gather_f(x1, at[1], 1, 3, 0, steps[6]);
-        gather_f(x2, at[2], 1, 3, 0, steps[7]);
-        gather_f(x3, at[3], 1, 3, 0, steps[8]);
-        chasles_velocity_of_pointf(x0, x1, x2, x3, x4);
-        scatter_f(x4, at[4], 1, 3, 0, steps[9]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void velocity_of_point_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[3];
-        double x2[3];
-        double x3[3];
-        double x4[3];
-        gather_d(x0, at[0], 1, 3, 0, steps[5]);
-        gather_d(x1, at[1], 1, 3, 0, steps[6]);
-        gather_d(x2, at[2], 1, 3, 0, steps[7]);
-        gather_d(x3, at[3], 1, 3, 0, steps[8]);
-        chasles_velocity_of_point(x0, x1, x2, x3, x4);
-        scatter_d(x4, at[4], 1, 3, 0, steps[9]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction velocity_of_point_loops[] = {
-    velocity_of_point_f,
-    velocity_of_point_d,
-};
-static const char velocity_of_point_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.70) The loops of instant_screw_point.
- *   verdict: holds under; assumes omega != 0
- *   29 operations; derivation sha256 1562849f177e6c267d458290e7a5bbddc3b1feee4c93b5c27822ff1e01156afe
- */
-static void instant_screw_point_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[3];
-        float x2[3];
-        float x3[3];
-        gather_f(x0, at[0], 1, 3, 0, steps[4]);
-        gather_f(x1, at[1], 1, 3, 0, steps[5]);
-        gather_f(x2, at[2], 1, 3, 0, steps[6]);
-        chasles_instant_screw_pointf(x0, x1, x2, x3);
-        scatter_f(x3, at[3], 1, 3, 0, steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void instant_screw_point_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[3];
-        double x2[3];
-        double x3[3];
-        gather_d(x0, at[0], 1, 3, 0, steps[4]);
-        gather_d(x1, at[1], 1, 3, 0, steps[5]);
-        gather_d(x2, at[2], 1, 3, 0, steps[6]);
-        chasles_instant_screw_point(x0, x1, x2, x3);
-        scatter_d(x3, at[3], 1, 3, 0, steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction instant_screw_point_loops[] = {
-    instant_screw_point_f,
-    instant_screw_point_d,
-};
-static const char instant_screw_point_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.76b) The loops of natural_rate_matrix.
- *   verdict: defined; assumes |e| = 1, phi != 0
- *   26 operations; derivation sha256 ae8848864c3fe36678c44ede0fea89f8af655c143bdb95acf6bb13cd98cc80e0
- */
-static void natural_rate_matrix_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[12];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        chasles_natural_rate_matrixf(x0, *x1, x2);
-        scatter_f(x2, at[2], 4, 3, steps[4], steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void natural_rate_matrix_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[12];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        chasles_natural_rate_matrix(x0, *x1, x2);
-        scatter_d(x2, at[2], 4, 3, steps[4], steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction natural_rate_matrix_loops[] = {
-    natural_rate_matrix_f,
-    natural_rate_matrix_d,
-};
-static const char natural_rate_matrix_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.76c) The loops of linear_rate_matrix.
- *   verdict: defined; assumes |e| = 1
- *   30 operations; derivation sha256 dc969a2458fb1ccbe6cf9ba4bd5c14c48137796a5e63b6fdffe960bc3f43a806
- */
-static void linear_rate_matrix_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[12];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        chasles_linear_rate_matrixf(x0, *x1, x2);
-        scatter_f(x2, at[2], 4, 3, steps[4], steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void linear_rate_matrix_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[12];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        chasles_linear_rate_matrix(x0, *x1, x2);
-        scatter_d(x2, at[2], 4, 3, steps[4], steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction linear_rate_matrix_loops[] = {
-    linear_rate_matrix_f,
-    linear_rate_matrix_d,
-};
-static const char linear_rate_matrix_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.76d) The loops of euler_rodrigues_rate_matrix.
- *   verdict: defined; assumes |e| = 1
- *   8 operations; derivation sha256 6c847b4baa2596c76e6ab0bd3e04d8ba67a999fd27b87b011fca1a1dab6d4147
- */
-static void euler_rodrigues_rate_matrix_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[12];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        chasles_euler_rodrigues_rate_matrixf(x0, *x1, x2);
-        scatter_f(x2, at[2], 4, 3, steps[4], steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rodrigues_rate_matrix_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[12];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        chasles_euler_rodrigues_rate_matrix(x0, *x1, x2);
-        scatter_d(x2, at[2], 4, 3, steps[4], steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rodrigues_rate_matrix_loops[] = {
-    euler_rodrigues_rate_matrix_f,
-    euler_rodrigues_rate_matrix_d,
-};
-static const char euler_rodrigues_rate_matrix_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.4.2 f The loops of rotation_from_linear_invariants.
- *   verdict: holds under; assumes phi != pi
- *   20 operations; derivation sha256 19e234a754a5568e2a2452e2008c17414b949e07381e92256366ba6cc7d976bb
- */
-static void rotation_from_linear_invariants_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        chasles_rotation_from_linear_invariantsf(x0, *x1, x2);
-        scatter_f(x2, at[2], 3, 3, steps[4], steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void rotation_from_linear_invariants_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        chasles_rotation_from_linear_invariants(x0, *x1, x2);
-        scatter_d(x2, at[2], 3, 3, steps[4], steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction rotation_from_linear_invariants_loops[] = {
-    rotation_from_linear_invariants_f,
-    rotation_from_linear_invariants_d,
-};
-static const char rotation_from_linear_invariants_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.4.2 f The loops of rotation_from_euler_rodrigues.
- *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 767311161fbd53fb1cb19724605fdf117b3445cf5f7cf313ccc6ecbf4a40f8c5
- */
-static void rotation_from_euler_rodrigues_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        chasles_rotation_from_euler_rodriguesf(x0, *x1, x2);
-        scatter_f(x2, at[2], 3, 3, steps[4], steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void rotation_from_euler_rodrigues_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        chasles_rotation_from_euler_rodrigues(x0, *x1, x2);
-        scatter_d(x2, at[2], 3, 3, steps[4], steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction rotation_from_euler_rodrigues_loops[] = {
-    rotation_from_euler_rodrigues_f,
-    rotation_from_euler_rodrigues_d,
-};
-static const char rotation_from_euler_rodrigues_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.4.2 g The loops of linear_invariants.
- *   verdict: holds under; assumes |e| = 1
- *   10 operations; derivation sha256 dd83557748f8a3babd3f50468d387276f7ffb668b7fc29c093a7976e71eaabef
- */
-static void linear_invariants_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[9];
-        float x1[3];
-        float x2[1];
-        gather_f(x0, at[0], 3, 3, steps[3], steps[4]);
-        chasles_linear_invariantsf(x0, x1, x2);
-        scatter_f(x1, at[1], 1, 3, 0, steps[5]);
-        scatter_f(x2, at[2], 1, 1, 0, 0);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void linear_invariants_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[9];
-        double x1[3];
-        double x2[1];
-        gather_d(x0, at[0], 3, 3, steps[3], steps[4]);
-        chasles_linear_invariants(x0, x1, x2);
-        scatter_d(x1, at[1], 1, 3, 0, steps[5]);
-        scatter_d(x2, at[2], 1, 1, 0, 0);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction linear_invariants_loops[] = {
-    linear_invariants_f,
-    linear_invariants_d,
-};
-static const char linear_invariants_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.4.2 h The loops of natural_invariants.
- *   verdict: holds under; assumes Q is a rotation, phi != 0
- *   53 operations; derivation sha256 167078e6ba9dff78870c0f0ddc85370ad11a1b0b824ddf316c3c9f19bd756081
- */
-static void natural_invariants_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[9];
-        float x1[3];
-        float x2[1];
-        gather_f(x0, at[0], 3, 3, steps[3], steps[4]);
-        chasles_natural_invariantsf(x0, x1, x2);
-        scatter_f(x1, at[1], 1, 3, 0, steps[5]);
-        scatter_f(x2, at[2], 1, 1, 0, 0);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void natural_invariants_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[9];
-        double x1[3];
-        double x2[1];
-        gather_d(x0, at[0], 3, 3, steps[3], steps[4]);
-        chasles_natural_invariants(x0, x1, x2);
-        scatter_d(x1, at[1], 1, 3, 0, steps[5]);
-        scatter_d(x2, at[2], 1, 1, 0, 0);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction natural_invariants_loops[] = {
-    natural_invariants_f,
-    natural_invariants_d,
-};
-static const char natural_invariants_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.4.2 i The loops of euler_rodrigues_parameters.
- *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 acb16a335b8480158c7d6e339e4c3de8c51cf3bffd9594c8aa4b639840b77580
- */
-static void euler_rodrigues_parameters_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[9];
-        float x1[3];
-        float x2[1];
-        gather_f(x0, at[0], 3, 3, steps[3], steps[4]);
-        chasles_euler_rodrigues_parametersf(x0, x1, x2);
-        scatter_f(x1, at[1], 1, 3, 0, steps[5]);
-        scatter_f(x2, at[2], 1, 1, 0, 0);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rodrigues_parameters_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[9];
-        double x1[3];
-        double x2[1];
-        gather_d(x0, at[0], 3, 3, steps[3], steps[4]);
-        chasles_euler_rodrigues_parameters(x0, x1, x2);
-        scatter_d(x1, at[1], 1, 3, 0, steps[5]);
-        scatter_d(x2, at[2], 1, 1, 0, 0);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rodrigues_parameters_loops[] = {
-    euler_rodrigues_parameters_f,
-    euler_rodrigues_parameters_d,
-};
-static const char euler_rodrigues_parameters_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.4.2 j The loops of screw_of_motion.
- *   verdict: holds under; assumes Q is a rotation, phi != 0
- *   101 operations; derivation sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
- */
-static void screw_of_motion_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[6];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[9];
-        float x1[3];
-        float x2[3];
-        float x3[6];
-        float x4[1];
-        float x5[1];
-        gather_f(x0, at[0], 3, 3, steps[6], steps[7]);
-        gather_f(x1, at[1], 1, 3, 0, steps[8]);
-        gather_f(x2, at[2], 1, 3, 0, steps[9]);
-        chasles_screw_of_motionf(x0, x1, x2, x3, x4, x5);
-        scatter_f(x3, at[3], 1, 6, 0, steps[10]);
-        scatter_f(x4, at[4], 1, 1, 0, 0);
-        scatter_f(x5, at[5], 1, 1, 0, 0);
-        for (int k = 0; k < 6; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void screw_of_motion_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[6];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[9];
-        double x1[3];
-        double x2[3];
-        double x3[6];
-        double x4[1];
-        double x5[1];
-        gather_d(x0, at[0], 3, 3, steps[6], steps[7]);
-        gather_d(x1, at[1], 1, 3, 0, steps[8]);
-        gather_d(x2, at[2], 1, 3, 0, steps[9]);
-        chasles_screw_of_motion(x0, x1, x2, x3, x4, x5);
-        scatter_d(x3, at[3], 1, 6, 0, steps[10]);
-        scatter_d(x4, at[4], 1, 1, 0, 0);
-        scatter_d(x5, at[5], 1, 1, 0, 0);
-        for (int k = 0; k < 6; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction screw_of_motion_loops[] = {
-    screw_of_motion_f,
-    screw_of_motion_d,
-};
-static const char screw_of_motion_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.4.1 c The loops of instant_screw.
- *   verdict: holds under; assumes omega != 0
- *   38 operations; derivation sha256 9598a1865cb19c5ccd2eed55d55180fed3cbd74f42a42a3309e82ecfc3b6e7f7
- */
-static void instant_screw_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[3];
-        float x2[3];
-        float x3[6];
-        float x4[1];
-        gather_f(x0, at[0], 1, 3, 0, steps[5]);
-        gather_f(x1, at[1], 1, 3, 0, steps[6]);
-        gather_f(x2, at[2], 1, 3, 0, steps[7]);
-        chasles_instant_screwf(x0, x1, x2, x3, x4);
-        scatter_f(x3, at[3], 1, 6, 0, steps[8]);
-        scatter_f(x4, at[4], 1, 1, 0, 0);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void instant_screw_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[3];
-        double x2[3];
-        double x3[6];
-        double x4[1];
-        gather_d(x0, at[0], 1, 3, 0, steps[5]);
-        gather_d(x1, at[1], 1, 3, 0, steps[6]);
-        gather_d(x2, at[2], 1, 3, 0, steps[7]);
-        chasles_instant_screw(x0, x1, x2, x3, x4);
-        scatter_d(x3, at[3], 1, 6, 0, steps[8]);
-        scatter_d(x4, at[4], 1, 1, 0, 0);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction instant_screw_loops[] = {
-    instant_screw_f,
-    instant_screw_d,
-};
-static const char instant_screw_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.77b) The loops of natural_velocity_matrix.
- *   verdict: ill-formed as printed, defined as read; assumes |e| = 1
- *   6 operations; derivation sha256 8f59c5ef77909eadf927c6b687cd3bab0b77e8cdc9373e233171e72268eed1b1
- */
-static void natural_velocity_matrix_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[12];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        chasles_natural_velocity_matrixf(x0, *x1, x2);
-        scatter_f(x2, at[2], 3, 4, steps[4], steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void natural_velocity_matrix_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[12];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        chasles_natural_velocity_matrix(x0, *x1, x2);
-        scatter_d(x2, at[2], 3, 4, steps[4], steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction natural_velocity_matrix_loops[] = {
-    natural_velocity_matrix_f,
-    natural_velocity_matrix_d,
-};
-static const char natural_velocity_matrix_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.77c) The loops of linear_velocity_matrix.
- *   verdict: ill-formed as printed, defined as read; assumes |e| = 1, phi != pi
- *   7 operations; derivation sha256 89a180463935f0c42617efa0988e0354bd46d74d20a13999139be0c69246d5f3
- */
-static void linear_velocity_matrix_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[12];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        chasles_linear_velocity_matrixf(x0, *x1, x2);
-        scatter_f(x2, at[2], 3, 4, steps[4], steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void linear_velocity_matrix_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[12];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        chasles_linear_velocity_matrix(x0, *x1, x2);
-        scatter_d(x2, at[2], 3, 4, steps[4], steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction linear_velocity_matrix_loops[] = {
-    linear_velocity_matrix_f,
-    linear_velocity_matrix_d,
-};
-static const char linear_velocity_matrix_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.77d) The loops of euler_rodrigues_velocity_matrix.
- *   verdict: ill-formed as printed, defined as read; assumes |e| = 1
- *   8 operations; derivation sha256 2f21b7ee20e1702180f136497178c100314ca7d0df136dd2feb59d1f89a6b375
- */
-static void euler_rodrigues_velocity_matrix_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[12];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        chasles_euler_rodrigues_velocity_matrixf(x0, *x1, x2);
-        scatter_f(x2, at[2], 3, 4, steps[4], steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rodrigues_velocity_matrix_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[12];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        chasles_euler_rodrigues_velocity_matrix(x0, *x1, x2);
-        scatter_d(x2, at[2], 3, 4, steps[4], steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rodrigues_velocity_matrix_loops[] = {
-    euler_rodrigues_velocity_matrix_f,
-    euler_rodrigues_velocity_matrix_d,
-};
-static const char euler_rodrigues_velocity_matrix_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.78) The loops of pose_rate_natural.
- *   verdict: holds under; assumes |e| = 1, phi != 0
- *   34 operations; derivation sha256 e2dfaa3aa3fac1f79b45222f3204af5a75f395308f6b3f9290346729c641eaf1
- */
-static void pose_rate_natural_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[6];
-        float x3[7];
-        gather_f(x0, at[0], 1, 3, 0, steps[4]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 6, 0, steps[5]);
-        chasles_pose_rate_naturalf(x0, *x1, x2, x3);
-        scatter_f(x3, at[3], 1, 7, 0, steps[6]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void pose_rate_natural_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[6];
-        double x3[7];
-        gather_d(x0, at[0], 1, 3, 0, steps[4]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 6, 0, steps[5]);
-        chasles_pose_rate_natural(x0, *x1, x2, x3);
-        scatter_d(x3, at[3], 1, 7, 0, steps[6]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction pose_rate_natural_loops[] = {
-    pose_rate_natural_f,
-    pose_rate_natural_d,
-};
-static const char pose_rate_natural_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.78) The loops of pose_rate_linear.
- *   verdict: holds under; assumes |e| = 1
- *   44 operations; derivation sha256 30ffb709cd3b1987574a6cb20949774164c18855b55a74fc172537bd3a7138a3
- */
-static void pose_rate_linear_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[6];
-        float x3[7];
-        gather_f(x0, at[0], 1, 3, 0, steps[4]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 6, 0, steps[5]);
-        chasles_pose_rate_linearf(x0, *x1, x2, x3);
-        scatter_f(x3, at[3], 1, 7, 0, steps[6]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void pose_rate_linear_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[6];
-        double x3[7];
-        gather_d(x0, at[0], 1, 3, 0, steps[4]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 6, 0, steps[5]);
-        chasles_pose_rate_linear(x0, *x1, x2, x3);
-        scatter_d(x3, at[3], 1, 7, 0, steps[6]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction pose_rate_linear_loops[] = {
-    pose_rate_linear_f,
-    pose_rate_linear_d,
-};
-static const char pose_rate_linear_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.78) The loops of pose_rate_euler_rodrigues.
- *   verdict: holds under; assumes |e| = 1
- *   28 operations; derivation sha256 17b8436529f6b3c4a1aefcc8236971431106d820c1c98937a7defcd8b9830b55
- */
-static void pose_rate_euler_rodrigues_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[6];
-        float x3[7];
-        gather_f(x0, at[0], 1, 3, 0, steps[4]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 6, 0, steps[5]);
-        chasles_pose_rate_euler_rodriguesf(x0, *x1, x2, x3);
-        scatter_f(x3, at[3], 1, 7, 0, steps[6]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void pose_rate_euler_rodrigues_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[6];
-        double x3[7];
-        gather_d(x0, at[0], 1, 3, 0, steps[4]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 6, 0, steps[5]);
-        chasles_pose_rate_euler_rodrigues(x0, *x1, x2, x3);
-        scatter_d(x3, at[3], 1, 7, 0, steps[6]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction pose_rate_euler_rodrigues_loops[] = {
-    pose_rate_euler_rodrigues_f,
-    pose_rate_euler_rodrigues_d,
-};
-static const char pose_rate_euler_rodrigues_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.80a) The loops of twist_from_pose_rate_natural.
- *   verdict: holds under; assumes |e| = 1
- *   27 operations; derivation sha256 c1c920878c5f917138095dea1943d4f0605d07dd2521a120e9e0a574400414d0
- */
-static void twist_from_pose_rate_natural_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[7];
-        float x3[6];
-        gather_f(x0, at[0], 1, 3, 0, steps[4]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 7, 0, steps[5]);
-        chasles_twist_from_pose_rate_naturalf(x0, *x1, x2, x3);
-        scatter_f(x3, at[3], 1, 6, 0, steps[6]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void twist_from_pose_rate_natural_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[7];
-        double x3[6];
-        gather_d(x0, at[0], 1, 3, 0, steps[4]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 7, 0, steps[5]);
-        chasles_twist_from_pose_rate_natural(x0, *x1, x2, x3);
-        scatter_d(x3, at[3], 1, 6, 0, steps[6]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction twist_from_pose_rate_natural_loops[] = {
-    twist_from_pose_rate_natural_f,
-    twist_from_pose_rate_natural_d,
-};
-static const char twist_from_pose_rate_natural_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.80a) The loops of twist_from_pose_rate_linear.
- *   verdict: holds under; assumes |e| = 1, phi != pi
- *   25 operations; derivation sha256 649387c3a4635aed7b72ec7a0c9cd67fa1407b285288b83838890827853ca799
- */
-static void twist_from_pose_rate_linear_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[7];
-        float x3[6];
-        gather_f(x0, at[0], 1, 3, 0, steps[4]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 7, 0, steps[5]);
-        chasles_twist_from_pose_rate_linearf(x0, *x1, x2, x3);
-        scatter_f(x3, at[3], 1, 6, 0, steps[6]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void twist_from_pose_rate_linear_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[7];
-        double x3[6];
-        gather_d(x0, at[0], 1, 3, 0, steps[4]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 7, 0, steps[5]);
-        chasles_twist_from_pose_rate_linear(x0, *x1, x2, x3);
-        scatter_d(x3, at[3], 1, 6, 0, steps[6]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction twist_from_pose_rate_linear_loops[] = {
-    twist_from_pose_rate_linear_f,
-    twist_from_pose_rate_linear_d,
-};
-static const char twist_from_pose_rate_linear_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.80a) The loops of twist_from_pose_rate_euler_rodrigues.
- *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 f7009c929bd74e6e8423e03290dcaa8570b236828a6884c7d6bd52463508ac87
- */
-static void twist_from_pose_rate_euler_rodrigues_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[7];
-        float x3[6];
-        gather_f(x0, at[0], 1, 3, 0, steps[4]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 7, 0, steps[5]);
-        chasles_twist_from_pose_rate_euler_rodriguesf(x0, *x1, x2, x3);
-        scatter_f(x3, at[3], 1, 6, 0, steps[6]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void twist_from_pose_rate_euler_rodrigues_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[7];
-        double x3[6];
-        gather_d(x0, at[0], 1, 3, 0, steps[4]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 7, 0, steps[5]);
-        chasles_twist_from_pose_rate_euler_rodrigues(x0, *x1, x2, x3);
-        scatter_d(x3, at[3], 1, 6, 0, steps[6]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction twist_from_pose_rate_euler_rodrigues_loops[] = {
-    twist_from_pose_rate_euler_rodrigues_f,
-    twist_from_pose_rate_euler_rodrigues_d,
-};
-static const char twist_from_pose_rate_euler_rodrigues_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.83a) The loops of twist_transfer.
- *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 4e8860fe94d4e257f6a09561ef25e7c999ddca2a00337fe8774fc0c2b9433a22
- */
-static void twist_transfer_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[6];
-        float x1[3];
-        float x2[3];
-        float x3[6];
-        gather_f(x0, at[0], 1, 6, 0, steps[4]);
-        gather_f(x1, at[1], 1, 3, 0, steps[5]);
-        gather_f(x2, at[2], 1, 3, 0, steps[6]);
-        chasles_twist_transferf(x0, x1, x2, x3);
-        scatter_f(x3, at[3], 1, 6, 0, steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void twist_transfer_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[6];
-        double x1[3];
-        double x2[3];
-        double x3[6];
-        gather_d(x0, at[0], 1, 6, 0, steps[4]);
-        gather_d(x1, at[1], 1, 3, 0, steps[5]);
-        gather_d(x2, at[2], 1, 3, 0, steps[6]);
-        chasles_twist_transfer(x0, x1, x2, x3);
-        scatter_d(x3, at[3], 1, 6, 0, steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction twist_transfer_loops[] = {
-    twist_transfer_f,
-    twist_transfer_d,
-};
-static const char twist_transfer_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.86) The loops of angular_acceleration_matrix.
- *   verdict: defined; assumes Q is a rotation
- *   15 operations; derivation sha256 600ac9c19e353f65970adc87c2c9e1aba7f40174fd2c1780126b444caebb2a29
- */
-static void angular_acceleration_matrix_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[3];
-        float x2[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_angular_acceleration_matrixf(x0, x1, x2);
-        scatter_f(x2, at[2], 3, 3, steps[5], steps[6]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void angular_acceleration_matrix_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[3];
-        double x2[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_angular_acceleration_matrix(x0, x1, x2);
-        scatter_d(x2, at[2], 3, 3, steps[5], steps[6]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction angular_acceleration_matrix_loops[] = {
-    angular_acceleration_matrix_f,
-    angular_acceleration_matrix_d,
-};
-static const char angular_acceleration_matrix_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.89) The loops of acceleration_of_point.
- *   verdict: holds; assumes nothing
- *   36 operations; derivation sha256 52077d75d24e72b9e016304332b02aeb13ece6765a6f5dff5b9cb8261bc6ae26
- */
-static void acceleration_of_point_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[6];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[3];
-        float x2[3];
-        float x3[3];
-        float x4[3];
-        float x5[3];
-        gather_f(x0, at[0], 1, 3, 0, steps[6]);
-        gather_f(x1, at[1], 1, 3, 0, steps[7]);
-        gather_f(x2, at[2], 1, 3, 0, steps[8]);
-        gather_f(x3, at[3], 1, 3, 0, steps[9]);
-        gather_f(x4, at[4], 1, 3, 0, steps[10]);
-        chasles_acceleration_of_pointf(x0, x1, x2, x3, x4, x5);
-        scatter_f(x5, at[5], 1, 3, 0, steps[11]);
-        for (int k = 0; k < 6; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void acceleration_of_point_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[6];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[3];
-        double x2[3];
-        double x3[3];
-        double x4[3];
-        double x5[3];
-        gather_d(x0, at[0], 1, 3, 0, steps[6]);
-        gather_d(x1, at[1], 1, 3, 0, steps[7]);
-        gather_d(x2, at[2], 1, 3, 0, steps[8]);
-        gather_d(x3, at[3], 1, 3, 0, steps[9]);
-        gather_d(x4, at[4], 1, 3, 0, steps[10]);
-        chasles_acceleration_of_point(x0, x1, x2, x3, x4, x5);
-        scatter_d(x5, at[5], 1, 3, 0, steps[11]);
-        for (int k = 0; k < 6; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction acceleration_of_point_loops[] = {
-    acceleration_of_point_f,
-    acceleration_of_point_d,
-};
-static const char acceleration_of_point_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.5 f The loops of natural_rate_matrix_dot.
- *   verdict: holds under; assumes |e| = 1, phi != 0
- *   70 operations; derivation sha256 c61d5578f7455d9deb930e9132cffeae9f18b18b83cb0ba9b49a6c83cd285a96
- */
-static void natural_rate_matrix_dot_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[3];
-        float x3[12];
-        gather_f(x0, at[0], 1, 3, 0, steps[4]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 3, 0, steps[5]);
-        chasles_natural_rate_matrix_dotf(x0, *x1, x2, x3);
-        scatter_f(x3, at[3], 4, 3, steps[6], steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void natural_rate_matrix_dot_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[3];
-        double x3[12];
-        gather_d(x0, at[0], 1, 3, 0, steps[4]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 3, 0, steps[5]);
-        chasles_natural_rate_matrix_dot(x0, *x1, x2, x3);
-        scatter_d(x3, at[3], 4, 3, steps[6], steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction natural_rate_matrix_dot_loops[] = {
-    natural_rate_matrix_dot_f,
-    natural_rate_matrix_dot_d,
-};
-static const char natural_rate_matrix_dot_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.5 f The loops of linear_rate_matrix_dot.
- *   verdict: holds under; assumes |e| = 1
- *   73 operations; derivation sha256 e58c3cd056fca600a3d8fabc77cc08383708b30fcd3f10997c5760ad3d813719
- */
-static void linear_rate_matrix_dot_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[3];
-        float x3[12];
-        gather_f(x0, at[0], 1, 3, 0, steps[4]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 3, 0, steps[5]);
-        chasles_linear_rate_matrix_dotf(x0, *x1, x2, x3);
-        scatter_f(x3, at[3], 4, 3, steps[6], steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void linear_rate_matrix_dot_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[3];
-        double x3[12];
-        gather_d(x0, at[0], 1, 3, 0, steps[4]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 3, 0, steps[5]);
-        chasles_linear_rate_matrix_dot(x0, *x1, x2, x3);
-        scatter_d(x3, at[3], 4, 3, steps[6], steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction linear_rate_matrix_dot_loops[] = {
-    linear_rate_matrix_dot_f,
-    linear_rate_matrix_dot_d,
-};
-static const char linear_rate_matrix_dot_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.5 f The loops of euler_rodrigues_rate_matrix_dot.
- *   verdict: holds under; assumes |e| = 1
- *   28 operations; derivation sha256 cbbc7c4a0ec6ff7289faa80a566dfa4879a785dc3e1fcb665d781015958b3b92
- */
-static void euler_rodrigues_rate_matrix_dot_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[3];
-        float x3[12];
-        gather_f(x0, at[0], 1, 3, 0, steps[4]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 3, 0, steps[5]);
-        chasles_euler_rodrigues_rate_matrix_dotf(x0, *x1, x2, x3);
-        scatter_f(x3, at[3], 4, 3, steps[6], steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rodrigues_rate_matrix_dot_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[3];
-        double x3[12];
-        gather_d(x0, at[0], 1, 3, 0, steps[4]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 3, 0, steps[5]);
-        chasles_euler_rodrigues_rate_matrix_dot(x0, *x1, x2, x3);
-        scatter_d(x3, at[3], 4, 3, steps[6], steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rodrigues_rate_matrix_dot_loops[] = {
-    euler_rodrigues_rate_matrix_dot_f,
-    euler_rodrigues_rate_matrix_dot_d,
-};
-static const char euler_rodrigues_rate_matrix_dot_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.5 g The loops of natural_velocity_matrix_dot.
- *   verdict: holds under; assumes phi != 0, |e| = 1
- *   55 operations; derivation sha256 71e01d77b3ea46f745a9336a2825937c48ecfb5c8f22e156a02b1d41218c2c74
- */
-static void natural_velocity_matrix_dot_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[3];
-        float x3[12];
-        gather_f(x0, at[0], 1, 3, 0, steps[4]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 3, 0, steps[5]);
-        chasles_natural_velocity_matrix_dotf(x0, *x1, x2, x3);
-        scatter_f(x3, at[3], 3, 4, steps[6], steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void natural_velocity_matrix_dot_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[3];
-        double x3[12];
-        gather_d(x0, at[0], 1, 3, 0, steps[4]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 3, 0, steps[5]);
-        chasles_natural_velocity_matrix_dot(x0, *x1, x2, x3);
-        scatter_d(x3, at[3], 3, 4, steps[6], steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction natural_velocity_matrix_dot_loops[] = {
-    natural_velocity_matrix_dot_f,
-    natural_velocity_matrix_dot_d,
-};
-static const char natural_velocity_matrix_dot_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.5 g The loops of linear_velocity_matrix_dot.
- *   verdict: holds under; assumes |e| = 1, phi != pi
- *   34 operations; derivation sha256 b5286c2c91a7b4cfdc8d341b90ed08a2a37fc92a9f25530860458e82f6eaacf3
- */
-static void linear_velocity_matrix_dot_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[3];
-        float x3[12];
-        gather_f(x0, at[0], 1, 3, 0, steps[4]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 3, 0, steps[5]);
-        chasles_linear_velocity_matrix_dotf(x0, *x1, x2, x3);
-        scatter_f(x3, at[3], 3, 4, steps[6], steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void linear_velocity_matrix_dot_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[3];
-        double x3[12];
-        gather_d(x0, at[0], 1, 3, 0, steps[4]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 3, 0, steps[5]);
-        chasles_linear_velocity_matrix_dot(x0, *x1, x2, x3);
-        scatter_d(x3, at[3], 3, 4, steps[6], steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction linear_velocity_matrix_dot_loops[] = {
-    linear_velocity_matrix_dot_f,
-    linear_velocity_matrix_dot_d,
-};
-static const char linear_velocity_matrix_dot_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.5 g The loops of euler_rodrigues_velocity_matrix_dot.
- *   verdict: holds under; assumes |e| = 1
- *   26 operations; derivation sha256 c80e798e741899e2d32fd6b3e16a5b786d0f82ee47987a537c4755eed1b60850
- */
-static void euler_rodrigues_velocity_matrix_dot_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[3];
-        float x3[12];
-        gather_f(x0, at[0], 1, 3, 0, steps[4]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 3, 0, steps[5]);
-        chasles_euler_rodrigues_velocity_matrix_dotf(x0, *x1, x2, x3);
-        scatter_f(x3, at[3], 3, 4, steps[6], steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rodrigues_velocity_matrix_dot_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[3];
-        double x3[12];
-        gather_d(x0, at[0], 1, 3, 0, steps[4]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 3, 0, steps[5]);
-        chasles_euler_rodrigues_velocity_matrix_dot(x0, *x1, x2, x3);
-        scatter_d(x3, at[3], 3, 4, steps[6], steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rodrigues_velocity_matrix_dot_loops[] = {
-    euler_rodrigues_velocity_matrix_dot_f,
-    euler_rodrigues_velocity_matrix_dot_d,
-};
-static const char euler_rodrigues_velocity_matrix_dot_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.5 h The loops of pose_acceleration_natural.
- *   verdict: holds under; assumes |e| = 1, phi != 0
- *   96 operations; derivation sha256 d4b56350899a19bcc149b55d1279747465f4ffc9ff92ea858cdd2e564e99ca62
- */
-static void pose_acceleration_natural_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[6];
-        float x3[6];
-        float x4[7];
-        gather_f(x0, at[0], 1, 3, 0, steps[5]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 6, 0, steps[6]);
-        gather_f(x3, at[3], 1, 6, 0, steps[7]);
-        chasles_pose_acceleration_naturalf(x0, *x1, x2, x3, x4);
-        scatter_f(x4, at[4], 1, 7, 0, steps[8]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void pose_acceleration_natural_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[6];
-        double x3[6];
-        double x4[7];
-        gather_d(x0, at[0], 1, 3, 0, steps[5]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 6, 0, steps[6]);
-        gather_d(x3, at[3], 1, 6, 0, steps[7]);
-        chasles_pose_acceleration_natural(x0, *x1, x2, x3, x4);
-        scatter_d(x4, at[4], 1, 7, 0, steps[8]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction pose_acceleration_natural_loops[] = {
-    pose_acceleration_natural_f,
-    pose_acceleration_natural_d,
-};
-static const char pose_acceleration_natural_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.5 h The loops of pose_acceleration_linear.
- *   verdict: holds under; assumes |e| = 1
- *   76 operations; derivation sha256 1588dcded7d741e99e263e63960b704faab031996a2d165fbbe2b322357ed2e9
- */
-static void pose_acceleration_linear_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[6];
-        float x3[6];
-        float x4[7];
-        gather_f(x0, at[0], 1, 3, 0, steps[5]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 6, 0, steps[6]);
-        gather_f(x3, at[3], 1, 6, 0, steps[7]);
-        chasles_pose_acceleration_linearf(x0, *x1, x2, x3, x4);
-        scatter_f(x4, at[4], 1, 7, 0, steps[8]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void pose_acceleration_linear_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[6];
-        double x3[6];
-        double x4[7];
-        gather_d(x0, at[0], 1, 3, 0, steps[5]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 6, 0, steps[6]);
-        gather_d(x3, at[3], 1, 6, 0, steps[7]);
-        chasles_pose_acceleration_linear(x0, *x1, x2, x3, x4);
-        scatter_d(x4, at[4], 1, 7, 0, steps[8]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction pose_acceleration_linear_loops[] = {
-    pose_acceleration_linear_f,
-    pose_acceleration_linear_d,
-};
-static const char pose_acceleration_linear_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.5 h The loops of pose_acceleration_euler_rodrigues.
- *   verdict: holds under; assumes |e| = 1
- *   45 operations; derivation sha256 0f21a42c6c8b20a3978874f3add6fcde6371416fd40cc41c5da50d8f4cd6babd
- */
-static void pose_acceleration_euler_rodrigues_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[6];
-        float x3[6];
-        float x4[7];
-        gather_f(x0, at[0], 1, 3, 0, steps[5]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 6, 0, steps[6]);
-        gather_f(x3, at[3], 1, 6, 0, steps[7]);
-        chasles_pose_acceleration_euler_rodriguesf(x0, *x1, x2, x3, x4);
-        scatter_f(x4, at[4], 1, 7, 0, steps[8]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void pose_acceleration_euler_rodrigues_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[6];
-        double x3[6];
-        double x4[7];
-        gather_d(x0, at[0], 1, 3, 0, steps[5]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 6, 0, steps[6]);
-        gather_d(x3, at[3], 1, 6, 0, steps[7]);
-        chasles_pose_acceleration_euler_rodrigues(x0, *x1, x2, x3, x4);
-        scatter_d(x4, at[4], 1, 7, 0, steps[8]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction pose_acceleration_euler_rodrigues_loops[] = {
-    pose_acceleration_euler_rodrigues_f,
-    pose_acceleration_euler_rodrigues_d,
-};
-static const char pose_acceleration_euler_rodrigues_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.5 i The loops of twist_rate_from_pose_natural.
- *   verdict: holds under; assumes |e| = 1
- *   51 operations; derivation sha256 46142537f8f2d352235601f0fe20d7417a8415c4299de5fde88c9772c1d5b072
- */
-static void twist_rate_from_pose_natural_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[7];
-        float x3[7];
-        float x4[6];
-        gather_f(x0, at[0], 1, 3, 0, steps[5]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 7, 0, steps[6]);
-        gather_f(x3, at[3], 1, 7, 0, steps[7]);
-        chasles_twist_rate_from_pose_naturalf(x0, *x1, x2, x3, x4);
-        scatter_f(x4, at[4], 1, 6, 0, steps[8]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void twist_rate_from_pose_natural_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[7];
-        double x3[7];
-        double x4[6];
-        gather_d(x0, at[0], 1, 3, 0, steps[5]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 7, 0, steps[6]);
-        gather_d(x3, at[3], 1, 7, 0, steps[7]);
-        chasles_twist_rate_from_pose_natural(x0, *x1, x2, x3, x4);
-        scatter_d(x4, at[4], 1, 6, 0, steps[8]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction twist_rate_from_pose_natural_loops[] = {
-    twist_rate_from_pose_natural_f,
-    twist_rate_from_pose_natural_d,
-};
-static const char twist_rate_from_pose_natural_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.5 i The loops of twist_rate_from_pose_linear.
- *   verdict: holds under; assumes |e| = 1, phi != pi
- *   52 operations; derivation sha256 e60a5e59bbc9bfff80fda29a99e2165c18777756e0d5ef482d146ef9b36646a2
- */
-static void twist_rate_from_pose_linear_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[7];
-        float x3[7];
-        float x4[6];
-        gather_f(x0, at[0], 1, 3, 0, steps[5]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 7, 0, steps[6]);
-        gather_f(x3, at[3], 1, 7, 0, steps[7]);
-        chasles_twist_rate_from_pose_linearf(x0, *x1, x2, x3, x4);
-        scatter_f(x4, at[4], 1, 6, 0, steps[8]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void twist_rate_from_pose_linear_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[7];
-        double x3[7];
-        double x4[6];
-        gather_d(x0, at[0], 1, 3, 0, steps[5]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 7, 0, steps[6]);
-        gather_d(x3, at[3], 1, 7, 0, steps[7]);
-        chasles_twist_rate_from_pose_linear(x0, *x1, x2, x3, x4);
-        scatter_d(x4, at[4], 1, 6, 0, steps[8]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction twist_rate_from_pose_linear_loops[] = {
-    twist_rate_from_pose_linear_f,
-    twist_rate_from_pose_linear_d,
-};
-static const char twist_rate_from_pose_linear_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.5 i The loops of twist_rate_from_pose_euler_rodrigues.
- *   verdict: holds under; assumes |e| = 1
- *   29 operations; derivation sha256 8f9dc9af1023fade3eb622411945883078b1f62098c7b9178f68aed0ef63d94d
- */
-static void twist_rate_from_pose_euler_rodrigues_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[1];
-        float x2[7];
-        float x3[7];
-        float x4[6];
-        gather_f(x0, at[0], 1, 3, 0, steps[5]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 7, 0, steps[6]);
-        gather_f(x3, at[3], 1, 7, 0, steps[7]);
-        chasles_twist_rate_from_pose_euler_rodriguesf(x0, *x1, x2, x3, x4);
-        scatter_f(x4, at[4], 1, 6, 0, steps[8]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void twist_rate_from_pose_euler_rodrigues_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[1];
-        double x2[7];
-        double x3[7];
-        double x4[6];
-        gather_d(x0, at[0], 1, 3, 0, steps[5]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 7, 0, steps[6]);
-        gather_d(x3, at[3], 1, 7, 0, steps[7]);
-        chasles_twist_rate_from_pose_euler_rodrigues(x0, *x1, x2, x3, x4);
-        scatter_d(x4, at[4], 1, 6, 0, steps[8]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction twist_rate_from_pose_euler_rodrigues_loops[] = {
-    twist_rate_from_pose_euler_rodrigues_f,
-    twist_rate_from_pose_euler_rodrigues_d,
-};
-static const char twist_rate_from_pose_euler_rodrigues_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.103) The loops of moving_frame_velocity.
- *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 b4941bd3b3f57c83b14de8fd13a10f996bcfeb8ee7bfc4215c85ab50fb9b8b33
- */
-static void moving_frame_velocity_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[6];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        float x2[3];
-        float x3[3];
-        float x4[3];
-        float x5[3];
-        gather_f(x0, at[0], 1, 3, 0, steps[6]);
-        gather_f(x1, at[1], 3, 3, steps[7], steps[8]);
-        gather_f(x2, at[2], 1, 3, 0, steps[9]);
-        gather_f(x3, at[3], 1, 3, 0, steps[10]);
-        gather_f(x4, at[4], 1, 3, 0, steps[11]);
-        chasles_moving_frame_velocityf(x0, x1, x2, x3, x4, x5);
-        scatter_f(x5, at[5], 1, 3, 0, steps[12]);
-        for (int k = 0; k < 6; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void moving_frame_velocity_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[6];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        double x2[3];
-        double x3[3];
-        double x4[3];
-        double x5[3];
-        gather_d(x0, at[0], 1, 3, 0, steps[6]);
-        gather_d(x1, at[1], 3, 3, steps[7], steps[8]);
-        gather_d(x2, at[2], 1, 3, 0, steps[9]);
-        gather_d(x3, at[3], 1, 3, 0, steps[10]);
-        gather_d(x4, at[4], 1, 3, 0, steps[11]);
-        chasles_moving_frame_velocity(x0, x1, x2, x3, x4, x5);
-        scatter_d(x5, at[5], 1, 3, 0, steps[12]);
-        for (int k = 0; k < 6; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction moving_frame_velocity_loops[] = {
-    moving_frame_velocity_f,
-    moving_frame_velocity_d,
-};
-static const char moving_frame_velocity_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.105) The loops of moving_frame_acceleration.
- *   verdict: holds; assumes nothing
- *   87 operations; derivation sha256 985f244a1c015e00a6d544a9a346e7446722d3d1972e549159bc1a6a90456d40
- */
-static void moving_frame_acceleration_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[8];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        float x2[3];
-        float x3[3];
-        float x4[3];
-        float x5[3];
-        float x6[3];
-        float x7[3];
-        gather_f(x0, at[0], 1, 3, 0, steps[8]);
-        gather_f(x1, at[1], 3, 3, steps[9], steps[10]);
-        gather_f(x2, at[2], 1, 3, 0, steps[11]);
-        gather_f(x3, at[3], 1, 3, 0, steps[12]);
-        gather_f(x4, at[4], 1, 3, 0, steps[13]);
-        gather_f(x5, at[5], 1, 3, 0, steps[14]);
-        gather_f(x6, at[6], 1, 3, 0, steps[15]);
-        chasles_moving_frame_accelerationf(x0, x1, x2, x3, x4, x5, x6, x7);
-        scatter_f(x7, at[7], 1, 3, 0, steps[16]);
-        for (int k = 0; k < 8; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void moving_frame_acceleration_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[8];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        double x2[3];
-        double x3[3];
-        double x4[3];
-        double x5[3];
-        double x6[3];
-        double x7[3];
-        gather_d(x0, at[0], 1, 3, 0, steps[8]);
-        gather_d(x1, at[1], 3, 3, steps[9], steps[10]);
-        gather_d(x2, at[2], 1, 3, 0, steps[11]);
-        gather_d(x3, at[3], 1, 3, 0, steps[12]);
-        gather_d(x4, at[4], 1, 3, 0, steps[13]);
-        gather_d(x5, at[5], 1, 3, 0, steps[14]);
-        gather_d(x6, at[6], 1, 3, 0, steps[15]);
-        chasles_moving_frame_acceleration(x0, x1, x2, x3, x4, x5, x6, x7);
-        scatter_d(x7, at[7], 1, 3, 0, steps[16]);
-        for (int k = 0; k < 8; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction moving_frame_acceleration_loops[] = {
-    moving_frame_acceleration_f,
-    moving_frame_acceleration_d,
-};
-static const char moving_frame_acceleration_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.7 d The loops of wrench_axis.
- *   verdict: holds under; assumes f != 0
- *   38 operations; derivation sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
- */
-static void wrench_axis_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[3];
-        float x2[3];
-        float x3[6];
-        float x4[1];
-        gather_f(x0, at[0], 1, 3, 0, steps[5]);
-        gather_f(x1, at[1], 1, 3, 0, steps[6]);
-        gather_f(x2, at[2], 1, 3, 0, steps[7]);
-        chasles_wrench_axisf(x0, x1, x2, x3, x4);
-        scatter_f(x3, at[3], 1, 6, 0, steps[8]);
-        scatter_f(x4, at[4], 1, 1, 0, 0);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void wrench_axis_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[3];
-        double x2[3];
-        double x3[6];
-        double x4[1];
-        gather_d(x0, at[0], 1, 3, 0, steps[5]);
-        gather_d(x1, at[1], 1, 3, 0, steps[6]);
-        gather_d(x2, at[2], 1, 3, 0, steps[7]);
-        chasles_wrench_axis(x0, x1, x2, x3, x4);
-        scatter_d(x3, at[3], 1, 6, 0, steps[8]);
-        scatter_d(x4, at[4], 1, 1, 0, 0);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction wrench_axis_loops[] = {
-    wrench_axis_f,
-    wrench_axis_d,
-};
-static const char wrench_axis_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.114) The loops of power.
- *   verdict: holds; assumes nothing
- *   11 operations; derivation sha256 580a9557b1b4b779955409e7506c76202ce3a1e9982d422e1491bf0bcad680ef
- */
-static void power_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[6];
-        float x1[6];
-        float x2[1];
-        gather_f(x0, at[0], 1, 6, 0, steps[3]);
-        gather_f(x1, at[1], 1, 6, 0, steps[4]);
-        chasles_powerf(x0, x1, x2);
-        scatter_f(x2, at[2], 1, 1, 0, 0);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void power_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[6];
-        double x1[6];
-        double x2[1];
-        gather_d(x0, at[0], 1, 6, 0, steps[3]);
-        gather_d(x1, at[1], 1, 6, 0, steps[4]);
-        chasles_power(x0, x1, x2);
-        scatter_d(x2, at[2], 1, 1, 0, 0);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction power_loops[] = {
-    power_f,
-    power_d,
-};
-static const char power_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.7 k The loops of reciprocal_product.
- *   verdict: holds; assumes nothing
- *   11 operations; derivation sha256 69eafb582289fe007146884f233005913bd49126222273503197968fd6ef8dd3
- */
-static void reciprocal_product_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[6];
-        float x1[6];
-        float x2[1];
-        gather_f(x0, at[0], 1, 6, 0, steps[3]);
-        gather_f(x1, at[1], 1, 6, 0, steps[4]);
-        chasles_reciprocal_productf(x0, x1, x2);
-        scatter_f(x2, at[2], 1, 1, 0, 0);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void reciprocal_product_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[6];
-        double x1[6];
-        double x2[1];
-        gather_d(x0, at[0], 1, 6, 0, steps[3]);
-        gather_d(x1, at[1], 1, 6, 0, steps[4]);
-        chasles_reciprocal_product(x0, x1, x2);
-        scatter_d(x2, at[2], 1, 1, 0, 0);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction reciprocal_product_loops[] = {
-    reciprocal_product_f,
-    reciprocal_product_d,
-};
-static const char reciprocal_product_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.119a) The loops of wrench_transfer.
- *   verdict: holds; assumes nothing
- *   15 operations; derivation sha256 9cbbd4d64a694c0150c2c0a241ceaa9fe43fa91e335dce95c4c39681e8ecce3c
- */
-static void wrench_transfer_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[6];
-        float x1[3];
-        float x2[3];
-        float x3[6];
-        gather_f(x0, at[0], 1, 6, 0, steps[4]);
-        gather_f(x1, at[1], 1, 3, 0, steps[5]);
-        gather_f(x2, at[2], 1, 3, 0, steps[6]);
-        chasles_wrench_transferf(x0, x1, x2, x3);
-        scatter_f(x3, at[3], 1, 6, 0, steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void wrench_transfer_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[6];
-        double x1[3];
-        double x2[3];
-        double x3[6];
-        gather_d(x0, at[0], 1, 6, 0, steps[4]);
-        gather_d(x1, at[1], 1, 3, 0, steps[5]);
-        gather_d(x2, at[2], 1, 3, 0, steps[6]);
-        chasles_wrench_transfer(x0, x1, x2, x3);
-        scatter_d(x3, at[3], 1, 6, 0, steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction wrench_transfer_loops[] = {
-    wrench_transfer_f,
-    wrench_transfer_d,
-};
-static const char wrench_transfer_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.133a) The loops of inertia_about_point.
- *   verdict: holds under; assumes m > 0
- *   24 operations; derivation sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
- */
-static void inertia_about_point_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[9];
-        float x1[1];
-        float x2[3];
-        float x3[3];
-        float x4[9];
-        gather_f(x0, at[0], 3, 3, steps[5], steps[6]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 3, 0, steps[7]);
-        gather_f(x3, at[3], 1, 3, 0, steps[8]);
-        chasles_inertia_about_pointf(x0, *x1, x2, x3, x4);
-        scatter_f(x4, at[4], 3, 3, steps[9], steps[10]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void inertia_about_point_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[9];
-        double x1[1];
-        double x2[3];
-        double x3[3];
-        double x4[9];
-        gather_d(x0, at[0], 3, 3, steps[5], steps[6]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 3, 0, steps[7]);
-        gather_d(x3, at[3], 1, 3, 0, steps[8]);
-        chasles_inertia_about_point(x0, *x1, x2, x3, x4);
-        scatter_d(x4, at[4], 3, 3, steps[9], steps[10]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction inertia_about_point_loops[] = {
-    inertia_about_point_f,
-    inertia_about_point_d,
-};
-static const char inertia_about_point_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.133a) The loops of inertia_about_point_sym6.
- *   verdict: holds under; assumes m > 0
- *   21 operations; derivation sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
- */
-static void inertia_about_point_sym6_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[6];
-        float x1[1];
-        float x2[3];
-        float x3[3];
-        float x4[6];
-        gather_f(x0, at[0], 1, 6, 0, steps[5]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 3, 0, steps[6]);
-        gather_f(x3, at[3], 1, 3, 0, steps[7]);
-        chasles_inertia_about_point_sym6f(x0, *x1, x2, x3, x4);
-        scatter_f(x4, at[4], 1, 6, 0, steps[8]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void inertia_about_point_sym6_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[6];
-        double x1[1];
-        double x2[3];
-        double x3[3];
-        double x4[6];
-        gather_d(x0, at[0], 1, 6, 0, steps[5]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 3, 0, steps[6]);
-        gather_d(x3, at[3], 1, 3, 0, steps[7]);
-        chasles_inertia_about_point_sym6(x0, *x1, x2, x3, x4);
-        scatter_d(x4, at[4], 1, 6, 0, steps[8]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction inertia_about_point_sym6_loops[] = {
-    inertia_about_point_sym6_f,
-    inertia_about_point_sym6_d,
-};
-static const char inertia_about_point_sym6_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.142) The loops of momentum_screw.
- *   verdict: holds; assumes nothing
- *   18 operations; derivation sha256 6db3e3a77ef9af159d0c096ec679c53626cff81d41ccfbcc2a4db4833ae93473
- */
-static void momentum_screw_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[9];
-        float x1[1];
-        float x2[6];
-        float x3[6];
-        gather_f(x0, at[0], 3, 3, steps[4], steps[5]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 6, 0, steps[6]);
-        chasles_momentum_screwf(x0, *x1, x2, x3);
-        scatter_f(x3, at[3], 1, 6, 0, steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void momentum_screw_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[9];
-        double x1[1];
-        double x2[6];
-        double x3[6];
-        gather_d(x0, at[0], 3, 3, steps[4], steps[5]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 6, 0, steps[6]);
-        chasles_momentum_screw(x0, *x1, x2, x3);
-        scatter_d(x3, at[3], 1, 6, 0, steps[7]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction momentum_screw_loops[] = {
-    momentum_screw_f,
-    momentum_screw_d,
-};
-static const char momentum_screw_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.142) The loops of momentum_screw_sym6.
- *   verdict: holds; assumes nothing
- *   18 operations; derivation sha256 6db3e3a77ef9af159d0c096ec679c53626cff81d41ccfbcc2a4db4833ae93473
- */
-static void momentum_screw_sym6_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[6];
-        float x1[1];
-        float x2[6];
-        float x3[6];
-        gather_f(x0, at[0], 1, 6, 0, steps[4]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 6, 0, steps[5]);
-        chasles_momentum_screw_sym6f(x0, *x1, x2, x3);
-        scatter_f(x3, at[3], 1, 6, 0, steps[6]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void momentum_screw_sym6_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[6];
-        double x1[1];
-        double x2[6];
-        double x3[6];
-        gather_d(x0, at[0], 1, 6, 0, steps[4]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 6, 0, steps[5]);
-        chasles_momentum_screw_sym6(x0, *x1, x2, x3);
-        scatter_d(x3, at[3], 1, 6, 0, steps[6]);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction momentum_screw_sym6_loops[] = {
-    momentum_screw_sym6_f,
-    momentum_screw_sym6_d,
-};
-static const char momentum_screw_sym6_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.145) The loops of kinetic_energy.
- *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 69297c38ebd3f2599e0000c019f576151ae0e8d563b8a02661f982c45230000e
- */
-static void kinetic_energy_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[9];
-        float x1[1];
-        float x2[6];
-        float x3[1];
-        gather_f(x0, at[0], 3, 3, steps[4], steps[5]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 6, 0, steps[6]);
-        chasles_kinetic_energyf(x0, *x1, x2, x3);
-        scatter_f(x3, at[3], 1, 1, 0, 0);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void kinetic_energy_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[9];
-        double x1[1];
-        double x2[6];
-        double x3[1];
-        gather_d(x0, at[0], 3, 3, steps[4], steps[5]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 6, 0, steps[6]);
-        chasles_kinetic_energy(x0, *x1, x2, x3);
-        scatter_d(x3, at[3], 1, 1, 0, 0);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction kinetic_energy_loops[] = {
-    kinetic_energy_f,
-    kinetic_energy_d,
-};
-static const char kinetic_energy_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.145) The loops of kinetic_energy_sym6.
- *   verdict: holds; assumes nothing
- *   35 operations; derivation sha256 69297c38ebd3f2599e0000c019f576151ae0e8d563b8a02661f982c45230000e
- */
-static void kinetic_energy_sym6_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[6];
-        float x1[1];
-        float x2[6];
-        float x3[1];
-        gather_f(x0, at[0], 1, 6, 0, steps[4]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 6, 0, steps[5]);
-        chasles_kinetic_energy_sym6f(x0, *x1, x2, x3);
-        scatter_f(x3, at[3], 1, 1, 0, 0);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void kinetic_energy_sym6_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[4];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[6];
-        double x1[1];
-        double x2[6];
-        double x3[1];
-        gather_d(x0, at[0], 1, 6, 0, steps[4]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 6, 0, steps[5]);
-        chasles_kinetic_energy_sym6(x0, *x1, x2, x3);
-        scatter_d(x3, at[3], 1, 1, 0, 0);
-        for (int k = 0; k < 4; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction kinetic_energy_sym6_loops[] = {
-    kinetic_energy_sym6_f,
-    kinetic_energy_sym6_d,
-};
-static const char kinetic_energy_sym6_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.8 v The loops of newton_euler_wrench.
- *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 4e831789b8f20b1f8ebea121e0d8d47b7074e8225c3fd379d0994cdf87959c79
- */
-static void newton_euler_wrench_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[9];
-        float x1[1];
-        float x2[6];
-        float x3[6];
-        float x4[6];
-        gather_f(x0, at[0], 3, 3, steps[5], steps[6]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 6, 0, steps[7]);
-        gather_f(x3, at[3], 1, 6, 0, steps[8]);
-        chasles_newton_euler_wrenchf(x0, *x1, x2, x3, x4);
-        scatter_f(x4, at[4], 1, 6, 0, steps[9]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void newton_euler_wrench_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[9];
-        double x1[1];
-        double x2[6];
-        double x3[6];
-        double x4[6];
-        gather_d(x0, at[0], 3, 3, steps[5], steps[6]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 6, 0, steps[7]);
-        gather_d(x3, at[3], 1, 6, 0, steps[8]);
-        chasles_newton_euler_wrench(x0, *x1, x2, x3, x4);
-        scatter_d(x4, at[4], 1, 6, 0, steps[9]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction newton_euler_wrench_loops[] = {
-    newton_euler_wrench_f,
-    newton_euler_wrench_d,
-};
-static const char newton_euler_wrench_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.8 v The loops of newton_euler_wrench_sym6.
- *   verdict: holds; assumes nothing
- *   45 operations; derivation sha256 4e831789b8f20b1f8ebea121e0d8d47b7074e8225c3fd379d0994cdf87959c79
- */
-static void newton_euler_wrench_sym6_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[6];
-        float x1[1];
-        float x2[6];
-        float x3[6];
-        float x4[6];
-        gather_f(x0, at[0], 1, 6, 0, steps[5]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 6, 0, steps[6]);
-        gather_f(x3, at[3], 1, 6, 0, steps[7]);
-        chasles_newton_euler_wrench_sym6f(x0, *x1, x2, x3, x4);
-        scatter_f(x4, at[4], 1, 6, 0, steps[8]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void newton_euler_wrench_sym6_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[6];
-        double x1[1];
-        double x2[6];
-        double x3[6];
-        double x4[6];
-        gather_d(x0, at[0], 1, 6, 0, steps[5]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 6, 0, steps[6]);
-        gather_d(x3, at[3], 1, 6, 0, steps[7]);
-        chasles_newton_euler_wrench_sym6(x0, *x1, x2, x3, x4);
-        scatter_d(x4, at[4], 1, 6, 0, steps[8]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction newton_euler_wrench_sym6_loops[] = {
-    newton_euler_wrench_sym6_f,
-    newton_euler_wrench_sym6_d,
-};
-static const char newton_euler_wrench_sym6_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.8 v The loops of newton_euler_twist_rate.
- *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   82 operations; derivation sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
- */
-static void newton_euler_twist_rate_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[9];
-        float x1[1];
-        float x2[6];
-        float x3[6];
-        float x4[6];
-        gather_f(x0, at[0], 3, 3, steps[5], steps[6]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 6, 0, steps[7]);
-        gather_f(x3, at[3], 1, 6, 0, steps[8]);
-        chasles_newton_euler_twist_ratef(x0, *x1, x2, x3, x4);
-        scatter_f(x4, at[4], 1, 6, 0, steps[9]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void newton_euler_twist_rate_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[9];
-        double x1[1];
-        double x2[6];
-        double x3[6];
-        double x4[6];
-        gather_d(x0, at[0], 3, 3, steps[5], steps[6]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 6, 0, steps[7]);
-        gather_d(x3, at[3], 1, 6, 0, steps[8]);
-        chasles_newton_euler_twist_rate(x0, *x1, x2, x3, x4);
-        scatter_d(x4, at[4], 1, 6, 0, steps[9]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction newton_euler_twist_rate_loops[] = {
-    newton_euler_twist_rate_f,
-    newton_euler_twist_rate_d,
-};
-static const char newton_euler_twist_rate_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * text 3.8 v The loops of newton_euler_twist_rate_sym6.
- *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   73 operations; derivation sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
- */
-static void newton_euler_twist_rate_sym6_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[6];
-        float x1[1];
-        float x2[6];
-        float x3[6];
-        float x4[6];
-        gather_f(x0, at[0], 1, 6, 0, steps[5]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 6, 0, steps[6]);
-        gather_f(x3, at[3], 1, 6, 0, steps[7]);
-        chasles_newton_euler_twist_rate_sym6f(x0, *x1, x2, x3, x4);
-        scatter_f(x4, at[4], 1, 6, 0, steps[8]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void newton_euler_twist_rate_sym6_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[6];
-        double x1[1];
-        double x2[6];
-        double x3[6];
-        double x4[6];
-        gather_d(x0, at[0], 1, 6, 0, steps[5]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 6, 0, steps[6]);
-        gather_d(x3, at[3], 1, 6, 0, steps[7]);
-        chasles_newton_euler_twist_rate_sym6(x0, *x1, x2, x3, x4);
-        scatter_d(x4, at[4], 1, 6, 0, steps[8]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction newton_euler_twist_rate_sym6_loops[] = {
-    newton_euler_twist_rate_sym6_f,
-    newton_euler_twist_rate_sym6_d,
-};
-static const char newton_euler_twist_rate_sym6_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.147) The loops of inertia_dyad.
- *   verdict: holds; assumes nothing
- *   24 operations; derivation sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
- */
-static void inertia_dyad_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[9];
-        float x1[1];
-        float x2[3];
-        float x3[3];
-        float x4[36];
-        gather_f(x0, at[0], 3, 3, steps[5], steps[6]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 3, 0, steps[7]);
-        gather_f(x3, at[3], 1, 3, 0, steps[8]);
-        chasles_inertia_dyadf(x0, *x1, x2, x3, x4);
-        scatter_f(x4, at[4], 6, 6, steps[9], steps[10]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void inertia_dyad_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[9];
-        double x1[1];
-        double x2[3];
-        double x3[3];
-        double x4[36];
-        gather_d(x0, at[0], 3, 3, steps[5], steps[6]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 3, 0, steps[7]);
-        gather_d(x3, at[3], 1, 3, 0, steps[8]);
-        chasles_inertia_dyad(x0, *x1, x2, x3, x4);
-        scatter_d(x4, at[4], 6, 6, steps[9], steps[10]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction inertia_dyad_loops[] = {
-    inertia_dyad_f,
-    inertia_dyad_d,
-};
-static const char inertia_dyad_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * (3.147) The loops of inertia_dyad_sym6.
- *   verdict: holds; assumes nothing
- *   21 operations; derivation sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
- */
-static void inertia_dyad_sym6_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[6];
-        float x1[1];
-        float x2[3];
-        float x3[3];
-        float x4[36];
-        gather_f(x0, at[0], 1, 6, 0, steps[5]);
-        gather_f(x1, at[1], 1, 1, 0, 0);
-        gather_f(x2, at[2], 1, 3, 0, steps[6]);
-        gather_f(x3, at[3], 1, 3, 0, steps[7]);
-        chasles_inertia_dyad_sym6f(x0, *x1, x2, x3, x4);
-        scatter_f(x4, at[4], 6, 6, steps[8], steps[9]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void inertia_dyad_sym6_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[5];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[6];
-        double x1[1];
-        double x2[3];
-        double x3[3];
-        double x4[36];
-        gather_d(x0, at[0], 1, 6, 0, steps[5]);
-        gather_d(x1, at[1], 1, 1, 0, 0);
-        gather_d(x2, at[2], 1, 3, 0, steps[6]);
-        gather_d(x3, at[3], 1, 3, 0, steps[7]);
-        chasles_inertia_dyad_sym6(x0, *x1, x2, x3, x4);
-        scatter_d(x4, at[4], 6, 6, steps[8], steps[9]);
-        for (int k = 0; k < 5; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction inertia_dyad_sym6_loops[] = {
-    inertia_dyad_sym6_f,
-    inertia_dyad_sym6_d,
-};
-static const char inertia_dyad_sym6_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
-    NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of rotation_from_euler_xyx.
- *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 49974e148b9969b7a23a303df375f906766eda03e5d7416d35c36a35c77fea06
- */
-static void rotation_from_euler_xyx_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_xyxf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void rotation_from_euler_xyx_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_xyx(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction rotation_from_euler_xyx_loops[] = {
-    rotation_from_euler_xyx_f,
-    rotation_from_euler_xyx_d,
-};
-static const char rotation_from_euler_xyx_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_xyx.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 15ec222e6a4c0d4af15dcf0f4f9d944364836080f80ed845b4661afb074e1ca1
- */
-static void euler_rate_matrix_xyx_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_xyxf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_xyx_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_xyx(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_xyx_loops[] = {
-    euler_rate_matrix_xyx_f,
-    euler_rate_matrix_xyx_d,
-};
-static const char euler_rate_matrix_xyx_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_body_xyx.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 cd8589089d7d47765a04b183158736b0b971b8a8d922838283fa2c2975eb5d89
- */
-static void euler_rate_matrix_body_xyx_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_xyxf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_body_xyx_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_xyx(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_body_xyx_loops[] = {
-    euler_rate_matrix_body_xyx_f,
-    euler_rate_matrix_body_xyx_d,
-};
-static const char euler_rate_matrix_body_xyx_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rates_xyx.
- *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 6b432c618a3b5cb7132a0a1625419f24b2800b22e52d8f8b5202e756b67ea148
- */
-static void euler_rates_xyx_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[3];
-        float x2[3];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_xyxf(x0, x1, x2);
-        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rates_xyx_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[3];
-        double x2[3];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_xyx(x0, x1, x2);
-        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rates_xyx_loops[] = {
-    euler_rates_xyx_f,
-    euler_rates_xyx_d,
-};
-static const char euler_rates_xyx_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of rotation_from_euler_xyz.
- *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 f87af8285d9801669ca9041e726f9817a40f9c95ddf51a655b261236297c04af
- */
-static void rotation_from_euler_xyz_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_xyzf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void rotation_from_euler_xyz_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_xyz(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction rotation_from_euler_xyz_loops[] = {
-    rotation_from_euler_xyz_f,
-    rotation_from_euler_xyz_d,
-};
-static const char rotation_from_euler_xyz_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_xyz.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 1d2f362d906c9640bebb7713dd74f3809ce202cd977dff0cc4c827b77ce9d4d3
- */
-static void euler_rate_matrix_xyz_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_xyzf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_xyz_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_xyz(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_xyz_loops[] = {
-    euler_rate_matrix_xyz_f,
-    euler_rate_matrix_xyz_d,
-};
-static const char euler_rate_matrix_xyz_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_body_xyz.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 d605f1f844caa8fe73209313f2debbc7dad841db4b625533c1925d350b88b35f
- */
-static void euler_rate_matrix_body_xyz_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_xyzf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_body_xyz_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_xyz(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_body_xyz_loops[] = {
-    euler_rate_matrix_body_xyz_f,
-    euler_rate_matrix_body_xyz_d,
-};
-static const char euler_rate_matrix_body_xyz_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rates_xyz.
- *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 379cc15712b3f593e6a56a0586d8cb970b2c344caf9eff56d13b4aa0f2bc0fcb
- */
-static void euler_rates_xyz_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[3];
-        float x2[3];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_xyzf(x0, x1, x2);
-        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rates_xyz_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[3];
-        double x2[3];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_xyz(x0, x1, x2);
-        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rates_xyz_loops[] = {
-    euler_rates_xyz_f,
-    euler_rates_xyz_d,
-};
-static const char euler_rates_xyz_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of rotation_from_euler_xzx.
- *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 509556f6df445dd3c7fe5324e0ad671112ed8aaa27442b8973ddf4f722eb8d9b
- */
-static void rotation_from_euler_xzx_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_xzxf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void rotation_from_euler_xzx_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_xzx(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction rotation_from_euler_xzx_loops[] = {
-    rotation_from_euler_xzx_f,
-    rotation_from_euler_xzx_d,
-};
-static const char rotation_from_euler_xzx_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_xzx.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 063a79927c0f405045ca7f3a4600867811265ae8101b11b64e443152cd0965cf
- */
-static void euler_rate_matrix_xzx_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_xzxf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_xzx_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_xzx(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_xzx_loops[] = {
-    euler_rate_matrix_xzx_f,
-    euler_rate_matrix_xzx_d,
-};
-static const char euler_rate_matrix_xzx_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_body_xzx.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 5092f84c7bbb66afac08e51bc82a4ea4bdc4738a19463c52fc60c25d1976c154
- */
-static void euler_rate_matrix_body_xzx_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_xzxf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_body_xzx_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_xzx(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_body_xzx_loops[] = {
-    euler_rate_matrix_body_xzx_f,
-    euler_rate_matrix_body_xzx_d,
-};
-static const char euler_rate_matrix_body_xzx_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rates_xzx.
- *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 d60392e777e2f94766ccb4868d6a376f4b8f702f6466c7841c3f0e7493778009
- */
-static void euler_rates_xzx_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[3];
-        float x2[3];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_xzxf(x0, x1, x2);
-        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rates_xzx_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[3];
-        double x2[3];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_xzx(x0, x1, x2);
-        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rates_xzx_loops[] = {
-    euler_rates_xzx_f,
-    euler_rates_xzx_d,
-};
-static const char euler_rates_xzx_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of rotation_from_euler_xzy.
- *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 6a4fd734359cc43f74679d358abf691bfd6612dbcd721aa9a209c64050a5d383
- */
-static void rotation_from_euler_xzy_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_xzyf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void rotation_from_euler_xzy_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_xzy(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction rotation_from_euler_xzy_loops[] = {
-    rotation_from_euler_xzy_f,
-    rotation_from_euler_xzy_d,
-};
-static const char rotation_from_euler_xzy_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_xzy.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 f4bf5edc3a0e9199cc30c83f6cab51d6bfce7ab2a3d75f59608b337bed74824b
- */
-static void euler_rate_matrix_xzy_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_xzyf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_xzy_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_xzy(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_xzy_loops[] = {
-    euler_rate_matrix_xzy_f,
-    euler_rate_matrix_xzy_d,
-};
-static const char euler_rate_matrix_xzy_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_body_xzy.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 34b232afb99ddc1be46962d797e1c08bda20904a656a165ee2fc2232e4beec57
- */
-static void euler_rate_matrix_body_xzy_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_xzyf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_body_xzy_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_xzy(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_body_xzy_loops[] = {
-    euler_rate_matrix_body_xzy_f,
-    euler_rate_matrix_body_xzy_d,
-};
-static const char euler_rate_matrix_body_xzy_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rates_xzy.
- *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 47b386989c7014707637badfc0f665d8b17c2674e34c6dc85b34228d94dd802e
- */
-static void euler_rates_xzy_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[3];
-        float x2[3];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_xzyf(x0, x1, x2);
-        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rates_xzy_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[3];
-        double x2[3];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_xzy(x0, x1, x2);
-        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rates_xzy_loops[] = {
-    euler_rates_xzy_f,
-    euler_rates_xzy_d,
-};
-static const char euler_rates_xzy_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of rotation_from_euler_yxy.
- *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 42de6926cd35f5c06da566065b065c8ba754cee65703557fa42410e42dde4a35
- */
-static void rotation_from_euler_yxy_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_yxyf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void rotation_from_euler_yxy_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_yxy(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction rotation_from_euler_yxy_loops[] = {
-    rotation_from_euler_yxy_f,
-    rotation_from_euler_yxy_d,
-};
-static const char rotation_from_euler_yxy_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_yxy.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 ab9e4f4d487ee038942cc83869848be5fa4c534a19c656164684f27e1b65ac10
- */
-static void euler_rate_matrix_yxy_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_yxyf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_yxy_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_yxy(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_yxy_loops[] = {
-    euler_rate_matrix_yxy_f,
-    euler_rate_matrix_yxy_d,
-};
-static const char euler_rate_matrix_yxy_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_body_yxy.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 2a86c48257dda6a27e84a7fb3b0817bd24bdff1a56c2bfeb6119d778d89bbab6
- */
-static void euler_rate_matrix_body_yxy_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_yxyf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_body_yxy_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_yxy(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_body_yxy_loops[] = {
-    euler_rate_matrix_body_yxy_f,
-    euler_rate_matrix_body_yxy_d,
-};
-static const char euler_rate_matrix_body_yxy_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rates_yxy.
- *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 8c7b412f940aadc89ad8c5ce3785c5c0ca8dcbf9e58aac6572334181799e61e2
- */
-static void euler_rates_yxy_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[3];
-        float x2[3];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_yxyf(x0, x1, x2);
-        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rates_yxy_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[3];
-        double x2[3];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_yxy(x0, x1, x2);
-        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rates_yxy_loops[] = {
-    euler_rates_yxy_f,
-    euler_rates_yxy_d,
-};
-static const char euler_rates_yxy_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of rotation_from_euler_yxz.
- *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 aac4d38f938bc0f3b21fc5113a3e553f105a0b99bd2a46001cf5af56197be36a
- */
-static void rotation_from_euler_yxz_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_yxzf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void rotation_from_euler_yxz_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_yxz(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction rotation_from_euler_yxz_loops[] = {
-    rotation_from_euler_yxz_f,
-    rotation_from_euler_yxz_d,
-};
-static const char rotation_from_euler_yxz_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_yxz.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 f673622637ac9520cdbbfacd9038ad6a42d7de01d522fe1daa4e4ed5a188d584
- */
-static void euler_rate_matrix_yxz_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_yxzf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_yxz_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_yxz(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_yxz_loops[] = {
-    euler_rate_matrix_yxz_f,
-    euler_rate_matrix_yxz_d,
-};
-static const char euler_rate_matrix_yxz_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_body_yxz.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 a7f0e1639e85f122dde538fce97f31e9e4f583cf9ea5d074345d45245ff26ea8
- */
-static void euler_rate_matrix_body_yxz_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_yxzf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_body_yxz_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_yxz(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_body_yxz_loops[] = {
-    euler_rate_matrix_body_yxz_f,
-    euler_rate_matrix_body_yxz_d,
-};
-static const char euler_rate_matrix_body_yxz_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rates_yxz.
- *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 bf11bed82696038fa225e27a75acb0d41b63af31adb0153ca5a712167c4d8284
- */
-static void euler_rates_yxz_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[3];
-        float x2[3];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_yxzf(x0, x1, x2);
-        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rates_yxz_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[3];
-        double x2[3];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_yxz(x0, x1, x2);
-        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rates_yxz_loops[] = {
-    euler_rates_yxz_f,
-    euler_rates_yxz_d,
-};
-static const char euler_rates_yxz_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of rotation_from_euler_yzx.
- *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 73ccad1507926c77a4de1804d6ccee68b6eedcb0a87a5d797076c3aaa328556a
- */
-static void rotation_from_euler_yzx_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_yzxf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void rotation_from_euler_yzx_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_yzx(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction rotation_from_euler_yzx_loops[] = {
-    rotation_from_euler_yzx_f,
-    rotation_from_euler_yzx_d,
-};
-static const char rotation_from_euler_yzx_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_yzx.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 6bc14177fe8f581b737fd8108f75cca27c80f0c6043e24f8d305941c720fb93e
- */
-static void euler_rate_matrix_yzx_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_yzxf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_yzx_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_yzx(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_yzx_loops[] = {
-    euler_rate_matrix_yzx_f,
-    euler_rate_matrix_yzx_d,
-};
-static const char euler_rate_matrix_yzx_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_body_yzx.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 ba974c498d2395f78752b5b9af3bd25c9bc8814b82f34bc12080e7f58fc39384
- */
-static void euler_rate_matrix_body_yzx_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_yzxf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_body_yzx_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_yzx(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_body_yzx_loops[] = {
-    euler_rate_matrix_body_yzx_f,
-    euler_rate_matrix_body_yzx_d,
-};
-static const char euler_rate_matrix_body_yzx_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rates_yzx.
- *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 404a3dd7a9f43dbf16ca707d83946fda23f95d1982dc848908ed679160d5cc5f
- */
-static void euler_rates_yzx_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[3];
-        float x2[3];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_yzxf(x0, x1, x2);
-        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rates_yzx_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[3];
-        double x2[3];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_yzx(x0, x1, x2);
-        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rates_yzx_loops[] = {
-    euler_rates_yzx_f,
-    euler_rates_yzx_d,
-};
-static const char euler_rates_yzx_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of rotation_from_euler_yzy.
- *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 fc249fbe7ecf26a2cf23c7eb4a1ae340b6f6d6b71fd0a11c005275bed3b0541a
- */
-static void rotation_from_euler_yzy_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_yzyf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void rotation_from_euler_yzy_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_yzy(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction rotation_from_euler_yzy_loops[] = {
-    rotation_from_euler_yzy_f,
-    rotation_from_euler_yzy_d,
-};
-static const char rotation_from_euler_yzy_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_yzy.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 ba3b9e2e5d19a42bcccf4fe889ac0ad5e1476885d7d3f35174490738c07caa93
- */
-static void euler_rate_matrix_yzy_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_yzyf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_yzy_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_yzy(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_yzy_loops[] = {
-    euler_rate_matrix_yzy_f,
-    euler_rate_matrix_yzy_d,
-};
-static const char euler_rate_matrix_yzy_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_body_yzy.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 2906ed860e470e86a10fba075e603a757d21feeb996fd012d6a5c352f1f248cf
- */
-static void euler_rate_matrix_body_yzy_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_yzyf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_body_yzy_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_yzy(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_body_yzy_loops[] = {
-    euler_rate_matrix_body_yzy_f,
-    euler_rate_matrix_body_yzy_d,
-};
-static const char euler_rate_matrix_body_yzy_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rates_yzy.
- *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 fbcf58ed5fb921bfdeae731af0d22be0b18c057d4ab3433941bb486f4f2ac07a
- */
-static void euler_rates_yzy_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[3];
-        float x2[3];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_yzyf(x0, x1, x2);
-        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rates_yzy_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[3];
-        double x2[3];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_yzy(x0, x1, x2);
-        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rates_yzy_loops[] = {
-    euler_rates_yzy_f,
-    euler_rates_yzy_d,
-};
-static const char euler_rates_yzy_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of rotation_from_euler_zxy.
- *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 00df5b3e078a442b89ec92320b9be4d00f69c8c69b5377ceed30ce97167894d8
- */
-static void rotation_from_euler_zxy_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_zxyf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void rotation_from_euler_zxy_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_zxy(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction rotation_from_euler_zxy_loops[] = {
-    rotation_from_euler_zxy_f,
-    rotation_from_euler_zxy_d,
-};
-static const char rotation_from_euler_zxy_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_zxy.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 66b9e91ee2080f4af362adbd4cfbd2f6493f2d49f04e969606b8e5e66a892530
- */
-static void euler_rate_matrix_zxy_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_zxyf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_zxy_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_zxy(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_zxy_loops[] = {
-    euler_rate_matrix_zxy_f,
-    euler_rate_matrix_zxy_d,
-};
-static const char euler_rate_matrix_zxy_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_body_zxy.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 ee0e5dc36786ec147d7731e28a73445f4829a353e033fb0bdf99f16a9ae96d67
- */
-static void euler_rate_matrix_body_zxy_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_zxyf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_body_zxy_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_zxy(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_body_zxy_loops[] = {
-    euler_rate_matrix_body_zxy_f,
-    euler_rate_matrix_body_zxy_d,
-};
-static const char euler_rate_matrix_body_zxy_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rates_zxy.
- *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 f15319cb143e29fdad80688ea5d83794cf5328509c5cd1fb52fa078f77b2a785
- */
-static void euler_rates_zxy_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[3];
-        float x2[3];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_zxyf(x0, x1, x2);
-        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rates_zxy_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[3];
-        double x2[3];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_zxy(x0, x1, x2);
-        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rates_zxy_loops[] = {
-    euler_rates_zxy_f,
-    euler_rates_zxy_d,
-};
-static const char euler_rates_zxy_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of rotation_from_euler_zxz.
- *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 90292a7b1973bd54561384a1b0aca95f4b081c5031f08a71f5bf1eeb509996f8
- */
-static void rotation_from_euler_zxz_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_zxzf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void rotation_from_euler_zxz_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_zxz(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction rotation_from_euler_zxz_loops[] = {
-    rotation_from_euler_zxz_f,
-    rotation_from_euler_zxz_d,
-};
-static const char rotation_from_euler_zxz_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_zxz.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 d6bac485f18ebb57e7adb1eb90896adee410e33308c5db55212969aa010526ee
- */
-static void euler_rate_matrix_zxz_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_zxzf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_zxz_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_zxz(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_zxz_loops[] = {
-    euler_rate_matrix_zxz_f,
-    euler_rate_matrix_zxz_d,
-};
-static const char euler_rate_matrix_zxz_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_body_zxz.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 22c895ea0aa33cf27a73432cf9b7edd645045c890d81351055832ab2e86d2ae0
- */
-static void euler_rate_matrix_body_zxz_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_zxzf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_body_zxz_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_zxz(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_body_zxz_loops[] = {
-    euler_rate_matrix_body_zxz_f,
-    euler_rate_matrix_body_zxz_d,
-};
-static const char euler_rate_matrix_body_zxz_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rates_zxz.
- *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 9730082636217a13ed6443b9376e26c825640305348e897e3b1e8d20d25ad893
- */
-static void euler_rates_zxz_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[3];
-        float x2[3];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_zxzf(x0, x1, x2);
-        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rates_zxz_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[3];
-        double x2[3];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_zxz(x0, x1, x2);
-        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rates_zxz_loops[] = {
-    euler_rates_zxz_f,
-    euler_rates_zxz_d,
-};
-static const char euler_rates_zxz_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of rotation_from_euler_zyx.
- *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 77eae5b015783de7dba57287593533e40a4bf6d57321c5d7151d36cf1a028acc
- */
-static void rotation_from_euler_zyx_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_zyxf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void rotation_from_euler_zyx_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_zyx(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction rotation_from_euler_zyx_loops[] = {
-    rotation_from_euler_zyx_f,
-    rotation_from_euler_zyx_d,
-};
-static const char rotation_from_euler_zyx_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_zyx.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 0adf0d7abfcbe1f817931814b81c15a9c846b1c73dcdb818878d86351c757b6d
- */
-static void euler_rate_matrix_zyx_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_zyxf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_zyx_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_zyx(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_zyx_loops[] = {
-    euler_rate_matrix_zyx_f,
-    euler_rate_matrix_zyx_d,
-};
-static const char euler_rate_matrix_zyx_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_body_zyx.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 6a7529b4dd785268409cc92077030a4cad8a64439e696ba9dfa305974e76a7df
- */
-static void euler_rate_matrix_body_zyx_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_zyxf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_body_zyx_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_zyx(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_body_zyx_loops[] = {
-    euler_rate_matrix_body_zyx_f,
-    euler_rate_matrix_body_zyx_d,
-};
-static const char euler_rate_matrix_body_zyx_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rates_zyx.
- *   verdict: holds under; assumes cos(theta_2) != 0
- *   13 operations; derivation sha256 f6fb3a6381c9037e8d1dbd8e1df9c051262d4c72bd9738451555e59c302f0f09
- */
-static void euler_rates_zyx_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[3];
-        float x2[3];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_zyxf(x0, x1, x2);
-        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rates_zyx_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[3];
-        double x2[3];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_zyx(x0, x1, x2);
-        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rates_zyx_loops[] = {
-    euler_rates_zyx_f,
-    euler_rates_zyx_d,
-};
-static const char euler_rates_zyx_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of rotation_from_euler_zyz.
- *   verdict: defined; assumes nothing
- *   24 operations; derivation sha256 35a70c6c05dd2903cd2f50766b4e415a63eb2ffed2c6d3e412124e8647c7b716
- */
-static void rotation_from_euler_zyz_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_zyzf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void rotation_from_euler_zyz_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_rotation_from_euler_zyz(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction rotation_from_euler_zyz_loops[] = {
-    rotation_from_euler_zyz_f,
-    rotation_from_euler_zyz_d,
-};
-static const char rotation_from_euler_zyz_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_zyz.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 2df872f3e6c29262a9a735f3e6450ce704e08a1b40b33a555d7636f417131edb
- */
-static void euler_rate_matrix_zyz_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_zyzf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_zyz_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_zyz(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_zyz_loops[] = {
-    euler_rate_matrix_zyz_f,
-    euler_rate_matrix_zyz_d,
-};
-static const char euler_rate_matrix_zyz_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rate_matrix_body_zyz.
- *   verdict: defined; assumes nothing
- *   6 operations; derivation sha256 0e8fa3809441be1ebd1a102ce8fc5b78357d823973bbc7bac7e1da5c7ce38790
- */
-static void euler_rate_matrix_body_zyz_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[9];
-        gather_f(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_zyzf(x0, x1);
-        scatter_f(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rate_matrix_body_zyz_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[2];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[9];
-        gather_d(x0, at[0], 1, 3, 0, steps[2]);
-        chasles_euler_rate_matrix_body_zyz(x0, x1);
-        scatter_d(x1, at[1], 3, 3, steps[3], steps[4]);
-        for (int k = 0; k < 2; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rate_matrix_body_zyz_loops[] = {
-    euler_rate_matrix_body_zyz_f,
-    euler_rate_matrix_body_zyz_d,
-};
-static const char euler_rate_matrix_body_zyz_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE
-};
-
-/*
- * Ex 3.10 The loops of euler_rates_zyz.
- *   verdict: holds under; assumes sin(theta_2) != 0
- *   13 operations; derivation sha256 c8e47ebca1883ce144424c202eb73e0d953be9339e55743f954ebc4ff9aaa9f5
- */
-static void euler_rates_zyz_f(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        float x0[3];
-        float x1[3];
-        float x2[3];
-        gather_f(x0, at[0], 1, 3, 0, steps[3]);
-        gather_f(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_zyzf(x0, x1, x2);
-        scatter_f(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static void euler_rates_zyz_d(
-    char **args, const npy_intp *dimensions, const npy_intp *steps, void *NPY_UNUSED(data))
-{
-    char *at[3];
-    memcpy(at, args, sizeof at);
-    for (npy_intp left = dimensions[0]; left > 0; left--) {
-        double x0[3];
-        double x1[3];
-        double x2[3];
-        gather_d(x0, at[0], 1, 3, 0, steps[3]);
-        gather_d(x1, at[1], 1, 3, 0, steps[4]);
-        chasles_euler_rates_zyz(x0, x1, x2);
-        scatter_d(x2, at[2], 1, 3, 0, steps[5]);
-        for (int k = 0; k < 3; k++) {
-            at[k] += steps[k];
-        }
-    }
-}
-
-static PyUFuncGenericFunction euler_rates_zyz_loops[] = {
-    euler_rates_zyz_f,
-    euler_rates_zyz_d,
-};
-static const char euler_rates_zyz_types[] = {
-    NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE
-};
-
-static void *const no_data[] = {NULL, NULL};
-
-typedef struct {
-    const char *name;
-    const char *signature;
-    const char *doc;
-    PyUFuncGenericFunction *loops;
-    const char *types;
-    int inputs;
-    int outputs;
-} Kernel;
-
-static const Kernel kernels[] = {
+const Kernel chasles_kernels[] = {
     {
         .name = "cross_product_matrix",
         .signature = "(3)->(3,3)",
@@ -6020,10 +24,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 1dcc0e58f219711b3c3f86b749f8c10b4db63734a02b20de3d9c405c9765483d\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = cross_product_matrix_loops,
-        .types = cross_product_matrix_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_cross_product_matrix_loopf, &chasles_cross_product_matrix_loop },
+        .operands = { "v", "V" },
     },
     {
         .name = "rotation_from_axis_angle",
@@ -6039,10 +41,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 dd485fc9fc55c9da723bbd623b2225ec82c9e8dbfe322dbf4dfe768c7d30e93a\n"
             "  signature   (3),()->(3,3)\n"
             "",
-        .loops = rotation_from_axis_angle_loops,
-        .types = rotation_from_axis_angle_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_rotation_from_axis_angle_loopf, &chasles_rotation_from_axis_angle_loop },
+        .operands = { "e", "phi", "Q" },
     },
     {
         .name = "point_after_displacement",
@@ -6061,10 +61,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 af99d11eca408718e24cab7a00a1fd908df2c4445259caf108fa6366c29b6560\n"
             "  signature   (3,3),(3),(3),(3)->(3)\n"
             "",
-        .loops = point_after_displacement_loops,
-        .types = point_after_displacement_types,
-        .inputs = 4,
-        .outputs = 1,
+        .loops = { &chasles_point_after_displacement_loopf, &chasles_point_after_displacement_loop },
+        .operands = { "Q", "a", "a_prime", "p", "p_prime" },
     },
     {
         .name = "pitch_of_motion",
@@ -6082,10 +80,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 a00b650de0c575f7c9b2294f993cd4d248ffaaa64b28a7f2d4581cd5c90cdf7f\n"
             "  signature   (3),(),(3)->()\n"
             "",
-        .loops = pitch_of_motion_loops,
-        .types = pitch_of_motion_types,
-        .inputs = 3,
-        .outputs = 1,
+        .loops = { &chasles_pitch_of_motion_loopf, &chasles_pitch_of_motion_loop },
+        .operands = { "e", "phi", "d_P", "result" },
     },
     {
         .name = "normal_matrix_inverse",
@@ -6102,10 +98,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c\n"
             "  signature   (3),()->(3,3)\n"
             "",
-        .loops = normal_matrix_inverse_loops,
-        .types = normal_matrix_inverse_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_normal_matrix_inverse_loopf, &chasles_normal_matrix_inverse_loop },
+        .operands = { "e", "phi", "result" },
     },
     {
         .name = "screw_axis_point",
@@ -6125,10 +119,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 fd931c592a794abc154e30cb8754cc954c9fa9f827a0928a1e82185b1b2a8b81\n"
             "  signature   (3),(),(3),(3)->(3)\n"
             "",
-        .loops = screw_axis_point_loops,
-        .types = screw_axis_point_types,
-        .inputs = 4,
-        .outputs = 1,
+        .loops = { &chasles_screw_axis_point_loopf, &chasles_screw_axis_point_loop },
+        .operands = { "e", "phi", "a", "a_prime", "p_0" },
     },
     {
         .name = "plucker_line",
@@ -6144,10 +136,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 32c3975b5a0a9106d94e083a43fadc2be5fbb7bda4c600d797436f2a818ba4e5\n"
             "  signature   (3),(3)->(6)\n"
             "",
-        .loops = plucker_line_loops,
-        .types = plucker_line_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_plucker_line_loopf, &chasles_plucker_line_loop },
+        .operands = { "p_1", "p_2", "kappa" },
     },
     {
         .name = "plucker_transfer",
@@ -6164,10 +154,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 6d53a1bee79a6a2a63aafa29de9b2815a5d19f7d96ef743e8fd201bd98bf5faf\n"
             "  signature   (6),(3),(3)->(6)\n"
             "",
-        .loops = plucker_transfer_loops,
-        .types = plucker_transfer_types,
-        .inputs = 3,
-        .outputs = 1,
+        .loops = { &chasles_plucker_transfer_loopf, &chasles_plucker_transfer_loop },
+        .operands = { "kappa_A", "a", "b", "kappa_B" },
     },
     {
         .name = "rotation_in_triad_axes",
@@ -6185,10 +173,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 17b2c6690d171cd369c93be59a7a8c3b70bc0108c48d7358142e2312ebf805ee\n"
             "  signature   (3,3),(3,3)->(3,3)\n"
             "",
-        .loops = rotation_in_triad_axes_loops,
-        .types = rotation_in_triad_axes_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_rotation_in_triad_axes_loopf, &chasles_rotation_in_triad_axes_loop },
+        .operands = { "triad", "triad_prime", "Q" },
     },
     {
         .name = "rotation_from_triads",
@@ -6206,10 +192,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 0c12a1c3d699670fac6168e45da2070083d35015f2bd6eac4cd2f1464da2b780\n"
             "  signature   (3,3),(3,3)->(3,3)\n"
             "",
-        .loops = rotation_from_triads_loops,
-        .types = rotation_from_triads_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_rotation_from_triads_loopf, &chasles_rotation_from_triads_loop },
+        .operands = { "triad", "triad_prime", "Q" },
     },
     {
         .name = "axial_vector",
@@ -6224,10 +208,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 8c4348a6af61531ef5e1d340b707a886d5ae17216e0e81a5fdda49099e70eece\n"
             "  signature   (3,3)->(3)\n"
             "",
-        .loops = axial_vector_loops,
-        .types = axial_vector_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_axial_vector_loopf, &chasles_axial_vector_loop },
+        .operands = { "Omega", "omega" },
     },
     {
         .name = "velocity_of_point",
@@ -6245,10 +227,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 b5acf63f8b2ae232595725548e5ba32264be6bf6d52d501066130e78c9ed0486\n"
             "  signature   (3),(3),(3),(3)->(3)\n"
             "",
-        .loops = velocity_of_point_loops,
-        .types = velocity_of_point_types,
-        .inputs = 4,
-        .outputs = 1,
+        .loops = { &chasles_velocity_of_point_loopf, &chasles_velocity_of_point_loop },
+        .operands = { "omega", "a_dot", "a", "p", "p_dot" },
     },
     {
         .name = "instant_screw_point",
@@ -6265,10 +245,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 1562849f177e6c267d458290e7a5bbddc3b1feee4c93b5c27822ff1e01156afe\n"
             "  signature   (3),(3),(3)->(3)\n"
             "",
-        .loops = instant_screw_point_loops,
-        .types = instant_screw_point_types,
-        .inputs = 3,
-        .outputs = 1,
+        .loops = { &chasles_instant_screw_point_loopf, &chasles_instant_screw_point_loop },
+        .operands = { "omega", "a_dot", "a", "p_0_prime" },
     },
     {
         .name = "natural_rate_matrix",
@@ -6285,10 +263,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 ae8848864c3fe36678c44ede0fea89f8af655c143bdb95acf6bb13cd98cc80e0\n"
             "  signature   (3),()->(4,3)\n"
             "",
-        .loops = natural_rate_matrix_loops,
-        .types = natural_rate_matrix_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_natural_rate_matrix_loopf, &chasles_natural_rate_matrix_loop },
+        .operands = { "e", "phi", "N" },
     },
     {
         .name = "linear_rate_matrix",
@@ -6304,10 +280,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 dc969a2458fb1ccbe6cf9ba4bd5c14c48137796a5e63b6fdffe960bc3f43a806\n"
             "  signature   (3),()->(4,3)\n"
             "",
-        .loops = linear_rate_matrix_loops,
-        .types = linear_rate_matrix_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_linear_rate_matrix_loopf, &chasles_linear_rate_matrix_loop },
+        .operands = { "e", "phi", "L" },
     },
     {
         .name = "euler_rodrigues_rate_matrix",
@@ -6323,10 +297,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 6c847b4baa2596c76e6ab0bd3e04d8ba67a999fd27b87b011fca1a1dab6d4147\n"
             "  signature   (3),()->(4,3)\n"
             "",
-        .loops = euler_rodrigues_rate_matrix_loops,
-        .types = euler_rodrigues_rate_matrix_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_euler_rodrigues_rate_matrix_loopf, &chasles_euler_rodrigues_rate_matrix_loop },
+        .operands = { "e", "phi", "H" },
     },
     {
         .name = "rotation_from_linear_invariants",
@@ -6344,10 +316,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 19e234a754a5568e2a2452e2008c17414b949e07381e92256366ba6cc7d976bb\n"
             "  signature   (3),()->(3,3)\n"
             "",
-        .loops = rotation_from_linear_invariants_loops,
-        .types = rotation_from_linear_invariants_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_rotation_from_linear_invariants_loopf, &chasles_rotation_from_linear_invariants_loop },
+        .operands = { "q", "q_0", "Q" },
     },
     {
         .name = "rotation_from_euler_rodrigues",
@@ -6364,10 +334,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 767311161fbd53fb1cb19724605fdf117b3445cf5f7cf313ccc6ecbf4a40f8c5\n"
             "  signature   (3),()->(3,3)\n"
             "",
-        .loops = rotation_from_euler_rodrigues_loops,
-        .types = rotation_from_euler_rodrigues_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_rotation_from_euler_rodrigues_loopf, &chasles_rotation_from_euler_rodrigues_loop },
+        .operands = { "q", "q_0", "Q" },
     },
     {
         .name = "linear_invariants",
@@ -6384,10 +352,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 dd83557748f8a3babd3f50468d387276f7ffb668b7fc29c093a7976e71eaabef\n"
             "  signature   (3,3)->(3),()\n"
             "",
-        .loops = linear_invariants_loops,
-        .types = linear_invariants_types,
-        .inputs = 1,
-        .outputs = 2,
+        .loops = { &chasles_linear_invariants_loopf, &chasles_linear_invariants_loop },
+        .operands = { "Q", "q", "q_0" },
     },
     {
         .name = "natural_invariants",
@@ -6404,10 +370,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 167078e6ba9dff78870c0f0ddc85370ad11a1b0b824ddf316c3c9f19bd756081\n"
             "  signature   (3,3)->(3),()\n"
             "",
-        .loops = natural_invariants_loops,
-        .types = natural_invariants_types,
-        .inputs = 1,
-        .outputs = 2,
+        .loops = { &chasles_natural_invariants_loopf, &chasles_natural_invariants_loop },
+        .operands = { "Q", "e", "phi" },
     },
     {
         .name = "euler_rodrigues_parameters",
@@ -6423,10 +387,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 acb16a335b8480158c7d6e339e4c3de8c51cf3bffd9594c8aa4b639840b77580\n"
             "  signature   (3,3)->(3),()\n"
             "",
-        .loops = euler_rodrigues_parameters_loops,
-        .types = euler_rodrigues_parameters_types,
-        .inputs = 1,
-        .outputs = 2,
+        .loops = { &chasles_euler_rodrigues_parameters_loopf, &chasles_euler_rodrigues_parameters_loop },
+        .operands = { "Q", "q", "q_0" },
     },
     {
         .name = "screw_of_motion",
@@ -6447,10 +409,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf\n"
             "  signature   (3,3),(3),(3)->(6),(),()\n"
             "",
-        .loops = screw_of_motion_loops,
-        .types = screw_of_motion_types,
-        .inputs = 3,
-        .outputs = 3,
+        .loops = { &chasles_screw_of_motion_loopf, &chasles_screw_of_motion_loop },
+        .operands = { "Q", "a", "a_prime", "axis", "d_0", "phi" },
     },
     {
         .name = "instant_screw",
@@ -6469,10 +429,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 9598a1865cb19c5ccd2eed55d55180fed3cbd74f42a42a3309e82ecfc3b6e7f7\n"
             "  signature   (3),(3),(3)->(6),()\n"
             "",
-        .loops = instant_screw_loops,
-        .types = instant_screw_types,
-        .inputs = 3,
-        .outputs = 2,
+        .loops = { &chasles_instant_screw_loopf, &chasles_instant_screw_loop },
+        .operands = { "omega", "a_dot", "a", "axis", "pitch" },
     },
     {
         .name = "natural_velocity_matrix",
@@ -6488,10 +446,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 8f59c5ef77909eadf927c6b687cd3bab0b77e8cdc9373e233171e72268eed1b1\n"
             "  signature   (3),()->(3,4)\n"
             "",
-        .loops = natural_velocity_matrix_loops,
-        .types = natural_velocity_matrix_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_natural_velocity_matrix_loopf, &chasles_natural_velocity_matrix_loop },
+        .operands = { "e", "phi", "N_tilde" },
     },
     {
         .name = "linear_velocity_matrix",
@@ -6508,10 +464,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 89a180463935f0c42617efa0988e0354bd46d74d20a13999139be0c69246d5f3\n"
             "  signature   (3),()->(3,4)\n"
             "",
-        .loops = linear_velocity_matrix_loops,
-        .types = linear_velocity_matrix_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_linear_velocity_matrix_loopf, &chasles_linear_velocity_matrix_loop },
+        .operands = { "e", "phi", "L_tilde" },
     },
     {
         .name = "euler_rodrigues_velocity_matrix",
@@ -6527,10 +481,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 2f21b7ee20e1702180f136497178c100314ca7d0df136dd2feb59d1f89a6b375\n"
             "  signature   (3),()->(3,4)\n"
             "",
-        .loops = euler_rodrigues_velocity_matrix_loops,
-        .types = euler_rodrigues_velocity_matrix_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_euler_rodrigues_velocity_matrix_loopf, &chasles_euler_rodrigues_velocity_matrix_loop },
+        .operands = { "e", "phi", "H_tilde" },
     },
     {
         .name = "pose_rate_natural",
@@ -6548,10 +500,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 e2dfaa3aa3fac1f79b45222f3204af5a75f395308f6b3f9290346729c641eaf1\n"
             "  signature   (3),(),(6)->(7)\n"
             "",
-        .loops = pose_rate_natural_loops,
-        .types = pose_rate_natural_types,
-        .inputs = 3,
-        .outputs = 1,
+        .loops = { &chasles_pose_rate_natural_loopf, &chasles_pose_rate_natural_loop },
+        .operands = { "e", "phi", "t", "s_dot" },
     },
     {
         .name = "pose_rate_linear",
@@ -6568,10 +518,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 30ffb709cd3b1987574a6cb20949774164c18855b55a74fc172537bd3a7138a3\n"
             "  signature   (3),(),(6)->(7)\n"
             "",
-        .loops = pose_rate_linear_loops,
-        .types = pose_rate_linear_types,
-        .inputs = 3,
-        .outputs = 1,
+        .loops = { &chasles_pose_rate_linear_loopf, &chasles_pose_rate_linear_loop },
+        .operands = { "e", "phi", "t", "s_dot" },
     },
     {
         .name = "pose_rate_euler_rodrigues",
@@ -6588,10 +536,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 17b8436529f6b3c4a1aefcc8236971431106d820c1c98937a7defcd8b9830b55\n"
             "  signature   (3),(),(6)->(7)\n"
             "",
-        .loops = pose_rate_euler_rodrigues_loops,
-        .types = pose_rate_euler_rodrigues_types,
-        .inputs = 3,
-        .outputs = 1,
+        .loops = { &chasles_pose_rate_euler_rodrigues_loopf, &chasles_pose_rate_euler_rodrigues_loop },
+        .operands = { "e", "phi", "t", "s_dot" },
     },
     {
         .name = "twist_from_pose_rate_natural",
@@ -6608,10 +554,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 c1c920878c5f917138095dea1943d4f0605d07dd2521a120e9e0a574400414d0\n"
             "  signature   (3),(),(7)->(6)\n"
             "",
-        .loops = twist_from_pose_rate_natural_loops,
-        .types = twist_from_pose_rate_natural_types,
-        .inputs = 3,
-        .outputs = 1,
+        .loops = { &chasles_twist_from_pose_rate_natural_loopf, &chasles_twist_from_pose_rate_natural_loop },
+        .operands = { "e", "phi", "s_dot", "t" },
     },
     {
         .name = "twist_from_pose_rate_linear",
@@ -6629,10 +573,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 649387c3a4635aed7b72ec7a0c9cd67fa1407b285288b83838890827853ca799\n"
             "  signature   (3),(),(7)->(6)\n"
             "",
-        .loops = twist_from_pose_rate_linear_loops,
-        .types = twist_from_pose_rate_linear_types,
-        .inputs = 3,
-        .outputs = 1,
+        .loops = { &chasles_twist_from_pose_rate_linear_loopf, &chasles_twist_from_pose_rate_linear_loop },
+        .operands = { "e", "phi", "s_dot", "t" },
     },
     {
         .name = "twist_from_pose_rate_euler_rodrigues",
@@ -6649,10 +591,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 f7009c929bd74e6e8423e03290dcaa8570b236828a6884c7d6bd52463508ac87\n"
             "  signature   (3),(),(7)->(6)\n"
             "",
-        .loops = twist_from_pose_rate_euler_rodrigues_loops,
-        .types = twist_from_pose_rate_euler_rodrigues_types,
-        .inputs = 3,
-        .outputs = 1,
+        .loops = { &chasles_twist_from_pose_rate_euler_rodrigues_loopf, &chasles_twist_from_pose_rate_euler_rodrigues_loop },
+        .operands = { "e", "phi", "s_dot", "t" },
     },
     {
         .name = "twist_transfer",
@@ -6669,10 +609,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 4e8860fe94d4e257f6a09561ef25e7c999ddca2a00337fe8774fc0c2b9433a22\n"
             "  signature   (6),(3),(3)->(6)\n"
             "",
-        .loops = twist_transfer_loops,
-        .types = twist_transfer_types,
-        .inputs = 3,
-        .outputs = 1,
+        .loops = { &chasles_twist_transfer_loopf, &chasles_twist_transfer_loop },
+        .operands = { "t_A", "a", "p", "t_P" },
     },
     {
         .name = "angular_acceleration_matrix",
@@ -6688,10 +626,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 600ac9c19e353f65970adc87c2c9e1aba7f40174fd2c1780126b444caebb2a29\n"
             "  signature   (3),(3)->(3,3)\n"
             "",
-        .loops = angular_acceleration_matrix_loops,
-        .types = angular_acceleration_matrix_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_angular_acceleration_matrix_loopf, &chasles_angular_acceleration_matrix_loop },
+        .operands = { "omega", "omega_dot", "W" },
     },
     {
         .name = "acceleration_of_point",
@@ -6710,10 +646,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 52077d75d24e72b9e016304332b02aeb13ece6765a6f5dff5b9cb8261bc6ae26\n"
             "  signature   (3),(3),(3),(3),(3)->(3)\n"
             "",
-        .loops = acceleration_of_point_loops,
-        .types = acceleration_of_point_types,
-        .inputs = 5,
-        .outputs = 1,
+        .loops = { &chasles_acceleration_of_point_loopf, &chasles_acceleration_of_point_loop },
+        .operands = { "omega", "omega_dot", "a_ddot", "a", "p", "p_ddot" },
     },
     {
         .name = "natural_rate_matrix_dot",
@@ -6732,10 +666,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 c61d5578f7455d9deb930e9132cffeae9f18b18b83cb0ba9b49a6c83cd285a96\n"
             "  signature   (3),(),(3)->(4,3)\n"
             "",
-        .loops = natural_rate_matrix_dot_loops,
-        .types = natural_rate_matrix_dot_types,
-        .inputs = 3,
-        .outputs = 1,
+        .loops = { &chasles_natural_rate_matrix_dot_loopf, &chasles_natural_rate_matrix_dot_loop },
+        .operands = { "e", "phi", "omega", "N_dot" },
     },
     {
         .name = "linear_rate_matrix_dot",
@@ -6753,10 +685,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 e58c3cd056fca600a3d8fabc77cc08383708b30fcd3f10997c5760ad3d813719\n"
             "  signature   (3),(),(3)->(4,3)\n"
             "",
-        .loops = linear_rate_matrix_dot_loops,
-        .types = linear_rate_matrix_dot_types,
-        .inputs = 3,
-        .outputs = 1,
+        .loops = { &chasles_linear_rate_matrix_dot_loopf, &chasles_linear_rate_matrix_dot_loop },
+        .operands = { "e", "phi", "omega", "L_dot" },
     },
     {
         .name = "euler_rodrigues_rate_matrix_dot",
@@ -6775,10 +705,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 cbbc7c4a0ec6ff7289faa80a566dfa4879a785dc3e1fcb665d781015958b3b92\n"
             "  signature   (3),(),(3)->(4,3)\n"
             "",
-        .loops = euler_rodrigues_rate_matrix_dot_loops,
-        .types = euler_rodrigues_rate_matrix_dot_types,
-        .inputs = 3,
-        .outputs = 1,
+        .loops = { &chasles_euler_rodrigues_rate_matrix_dot_loopf, &chasles_euler_rodrigues_rate_matrix_dot_loop },
+        .operands = { "e", "phi", "omega", "H_dot" },
     },
     {
         .name = "natural_velocity_matrix_dot",
@@ -6797,10 +725,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 71e01d77b3ea46f745a9336a2825937c48ecfb5c8f22e156a02b1d41218c2c74\n"
             "  signature   (3),(),(3)->(3,4)\n"
             "",
-        .loops = natural_velocity_matrix_dot_loops,
-        .types = natural_velocity_matrix_dot_types,
-        .inputs = 3,
-        .outputs = 1,
+        .loops = { &chasles_natural_velocity_matrix_dot_loopf, &chasles_natural_velocity_matrix_dot_loop },
+        .operands = { "e", "phi", "omega", "N_tilde_dot" },
     },
     {
         .name = "linear_velocity_matrix_dot",
@@ -6819,10 +745,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 b5286c2c91a7b4cfdc8d341b90ed08a2a37fc92a9f25530860458e82f6eaacf3\n"
             "  signature   (3),(),(3)->(3,4)\n"
             "",
-        .loops = linear_velocity_matrix_dot_loops,
-        .types = linear_velocity_matrix_dot_types,
-        .inputs = 3,
-        .outputs = 1,
+        .loops = { &chasles_linear_velocity_matrix_dot_loopf, &chasles_linear_velocity_matrix_dot_loop },
+        .operands = { "e", "phi", "omega", "L_tilde_dot" },
     },
     {
         .name = "euler_rodrigues_velocity_matrix_dot",
@@ -6840,10 +764,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 c80e798e741899e2d32fd6b3e16a5b786d0f82ee47987a537c4755eed1b60850\n"
             "  signature   (3),(),(3)->(3,4)\n"
             "",
-        .loops = euler_rodrigues_velocity_matrix_dot_loops,
-        .types = euler_rodrigues_velocity_matrix_dot_types,
-        .inputs = 3,
-        .outputs = 1,
+        .loops = { &chasles_euler_rodrigues_velocity_matrix_dot_loopf, &chasles_euler_rodrigues_velocity_matrix_dot_loop },
+        .operands = { "e", "phi", "omega", "H_tilde_dot" },
     },
     {
         .name = "pose_acceleration_natural",
@@ -6863,10 +785,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 d4b56350899a19bcc149b55d1279747465f4ffc9ff92ea858cdd2e564e99ca62\n"
             "  signature   (3),(),(6),(6)->(7)\n"
             "",
-        .loops = pose_acceleration_natural_loops,
-        .types = pose_acceleration_natural_types,
-        .inputs = 4,
-        .outputs = 1,
+        .loops = { &chasles_pose_acceleration_natural_loopf, &chasles_pose_acceleration_natural_loop },
+        .operands = { "e", "phi", "t", "t_dot", "s_ddot" },
     },
     {
         .name = "pose_acceleration_linear",
@@ -6885,10 +805,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 1588dcded7d741e99e263e63960b704faab031996a2d165fbbe2b322357ed2e9\n"
             "  signature   (3),(),(6),(6)->(7)\n"
             "",
-        .loops = pose_acceleration_linear_loops,
-        .types = pose_acceleration_linear_types,
-        .inputs = 4,
-        .outputs = 1,
+        .loops = { &chasles_pose_acceleration_linear_loopf, &chasles_pose_acceleration_linear_loop },
+        .operands = { "e", "phi", "t", "t_dot", "s_ddot" },
     },
     {
         .name = "pose_acceleration_euler_rodrigues",
@@ -6908,10 +826,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 0f21a42c6c8b20a3978874f3add6fcde6371416fd40cc41c5da50d8f4cd6babd\n"
             "  signature   (3),(),(6),(6)->(7)\n"
             "",
-        .loops = pose_acceleration_euler_rodrigues_loops,
-        .types = pose_acceleration_euler_rodrigues_types,
-        .inputs = 4,
-        .outputs = 1,
+        .loops = { &chasles_pose_acceleration_euler_rodrigues_loopf, &chasles_pose_acceleration_euler_rodrigues_loop },
+        .operands = { "e", "phi", "t", "t_dot", "s_ddot" },
     },
     {
         .name = "twist_rate_from_pose_natural",
@@ -6930,10 +846,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 46142537f8f2d352235601f0fe20d7417a8415c4299de5fde88c9772c1d5b072\n"
             "  signature   (3),(),(7),(7)->(6)\n"
             "",
-        .loops = twist_rate_from_pose_natural_loops,
-        .types = twist_rate_from_pose_natural_types,
-        .inputs = 4,
-        .outputs = 1,
+        .loops = { &chasles_twist_rate_from_pose_natural_loopf, &chasles_twist_rate_from_pose_natural_loop },
+        .operands = { "e", "phi", "s_dot", "s_ddot", "t_dot" },
     },
     {
         .name = "twist_rate_from_pose_linear",
@@ -6953,10 +867,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 e60a5e59bbc9bfff80fda29a99e2165c18777756e0d5ef482d146ef9b36646a2\n"
             "  signature   (3),(),(7),(7)->(6)\n"
             "",
-        .loops = twist_rate_from_pose_linear_loops,
-        .types = twist_rate_from_pose_linear_types,
-        .inputs = 4,
-        .outputs = 1,
+        .loops = { &chasles_twist_rate_from_pose_linear_loopf, &chasles_twist_rate_from_pose_linear_loop },
+        .operands = { "e", "phi", "s_dot", "s_ddot", "t_dot" },
     },
     {
         .name = "twist_rate_from_pose_euler_rodrigues",
@@ -6975,10 +887,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 8f9dc9af1023fade3eb622411945883078b1f62098c7b9178f68aed0ef63d94d\n"
             "  signature   (3),(),(7),(7)->(6)\n"
             "",
-        .loops = twist_rate_from_pose_euler_rodrigues_loops,
-        .types = twist_rate_from_pose_euler_rodrigues_types,
-        .inputs = 4,
-        .outputs = 1,
+        .loops = { &chasles_twist_rate_from_pose_euler_rodrigues_loopf, &chasles_twist_rate_from_pose_euler_rodrigues_loop },
+        .operands = { "e", "phi", "s_dot", "s_ddot", "t_dot" },
     },
     {
         .name = "moving_frame_velocity",
@@ -6998,10 +908,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 b4941bd3b3f57c83b14de8fd13a10f996bcfeb8ee7bfc4215c85ab50fb9b8b33\n"
             "  signature   (3),(3,3),(3),(3),(3)->(3)\n"
             "",
-        .loops = moving_frame_velocity_loops,
-        .types = moving_frame_velocity_types,
-        .inputs = 5,
-        .outputs = 1,
+        .loops = { &chasles_moving_frame_velocity_loopf, &chasles_moving_frame_velocity_loop },
+        .operands = { "o_dot", "Q", "omega", "rho", "rho_dot", "p_dot" },
     },
     {
         .name = "moving_frame_acceleration",
@@ -7025,10 +933,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 985f244a1c015e00a6d544a9a346e7446722d3d1972e549159bc1a6a90456d40\n"
             "  signature   (3),(3,3),(3),(3),(3),(3),(3)->(3)\n"
             "",
-        .loops = moving_frame_acceleration_loops,
-        .types = moving_frame_acceleration_types,
-        .inputs = 7,
-        .outputs = 1,
+        .loops = { &chasles_moving_frame_acceleration_loopf, &chasles_moving_frame_acceleration_loop },
+        .operands = { "o_ddot", "Q", "omega", "omega_dot", "rho", "rho_dot", "rho_ddot", "p_ddot" },
     },
     {
         .name = "wrench_axis",
@@ -7047,10 +953,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef\n"
             "  signature   (3),(3),(3)->(6),()\n"
             "",
-        .loops = wrench_axis_loops,
-        .types = wrench_axis_types,
-        .inputs = 3,
-        .outputs = 2,
+        .loops = { &chasles_wrench_axis_loopf, &chasles_wrench_axis_loop },
+        .operands = { "f", "n_A", "a", "axis", "pitch" },
     },
     {
         .name = "power",
@@ -7066,10 +970,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 580a9557b1b4b779955409e7506c76202ce3a1e9982d422e1491bf0bcad680ef\n"
             "  signature   (6),(6)->()\n"
             "",
-        .loops = power_loops,
-        .types = power_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_power_loopf, &chasles_power_loop },
+        .operands = { "t", "w", "Pi" },
     },
     {
         .name = "reciprocal_product",
@@ -7085,10 +987,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 69eafb582289fe007146884f233005913bd49126222273503197968fd6ef8dd3\n"
             "  signature   (6),(6)->()\n"
             "",
-        .loops = reciprocal_product_loops,
-        .types = reciprocal_product_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_reciprocal_product_loopf, &chasles_reciprocal_product_loop },
+        .operands = { "s_w", "s_t", "product" },
     },
     {
         .name = "wrench_transfer",
@@ -7105,10 +1005,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 9cbbd4d64a694c0150c2c0a241ceaa9fe43fa91e335dce95c4c39681e8ecce3c\n"
             "  signature   (6),(3),(3)->(6)\n"
             "",
-        .loops = wrench_transfer_loops,
-        .types = wrench_transfer_types,
-        .inputs = 3,
-        .outputs = 1,
+        .loops = { &chasles_wrench_transfer_loopf, &chasles_wrench_transfer_loop },
+        .operands = { "w_A", "a", "p", "w_P" },
     },
     {
         .name = "inertia_about_point",
@@ -7127,10 +1025,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87\n"
             "  signature   (3,3),(),(3),(3)->(3,3)\n"
             "",
-        .loops = inertia_about_point_loops,
-        .types = inertia_about_point_types,
-        .inputs = 4,
-        .outputs = 1,
+        .loops = { &chasles_inertia_about_point_loopf, &chasles_inertia_about_point_loop },
+        .operands = { "I_C", "m", "c", "a", "I_A" },
     },
     {
         .name = "inertia_about_point_sym6",
@@ -7150,10 +1046,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87\n"
             "  signature   (6),(),(3),(3)->(6)\n"
             "",
-        .loops = inertia_about_point_sym6_loops,
-        .types = inertia_about_point_sym6_types,
-        .inputs = 4,
-        .outputs = 1,
+        .loops = { &chasles_inertia_about_point_sym6_loopf, &chasles_inertia_about_point_sym6_loop },
+        .operands = { "I_C", "m", "c", "a", "I_A" },
     },
     {
         .name = "momentum_screw",
@@ -7172,10 +1066,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 6db3e3a77ef9af159d0c096ec679c53626cff81d41ccfbcc2a4db4833ae93473\n"
             "  signature   (3,3),(),(6)->(6)\n"
             "",
-        .loops = momentum_screw_loops,
-        .types = momentum_screw_types,
-        .inputs = 3,
-        .outputs = 1,
+        .loops = { &chasles_momentum_screw_loopf, &chasles_momentum_screw_loop },
+        .operands = { "I_C", "m", "t", "mu" },
     },
     {
         .name = "momentum_screw_sym6",
@@ -7195,10 +1087,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 6db3e3a77ef9af159d0c096ec679c53626cff81d41ccfbcc2a4db4833ae93473\n"
             "  signature   (6),(),(6)->(6)\n"
             "",
-        .loops = momentum_screw_sym6_loops,
-        .types = momentum_screw_sym6_types,
-        .inputs = 3,
-        .outputs = 1,
+        .loops = { &chasles_momentum_screw_sym6_loopf, &chasles_momentum_screw_sym6_loop },
+        .operands = { "I_C", "m", "t", "mu" },
     },
     {
         .name = "kinetic_energy",
@@ -7217,10 +1107,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 69297c38ebd3f2599e0000c019f576151ae0e8d563b8a02661f982c45230000e\n"
             "  signature   (3,3),(),(6)->()\n"
             "",
-        .loops = kinetic_energy_loops,
-        .types = kinetic_energy_types,
-        .inputs = 3,
-        .outputs = 1,
+        .loops = { &chasles_kinetic_energy_loopf, &chasles_kinetic_energy_loop },
+        .operands = { "I_C", "m", "t", "T" },
     },
     {
         .name = "kinetic_energy_sym6",
@@ -7240,10 +1128,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 69297c38ebd3f2599e0000c019f576151ae0e8d563b8a02661f982c45230000e\n"
             "  signature   (6),(),(6)->()\n"
             "",
-        .loops = kinetic_energy_sym6_loops,
-        .types = kinetic_energy_sym6_types,
-        .inputs = 3,
-        .outputs = 1,
+        .loops = { &chasles_kinetic_energy_sym6_loopf, &chasles_kinetic_energy_sym6_loop },
+        .operands = { "I_C", "m", "t", "T" },
     },
     {
         .name = "newton_euler_wrench",
@@ -7263,10 +1149,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 4e831789b8f20b1f8ebea121e0d8d47b7074e8225c3fd379d0994cdf87959c79\n"
             "  signature   (3,3),(),(6),(6)->(6)\n"
             "",
-        .loops = newton_euler_wrench_loops,
-        .types = newton_euler_wrench_types,
-        .inputs = 4,
-        .outputs = 1,
+        .loops = { &chasles_newton_euler_wrench_loopf, &chasles_newton_euler_wrench_loop },
+        .operands = { "I_C", "m", "t", "t_dot", "w" },
     },
     {
         .name = "newton_euler_wrench_sym6",
@@ -7287,10 +1171,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 4e831789b8f20b1f8ebea121e0d8d47b7074e8225c3fd379d0994cdf87959c79\n"
             "  signature   (6),(),(6),(6)->(6)\n"
             "",
-        .loops = newton_euler_wrench_sym6_loops,
-        .types = newton_euler_wrench_sym6_types,
-        .inputs = 4,
-        .outputs = 1,
+        .loops = { &chasles_newton_euler_wrench_sym6_loopf, &chasles_newton_euler_wrench_sym6_loop },
+        .operands = { "I_C", "m", "t", "t_dot", "w" },
     },
     {
         .name = "newton_euler_twist_rate",
@@ -7311,10 +1193,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb\n"
             "  signature   (3,3),(),(6),(6)->(6)\n"
             "",
-        .loops = newton_euler_twist_rate_loops,
-        .types = newton_euler_twist_rate_types,
-        .inputs = 4,
-        .outputs = 1,
+        .loops = { &chasles_newton_euler_twist_rate_loopf, &chasles_newton_euler_twist_rate_loop },
+        .operands = { "I_C", "m", "t", "w", "t_dot" },
     },
     {
         .name = "newton_euler_twist_rate_sym6",
@@ -7336,10 +1216,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb\n"
             "  signature   (6),(),(6),(6)->(6)\n"
             "",
-        .loops = newton_euler_twist_rate_sym6_loops,
-        .types = newton_euler_twist_rate_sym6_types,
-        .inputs = 4,
-        .outputs = 1,
+        .loops = { &chasles_newton_euler_twist_rate_sym6_loopf, &chasles_newton_euler_twist_rate_sym6_loop },
+        .operands = { "I_C", "m", "t", "w", "t_dot" },
     },
     {
         .name = "inertia_dyad",
@@ -7359,10 +1237,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9\n"
             "  signature   (3,3),(),(3),(3)->(6,6)\n"
             "",
-        .loops = inertia_dyad_loops,
-        .types = inertia_dyad_types,
-        .inputs = 4,
-        .outputs = 1,
+        .loops = { &chasles_inertia_dyad_loopf, &chasles_inertia_dyad_loop },
+        .operands = { "I_C", "m", "c", "a", "M_A" },
     },
     {
         .name = "inertia_dyad_sym6",
@@ -7383,10 +1259,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9\n"
             "  signature   (6),(),(3),(3)->(6,6)\n"
             "",
-        .loops = inertia_dyad_sym6_loops,
-        .types = inertia_dyad_sym6_types,
-        .inputs = 4,
-        .outputs = 1,
+        .loops = { &chasles_inertia_dyad_sym6_loopf, &chasles_inertia_dyad_sym6_loop },
+        .operands = { "I_C", "m", "c", "a", "M_A" },
     },
     {
         .name = "rotation_from_euler_xyx",
@@ -7401,10 +1275,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 49974e148b9969b7a23a303df375f906766eda03e5d7416d35c36a35c77fea06\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = rotation_from_euler_xyx_loops,
-        .types = rotation_from_euler_xyx_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_rotation_from_euler_xyx_loopf, &chasles_rotation_from_euler_xyx_loop },
+        .operands = { "angles", "Q" },
     },
     {
         .name = "euler_rate_matrix_xyx",
@@ -7419,10 +1291,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 15ec222e6a4c0d4af15dcf0f4f9d944364836080f80ed845b4661afb074e1ca1\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_xyx_loops,
-        .types = euler_rate_matrix_xyx_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_xyx_loopf, &chasles_euler_rate_matrix_xyx_loop },
+        .operands = { "angles", "W" },
     },
     {
         .name = "euler_rate_matrix_body_xyx",
@@ -7437,10 +1307,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 cd8589089d7d47765a04b183158736b0b971b8a8d922838283fa2c2975eb5d89\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_body_xyx_loops,
-        .types = euler_rate_matrix_body_xyx_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_body_xyx_loopf, &chasles_euler_rate_matrix_body_xyx_loop },
+        .operands = { "angles", "W_body" },
     },
     {
         .name = "euler_rates_xyx",
@@ -7456,10 +1324,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 6b432c618a3b5cb7132a0a1625419f24b2800b22e52d8f8b5202e756b67ea148\n"
             "  signature   (3),(3)->(3)\n"
             "",
-        .loops = euler_rates_xyx_loops,
-        .types = euler_rates_xyx_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_euler_rates_xyx_loopf, &chasles_euler_rates_xyx_loop },
+        .operands = { "angles", "omega", "theta_dot" },
     },
     {
         .name = "rotation_from_euler_xyz",
@@ -7474,10 +1340,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 f87af8285d9801669ca9041e726f9817a40f9c95ddf51a655b261236297c04af\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = rotation_from_euler_xyz_loops,
-        .types = rotation_from_euler_xyz_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_rotation_from_euler_xyz_loopf, &chasles_rotation_from_euler_xyz_loop },
+        .operands = { "angles", "Q" },
     },
     {
         .name = "euler_rate_matrix_xyz",
@@ -7492,10 +1356,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 1d2f362d906c9640bebb7713dd74f3809ce202cd977dff0cc4c827b77ce9d4d3\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_xyz_loops,
-        .types = euler_rate_matrix_xyz_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_xyz_loopf, &chasles_euler_rate_matrix_xyz_loop },
+        .operands = { "angles", "W" },
     },
     {
         .name = "euler_rate_matrix_body_xyz",
@@ -7510,10 +1372,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 d605f1f844caa8fe73209313f2debbc7dad841db4b625533c1925d350b88b35f\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_body_xyz_loops,
-        .types = euler_rate_matrix_body_xyz_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_body_xyz_loopf, &chasles_euler_rate_matrix_body_xyz_loop },
+        .operands = { "angles", "W_body" },
     },
     {
         .name = "euler_rates_xyz",
@@ -7529,10 +1389,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 379cc15712b3f593e6a56a0586d8cb970b2c344caf9eff56d13b4aa0f2bc0fcb\n"
             "  signature   (3),(3)->(3)\n"
             "",
-        .loops = euler_rates_xyz_loops,
-        .types = euler_rates_xyz_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_euler_rates_xyz_loopf, &chasles_euler_rates_xyz_loop },
+        .operands = { "angles", "omega", "theta_dot" },
     },
     {
         .name = "rotation_from_euler_xzx",
@@ -7547,10 +1405,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 509556f6df445dd3c7fe5324e0ad671112ed8aaa27442b8973ddf4f722eb8d9b\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = rotation_from_euler_xzx_loops,
-        .types = rotation_from_euler_xzx_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_rotation_from_euler_xzx_loopf, &chasles_rotation_from_euler_xzx_loop },
+        .operands = { "angles", "Q" },
     },
     {
         .name = "euler_rate_matrix_xzx",
@@ -7565,10 +1421,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 063a79927c0f405045ca7f3a4600867811265ae8101b11b64e443152cd0965cf\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_xzx_loops,
-        .types = euler_rate_matrix_xzx_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_xzx_loopf, &chasles_euler_rate_matrix_xzx_loop },
+        .operands = { "angles", "W" },
     },
     {
         .name = "euler_rate_matrix_body_xzx",
@@ -7583,10 +1437,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 5092f84c7bbb66afac08e51bc82a4ea4bdc4738a19463c52fc60c25d1976c154\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_body_xzx_loops,
-        .types = euler_rate_matrix_body_xzx_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_body_xzx_loopf, &chasles_euler_rate_matrix_body_xzx_loop },
+        .operands = { "angles", "W_body" },
     },
     {
         .name = "euler_rates_xzx",
@@ -7602,10 +1454,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 d60392e777e2f94766ccb4868d6a376f4b8f702f6466c7841c3f0e7493778009\n"
             "  signature   (3),(3)->(3)\n"
             "",
-        .loops = euler_rates_xzx_loops,
-        .types = euler_rates_xzx_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_euler_rates_xzx_loopf, &chasles_euler_rates_xzx_loop },
+        .operands = { "angles", "omega", "theta_dot" },
     },
     {
         .name = "rotation_from_euler_xzy",
@@ -7620,10 +1470,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 6a4fd734359cc43f74679d358abf691bfd6612dbcd721aa9a209c64050a5d383\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = rotation_from_euler_xzy_loops,
-        .types = rotation_from_euler_xzy_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_rotation_from_euler_xzy_loopf, &chasles_rotation_from_euler_xzy_loop },
+        .operands = { "angles", "Q" },
     },
     {
         .name = "euler_rate_matrix_xzy",
@@ -7638,10 +1486,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 f4bf5edc3a0e9199cc30c83f6cab51d6bfce7ab2a3d75f59608b337bed74824b\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_xzy_loops,
-        .types = euler_rate_matrix_xzy_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_xzy_loopf, &chasles_euler_rate_matrix_xzy_loop },
+        .operands = { "angles", "W" },
     },
     {
         .name = "euler_rate_matrix_body_xzy",
@@ -7656,10 +1502,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 34b232afb99ddc1be46962d797e1c08bda20904a656a165ee2fc2232e4beec57\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_body_xzy_loops,
-        .types = euler_rate_matrix_body_xzy_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_body_xzy_loopf, &chasles_euler_rate_matrix_body_xzy_loop },
+        .operands = { "angles", "W_body" },
     },
     {
         .name = "euler_rates_xzy",
@@ -7675,10 +1519,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 47b386989c7014707637badfc0f665d8b17c2674e34c6dc85b34228d94dd802e\n"
             "  signature   (3),(3)->(3)\n"
             "",
-        .loops = euler_rates_xzy_loops,
-        .types = euler_rates_xzy_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_euler_rates_xzy_loopf, &chasles_euler_rates_xzy_loop },
+        .operands = { "angles", "omega", "theta_dot" },
     },
     {
         .name = "rotation_from_euler_yxy",
@@ -7693,10 +1535,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 42de6926cd35f5c06da566065b065c8ba754cee65703557fa42410e42dde4a35\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = rotation_from_euler_yxy_loops,
-        .types = rotation_from_euler_yxy_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_rotation_from_euler_yxy_loopf, &chasles_rotation_from_euler_yxy_loop },
+        .operands = { "angles", "Q" },
     },
     {
         .name = "euler_rate_matrix_yxy",
@@ -7711,10 +1551,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 ab9e4f4d487ee038942cc83869848be5fa4c534a19c656164684f27e1b65ac10\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_yxy_loops,
-        .types = euler_rate_matrix_yxy_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_yxy_loopf, &chasles_euler_rate_matrix_yxy_loop },
+        .operands = { "angles", "W" },
     },
     {
         .name = "euler_rate_matrix_body_yxy",
@@ -7729,10 +1567,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 2a86c48257dda6a27e84a7fb3b0817bd24bdff1a56c2bfeb6119d778d89bbab6\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_body_yxy_loops,
-        .types = euler_rate_matrix_body_yxy_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_body_yxy_loopf, &chasles_euler_rate_matrix_body_yxy_loop },
+        .operands = { "angles", "W_body" },
     },
     {
         .name = "euler_rates_yxy",
@@ -7748,10 +1584,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 8c7b412f940aadc89ad8c5ce3785c5c0ca8dcbf9e58aac6572334181799e61e2\n"
             "  signature   (3),(3)->(3)\n"
             "",
-        .loops = euler_rates_yxy_loops,
-        .types = euler_rates_yxy_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_euler_rates_yxy_loopf, &chasles_euler_rates_yxy_loop },
+        .operands = { "angles", "omega", "theta_dot" },
     },
     {
         .name = "rotation_from_euler_yxz",
@@ -7766,10 +1600,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 aac4d38f938bc0f3b21fc5113a3e553f105a0b99bd2a46001cf5af56197be36a\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = rotation_from_euler_yxz_loops,
-        .types = rotation_from_euler_yxz_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_rotation_from_euler_yxz_loopf, &chasles_rotation_from_euler_yxz_loop },
+        .operands = { "angles", "Q" },
     },
     {
         .name = "euler_rate_matrix_yxz",
@@ -7784,10 +1616,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 f673622637ac9520cdbbfacd9038ad6a42d7de01d522fe1daa4e4ed5a188d584\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_yxz_loops,
-        .types = euler_rate_matrix_yxz_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_yxz_loopf, &chasles_euler_rate_matrix_yxz_loop },
+        .operands = { "angles", "W" },
     },
     {
         .name = "euler_rate_matrix_body_yxz",
@@ -7802,10 +1632,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 a7f0e1639e85f122dde538fce97f31e9e4f583cf9ea5d074345d45245ff26ea8\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_body_yxz_loops,
-        .types = euler_rate_matrix_body_yxz_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_body_yxz_loopf, &chasles_euler_rate_matrix_body_yxz_loop },
+        .operands = { "angles", "W_body" },
     },
     {
         .name = "euler_rates_yxz",
@@ -7821,10 +1649,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 bf11bed82696038fa225e27a75acb0d41b63af31adb0153ca5a712167c4d8284\n"
             "  signature   (3),(3)->(3)\n"
             "",
-        .loops = euler_rates_yxz_loops,
-        .types = euler_rates_yxz_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_euler_rates_yxz_loopf, &chasles_euler_rates_yxz_loop },
+        .operands = { "angles", "omega", "theta_dot" },
     },
     {
         .name = "rotation_from_euler_yzx",
@@ -7839,10 +1665,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 73ccad1507926c77a4de1804d6ccee68b6eedcb0a87a5d797076c3aaa328556a\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = rotation_from_euler_yzx_loops,
-        .types = rotation_from_euler_yzx_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_rotation_from_euler_yzx_loopf, &chasles_rotation_from_euler_yzx_loop },
+        .operands = { "angles", "Q" },
     },
     {
         .name = "euler_rate_matrix_yzx",
@@ -7857,10 +1681,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 6bc14177fe8f581b737fd8108f75cca27c80f0c6043e24f8d305941c720fb93e\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_yzx_loops,
-        .types = euler_rate_matrix_yzx_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_yzx_loopf, &chasles_euler_rate_matrix_yzx_loop },
+        .operands = { "angles", "W" },
     },
     {
         .name = "euler_rate_matrix_body_yzx",
@@ -7875,10 +1697,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 ba974c498d2395f78752b5b9af3bd25c9bc8814b82f34bc12080e7f58fc39384\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_body_yzx_loops,
-        .types = euler_rate_matrix_body_yzx_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_body_yzx_loopf, &chasles_euler_rate_matrix_body_yzx_loop },
+        .operands = { "angles", "W_body" },
     },
     {
         .name = "euler_rates_yzx",
@@ -7894,10 +1714,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 404a3dd7a9f43dbf16ca707d83946fda23f95d1982dc848908ed679160d5cc5f\n"
             "  signature   (3),(3)->(3)\n"
             "",
-        .loops = euler_rates_yzx_loops,
-        .types = euler_rates_yzx_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_euler_rates_yzx_loopf, &chasles_euler_rates_yzx_loop },
+        .operands = { "angles", "omega", "theta_dot" },
     },
     {
         .name = "rotation_from_euler_yzy",
@@ -7912,10 +1730,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 fc249fbe7ecf26a2cf23c7eb4a1ae340b6f6d6b71fd0a11c005275bed3b0541a\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = rotation_from_euler_yzy_loops,
-        .types = rotation_from_euler_yzy_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_rotation_from_euler_yzy_loopf, &chasles_rotation_from_euler_yzy_loop },
+        .operands = { "angles", "Q" },
     },
     {
         .name = "euler_rate_matrix_yzy",
@@ -7930,10 +1746,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 ba3b9e2e5d19a42bcccf4fe889ac0ad5e1476885d7d3f35174490738c07caa93\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_yzy_loops,
-        .types = euler_rate_matrix_yzy_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_yzy_loopf, &chasles_euler_rate_matrix_yzy_loop },
+        .operands = { "angles", "W" },
     },
     {
         .name = "euler_rate_matrix_body_yzy",
@@ -7948,10 +1762,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 2906ed860e470e86a10fba075e603a757d21feeb996fd012d6a5c352f1f248cf\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_body_yzy_loops,
-        .types = euler_rate_matrix_body_yzy_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_body_yzy_loopf, &chasles_euler_rate_matrix_body_yzy_loop },
+        .operands = { "angles", "W_body" },
     },
     {
         .name = "euler_rates_yzy",
@@ -7967,10 +1779,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 fbcf58ed5fb921bfdeae731af0d22be0b18c057d4ab3433941bb486f4f2ac07a\n"
             "  signature   (3),(3)->(3)\n"
             "",
-        .loops = euler_rates_yzy_loops,
-        .types = euler_rates_yzy_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_euler_rates_yzy_loopf, &chasles_euler_rates_yzy_loop },
+        .operands = { "angles", "omega", "theta_dot" },
     },
     {
         .name = "rotation_from_euler_zxy",
@@ -7985,10 +1795,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 00df5b3e078a442b89ec92320b9be4d00f69c8c69b5377ceed30ce97167894d8\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = rotation_from_euler_zxy_loops,
-        .types = rotation_from_euler_zxy_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_rotation_from_euler_zxy_loopf, &chasles_rotation_from_euler_zxy_loop },
+        .operands = { "angles", "Q" },
     },
     {
         .name = "euler_rate_matrix_zxy",
@@ -8003,10 +1811,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 66b9e91ee2080f4af362adbd4cfbd2f6493f2d49f04e969606b8e5e66a892530\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_zxy_loops,
-        .types = euler_rate_matrix_zxy_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_zxy_loopf, &chasles_euler_rate_matrix_zxy_loop },
+        .operands = { "angles", "W" },
     },
     {
         .name = "euler_rate_matrix_body_zxy",
@@ -8021,10 +1827,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 ee0e5dc36786ec147d7731e28a73445f4829a353e033fb0bdf99f16a9ae96d67\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_body_zxy_loops,
-        .types = euler_rate_matrix_body_zxy_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_body_zxy_loopf, &chasles_euler_rate_matrix_body_zxy_loop },
+        .operands = { "angles", "W_body" },
     },
     {
         .name = "euler_rates_zxy",
@@ -8040,10 +1844,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 f15319cb143e29fdad80688ea5d83794cf5328509c5cd1fb52fa078f77b2a785\n"
             "  signature   (3),(3)->(3)\n"
             "",
-        .loops = euler_rates_zxy_loops,
-        .types = euler_rates_zxy_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_euler_rates_zxy_loopf, &chasles_euler_rates_zxy_loop },
+        .operands = { "angles", "omega", "theta_dot" },
     },
     {
         .name = "rotation_from_euler_zxz",
@@ -8058,10 +1860,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 90292a7b1973bd54561384a1b0aca95f4b081c5031f08a71f5bf1eeb509996f8\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = rotation_from_euler_zxz_loops,
-        .types = rotation_from_euler_zxz_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_rotation_from_euler_zxz_loopf, &chasles_rotation_from_euler_zxz_loop },
+        .operands = { "angles", "Q" },
     },
     {
         .name = "euler_rate_matrix_zxz",
@@ -8076,10 +1876,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 d6bac485f18ebb57e7adb1eb90896adee410e33308c5db55212969aa010526ee\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_zxz_loops,
-        .types = euler_rate_matrix_zxz_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_zxz_loopf, &chasles_euler_rate_matrix_zxz_loop },
+        .operands = { "angles", "W" },
     },
     {
         .name = "euler_rate_matrix_body_zxz",
@@ -8094,10 +1892,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 22c895ea0aa33cf27a73432cf9b7edd645045c890d81351055832ab2e86d2ae0\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_body_zxz_loops,
-        .types = euler_rate_matrix_body_zxz_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_body_zxz_loopf, &chasles_euler_rate_matrix_body_zxz_loop },
+        .operands = { "angles", "W_body" },
     },
     {
         .name = "euler_rates_zxz",
@@ -8113,10 +1909,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 9730082636217a13ed6443b9376e26c825640305348e897e3b1e8d20d25ad893\n"
             "  signature   (3),(3)->(3)\n"
             "",
-        .loops = euler_rates_zxz_loops,
-        .types = euler_rates_zxz_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_euler_rates_zxz_loopf, &chasles_euler_rates_zxz_loop },
+        .operands = { "angles", "omega", "theta_dot" },
     },
     {
         .name = "rotation_from_euler_zyx",
@@ -8131,10 +1925,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 77eae5b015783de7dba57287593533e40a4bf6d57321c5d7151d36cf1a028acc\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = rotation_from_euler_zyx_loops,
-        .types = rotation_from_euler_zyx_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_rotation_from_euler_zyx_loopf, &chasles_rotation_from_euler_zyx_loop },
+        .operands = { "angles", "Q" },
     },
     {
         .name = "euler_rate_matrix_zyx",
@@ -8149,10 +1941,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 0adf0d7abfcbe1f817931814b81c15a9c846b1c73dcdb818878d86351c757b6d\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_zyx_loops,
-        .types = euler_rate_matrix_zyx_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_zyx_loopf, &chasles_euler_rate_matrix_zyx_loop },
+        .operands = { "angles", "W" },
     },
     {
         .name = "euler_rate_matrix_body_zyx",
@@ -8167,10 +1957,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 6a7529b4dd785268409cc92077030a4cad8a64439e696ba9dfa305974e76a7df\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_body_zyx_loops,
-        .types = euler_rate_matrix_body_zyx_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_body_zyx_loopf, &chasles_euler_rate_matrix_body_zyx_loop },
+        .operands = { "angles", "W_body" },
     },
     {
         .name = "euler_rates_zyx",
@@ -8186,10 +1974,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 f6fb3a6381c9037e8d1dbd8e1df9c051262d4c72bd9738451555e59c302f0f09\n"
             "  signature   (3),(3)->(3)\n"
             "",
-        .loops = euler_rates_zyx_loops,
-        .types = euler_rates_zyx_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_euler_rates_zyx_loopf, &chasles_euler_rates_zyx_loop },
+        .operands = { "angles", "omega", "theta_dot" },
     },
     {
         .name = "rotation_from_euler_zyz",
@@ -8204,10 +1990,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 35a70c6c05dd2903cd2f50766b4e415a63eb2ffed2c6d3e412124e8647c7b716\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = rotation_from_euler_zyz_loops,
-        .types = rotation_from_euler_zyz_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_rotation_from_euler_zyz_loopf, &chasles_rotation_from_euler_zyz_loop },
+        .operands = { "angles", "Q" },
     },
     {
         .name = "euler_rate_matrix_zyz",
@@ -8222,10 +2006,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 2df872f3e6c29262a9a735f3e6450ce704e08a1b40b33a555d7636f417131edb\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_zyz_loops,
-        .types = euler_rate_matrix_zyz_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_zyz_loopf, &chasles_euler_rate_matrix_zyz_loop },
+        .operands = { "angles", "W" },
     },
     {
         .name = "euler_rate_matrix_body_zyz",
@@ -8240,10 +2022,8 @@ static const Kernel kernels[] = {
             "  derivation  sha256 0e8fa3809441be1ebd1a102ce8fc5b78357d823973bbc7bac7e1da5c7ce38790\n"
             "  signature   (3)->(3,3)\n"
             "",
-        .loops = euler_rate_matrix_body_zyz_loops,
-        .types = euler_rate_matrix_body_zyz_types,
-        .inputs = 1,
-        .outputs = 1,
+        .loops = { &chasles_euler_rate_matrix_body_zyz_loopf, &chasles_euler_rate_matrix_body_zyz_loop },
+        .operands = { "angles", "W_body" },
     },
     {
         .name = "euler_rates_zyz",
@@ -8259,20 +2039,56 @@ static const Kernel kernels[] = {
             "  derivation  sha256 c8e47ebca1883ce144424c202eb73e0d953be9339e55743f954ebc4ff9aaa9f5\n"
             "  signature   (3),(3)->(3)\n"
             "",
-        .loops = euler_rates_zyz_loops,
-        .types = euler_rates_zyz_types,
-        .inputs = 2,
-        .outputs = 1,
+        .loops = { &chasles_euler_rates_zyz_loopf, &chasles_euler_rates_zyz_loop },
+        .operands = { "angles", "omega", "theta_dot" },
     },
     {.name = NULL},
 };
 
+int chasles_level;
+
+static const char *const levels[] = {"baseline", "x86-64-v3"};
+
+/* The types of a ufunc of n operands are the last n of the first and the first n of the second. */
+static char types[2 * CHASLES_OPERANDS];
+
+static void run(char **args, const npy_intp *dimensions, const npy_intp *steps, void *data)
+{
+    const chasles_loop *loop = data;
+    const ptrdiff_t *moves = (const ptrdiff_t *)steps;
+    chasles_run(loop, chasles_level, dimensions[0], args, moves, moves + loop->operands);
+}
+
+static PyUFuncGenericFunction runs[] = {run, run};
+
+/* Sets the level: the best there is, or what the environment says; -1 with an exception set where it cannot be had. */
+static int choose_level(void)
+{
+    const char *wanted = getenv("CHASLES_INSTRUCTIONS");
+    const int best = chasles_best_level();
+    if (wanted == NULL || *wanted == '\0') {
+        chasles_level = best;
+        return 0;
+    }
+    for (int level = 0; level <= best; level++) {
+        if (strcmp(wanted, levels[level]) == 0) {
+            chasles_level = level;
+            return 0;
+        }
+    }
+    PyErr_Format(
+        PyExc_ImportError, "CHASLES_INSTRUCTIONS is '%s'; this build on this machine has %s%s%s", wanted, levels[0],
+        best > 0 ? ", " : "", best > 0 ? levels[1] : "");
+    return -1;
+}
+
 /* Adds the ufunc to the module and its name to `names`; -1 with an exception set where that fails. */
 static int add(PyObject *module, PyObject *names, const Kernel *kernel)
 {
+    const chasles_loop *loop = kernel->loops[0];
     PyObject *ufunc = PyUFunc_FromFuncAndDataAndSignature(
-        kernel->loops, no_data, kernel->types, 2, kernel->inputs, kernel->outputs, PyUFunc_None, kernel->name,
-        kernel->doc, 0, kernel->signature);
+        runs, (void **)kernel->loops, types + CHASLES_OPERANDS - loop->operands, 2, loop->inputs,
+        loop->operands - loop->inputs, PyUFunc_None, kernel->name, kernel->doc, 0, kernel->signature);
     PyObject *name = PyUnicode_FromString(kernel->name);
     int status = -1;
     if (ufunc != NULL && name != NULL && PyModule_AddObjectRef(module, kernel->name, ufunc) == 0) {
@@ -8285,21 +2101,28 @@ static int add(PyObject *module, PyObject *names, const Kernel *kernel)
 
 static int fill(PyObject *module)
 {
-    if (PyArray_ImportNumPyAPI() < 0 || PyUFunc_ImportUFuncAPI() < 0) {
+    if (PyArray_ImportNumPyAPI() < 0 || PyUFunc_ImportUFuncAPI() < 0 || choose_level() < 0) {
         return -1;
     }
+    memset(types, NPY_FLOAT, CHASLES_OPERANDS);
+    memset(types + CHASLES_OPERANDS, NPY_DOUBLE, CHASLES_OPERANDS);
     PyObject *names = PyList_New(0);
-    if (names == NULL) {
-        return -1;
-    }
-    int status = 0;
-    for (const Kernel *kernel = kernels; status == 0 && kernel->name != NULL; kernel++) {
+    PyObject *light = chasles_light_functions();
+    int status = names == NULL || light == NULL ? -1 : 0;
+    for (const Kernel *kernel = chasles_kernels; status == 0 && kernel->name != NULL; kernel++) {
         status = add(module, names, kernel);
     }
     if (status == 0) {
         status = PyModule_AddObjectRef(module, "__all__", names);
     }
-    Py_DECREF(names);
+    if (status == 0) {
+        status = PyModule_AddObjectRef(module, "one", light);
+    }
+    if (status == 0) {
+        status = PyModule_AddStringConstant(module, "instructions", levels[chasles_level]);
+    }
+    Py_XDECREF(names);
+    Py_XDECREF(light);
     return status;
 }
 

@@ -170,6 +170,18 @@ def long_sum():
     return line.program(total=total)
 
 
+def nested_turns():
+    """Several angles, sines of what sines and arctangents give, an input that nothing reads, NaN by choice."""
+    line = Line("nested_turns", angles=(3,), idle=(2,))
+    a, _ = line.inputs()
+    s, c = line.step(Op.SINE, a[0] * Fraction(1, 2)), line.step(Op.COSINE, a[1] - a[0])
+    late = line.step(Op.COSINE, s + a[2])
+    w = line.step(Op.SINE, line.step(Op.ARCTANGENT2, s, c))
+    none = line.step(Op.EQUAL, a[0], 0)
+    chosen = line.step(Op.SELECT, none, line.add(Step(Op.NOT_A_NUMBER)), s)
+    return line.program(y=((2,), [late * w, c - late]), sine=chosen, half=Fraction(1, 2))
+
+
 PROGRAMS = {
     make.__name__: make()
     for make in (
@@ -182,6 +194,7 @@ PROGRAMS = {
         cross_product_matrix,
         swapped,
         long_sum,
+        nested_turns,
     )
 }
 SECTIONS = {"rotation_from_axis_angle": "s01_rotation", "screw_axis_point": "s02_screw", "plucker_line": "s02_screw"}
@@ -279,19 +292,78 @@ def imported(name, path, **options):
     return module
 
 
+LEVELS = {"baseline": (), "x86-64-v3": ("avx2", "fma", "bmi2")}
+"""The sets of instructions for which blocks are compiled, and what a processor must say of itself to have them."""
+
+
 @pytest.fixture(scope="session")
-def ufuncs(generated, compile_c, tmp_path_factory):
-    """The compiled extension module."""
+def levels():
+    """The levels that this machine can run."""
+    return [level for level, needs in LEVELS.items() if set(needs) <= set(_processor())]
+
+
+def _processor():
+    info = Path("/proc/cpuinfo")
+    flags = [line for line in info.read_text().splitlines() if line.startswith("flags")] if info.exists() else []
+    return flags[0].split() if flags else []
+
+
+@pytest.fixture(scope="session")
+def compile_levels(compile_c):
+    """Compiles the C library's sources: the blocks once for each level, all else once, as the build does."""
+
+    def objects(generated, folder, levels, *options):
+        folder.mkdir(parents=True, exist_ok=True)
+        made = []
+        for source in sorted((generated / "c/src").glob("*.c")):
+            is_blocks = source.stem.endswith("_blocks")
+            for number, level in enumerate(levels if is_blocks else levels[:1]):
+                target = [f"-march={level}"] if number else []
+                own = ["-O3", "-fno-math-errno", "-fno-trapping-math"] if is_blocks else ["-O2"]
+                own.append(f"-ffp-contract={'fast' if source.stem == 'trigonometry_blocks' else 'off'}")
+                made.append(folder / f"{source.stem}.{number}.o")
+                macros = [f"-DCHASLES_LEVELS={len(levels)}", f"-DCHASLES_LEVEL={number}"]
+                words = ["-std=c99", *STRICT, *own, *options, *target, *macros, f"-I{generated}/c/include", "-fPIC"]
+                compile_c(*words, "-c", source, "-o", made[-1])
+        return made
+
+    return objects
+
+
+@pytest.fixture(scope="session")
+def extension(generated, compile_c, compile_levels, levels, tmp_path_factory):
+    """The file of the compiled extension module, with all levels that this machine can run."""
     headers = Path(sysconfig.get_paths()["include"])
     if not (headers / "Python.h").is_file():
         pytest.skip("no Python.h")
-    out = tmp_path_factory.mktemp("extension") / "_kernels.abi3.so"
-    folders = [f"-I{generated}/c/include", f"-I{np.get_include()}", f"-I{headers}"]
-    sources = [generated / "gufunc/_kernels.c", *sorted((generated / "c/src").glob("*.c"))]
-    compile_c(
-        "-std=c11", "-O2", "-Wall", "-Wextra", "-Werror", "-shared", "-fPIC", *folders, *sources, "-lm", "-o", out
-    )
-    return imported("_kernels", out)
+    folder = tmp_path_factory.mktemp("extension")
+    objects = compile_levels(generated, folder / "objects", levels)
+    folders = [f"-I{generated}/c/include", f"-I{generated}/c/src", f"-I{np.get_include()}", f"-I{headers}"]
+    sources = sorted((generated / "gufunc").glob("*.c"))
+    warnings = ["-std=c11", "-O2", "-Wall", "-Wextra", "-Werror", f"-DCHASLES_LEVELS={len(levels)}"]
+    out = folder / "_kernels.abi3.so"
+    compile_c(*warnings, "-shared", "-fPIC", *folders, *sources, *objects, "-lm", "-o", out)
+    return out
+
+
+@pytest.fixture(scope="session")
+def ufuncs(extension):
+    """The compiled extension module."""
+    return imported("_kernels", extension)
+
+
+@pytest.fixture(scope="session")
+def ufuncs_by_level(extension, levels, tmp_path_factory):
+    """The compiled extension module once for each level that this machine can run."""
+    modules = {}
+    for level in levels:
+        copy = tmp_path_factory.mktemp(level) / extension.name
+        shutil.copy(extension, copy)
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setenv("CHASLES_INSTRUCTIONS", level)
+            modules[level] = imported(f"{level}._kernels", copy)
+        assert modules[level].instructions == level
+    return modules
 
 
 @pytest.fixture(scope="session")

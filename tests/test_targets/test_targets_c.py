@@ -6,6 +6,7 @@ import ctypes
 import re
 import shutil
 import subprocess
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,9 +19,33 @@ def pointer(array):
     return array.ctypes.data_as(ctypes.POINTER(kind))
 
 
-def test_every_file_compiles_without_a_warning(generated, compile_c, tmp_path):
+LEVELS = {"baseline": [], "x86-64-v3": ["-march=x86-64-v3", "-DCHASLES_LEVEL=1", "-DCHASLES_LEVELS=2"]}
+
+
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+@pytest.mark.parametrize("level", LEVELS)
+def test_every_file_compiles_without_a_warning(generated, levels, tmp_path, compiler, level):
+    if shutil.which(compiler) is None or level not in levels:
+        pytest.skip(f"no {compiler} for {level}")
     for source in sorted((generated / "c").rglob("*.c")):
-        compile_c("-std=c99", "-O2", *STRICT, f"-I{generated}/c/include", "-c", source, "-o", tmp_path / "x.o")
+        command = [compiler, "-std=c99", "-O2", *STRICT, *LEVELS[level], f"-I{generated}/c/include", "-c", source]
+        done = subprocess.run([*command, "-o", tmp_path / "x.o"], capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+
+
+def test_without_vector_types_batches_call_the_scalar_kernels(generated, compile_c, kernels, tmp_path):
+    """As with a compiler that has none; what the processor offers is switched off by leaving out what asks for it."""
+    sources = [tmp_path / source.name for source in sorted((generated / "c/src").iterdir())]
+    for source in sources:
+        text = (generated / "c/src" / source.name).read_text()
+        source.write_text(text.replace("#define CHASLES_VECTORS 1", "#define CHASLES_VECTORS 0"))
+    assert "CHASLES_VECTORS 1" not in (tmp_path / "batches.h").read_text()
+    folders = [f"-I{generated}/c/include", f"-I{tmp_path}"]
+    test, program = generated / "c/test/self_test.c", tmp_path / "self_test"
+    c_files = [source for source in sources if source.suffix == ".c"]
+    compile_c("-std=c99", *STRICT, *folders, *c_files, test, "-lm", "-o", program)
+    done = subprocess.run([program], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout.endswith(" 0 failed\n")) == (0, True), done.stdout
 
 
 @pytest.mark.skipif(shutil.which("g++") is None, reason="no C++ compiler")
@@ -42,13 +67,14 @@ def test_the_header_needs_nothing_before_it_and_minds_no_macro(generated, compil
 def self_test(generated, compile_c, folder, sources):
     program = folder / "self_test"
     test = generated / "c/test/self_test.c"
-    compile_c("-std=c99", *STRICT, f"-I{generated}/c/include", *sources, test, "-lm", "-o", program)
+    folders = [f"-I{generated}/c/include", f"-I{generated}/c/src"]
+    compile_c("-std=c99", *STRICT, *folders, *sources, test, "-lm", "-o", program)
     return subprocess.run([program], capture_output=True, text=True, check=False)
 
 
 def test_the_self_test_passes(generated, compile_c, kernels, tmp_path):
     done = self_test(generated, compile_c, tmp_path, (generated / "c/src").glob("*.c"))
-    compared = 2 * sum(len(check.outputs) for kernel in kernels for check in kernel.checks)
+    compared = 6 * sum(len(check.outputs) for kernel in kernels for check in kernel.checks)
     assert (done.returncode, done.stdout) == (0, f"{compared} passed, 0 failed\n")
 
 
@@ -129,20 +155,78 @@ def test_each_function_opens_with_its_contract(texts, kernels):
             assert re.search(rf"operations  {total}\b|\b{total} operations", head)
 
 
-def test_no_latex_and_nobody_but_math_h(texts):
+def test_no_latex_and_only_the_standard_library(texts):
+    standard = {"<emmintrin.h>", "<fenv.h>", "<math.h>", "<stddef.h>", "<stdint.h>", "<string.h>"}
+    own = {'"batches.h"', '"chasles.h"', '"vectors.h"'}
     for path, text in texts.items():
         if path.startswith(("c/include", "c/src")):
-            assert "\\" not in text
             assert "$" not in text
-            assert set(re.findall(r"#include (.*)", text)) <= {"<math.h>", "<stddef.h>", '"chasles.h"'}
-            assert not re.search(r"\b(malloc|errno =|static)\b", text)
+            assert set(re.findall(r"#include (.*)", text)) <= standard | own
+            assert not re.search(r"\b(malloc|errno =)\b", text)
+            assert not re.search(r"^ *static (?!const|inline)[^()]*(=|;)", text, re.M), "a function keeps a state"
+        if re.fullmatch(r"c/src/s\d+_\w+\.c", path):
+            assert "\\" not in text
 
 
 def test_results_are_computed_before_any_is_stored(texts):
     for path, text in texts.items():
-        if path.startswith("c/src"):
-            for body in re.findall(r"^\{\n(.*?)^\}", text, re.M | re.S):
-                lines = [line.strip() for line in body.splitlines() if "for (" not in line and "_batch" not in line]
+        if re.fullmatch(r"c/src/s\d+_\w+\.c", path) and not path.endswith("_blocks.c"):
+            for body in re.findall(r"^void.*?^\{\n(.*?)^\}", text, re.M | re.S):
+                lines = [line.strip() for line in body.splitlines()]
                 stores = [place for place, line in enumerate(lines) if re.match(r"(\w+\[\d+\]|\*\w+) = ", line)]
                 assert all(re.fullmatch(r"\S+ = -?[\w.+]+;", lines[place]) for place in stores)
                 assert not stores or all("const" not in line for line in lines[stores[0] :])
+
+
+def test_a_group_is_loaded_before_any_of_it_is_stored(texts, kernels):
+    groups = 0
+    for path, text in texts.items():
+        if path.endswith("_blocks.c") and "trigonometry" not in path:
+            for body in re.findall(r"g\+\+\) \{\n(.*?)^    \}", text, re.M | re.S):
+                loads, stores = ([m.start() for m in re.finditer(rf"\b{word}_\d", body)] for word in ("load", "store"))
+                assert not stores or max(loads, default=0) < min(stores)
+                groups += bool(stores)
+    assert groups == 2 * len(kernels)
+
+
+SANITIZERS = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-g"]
+BATCHES = Path(__file__).with_name("batches.c")
+
+
+@pytest.fixture(scope="module")
+def batches(generated, compile_c, compile_levels, levels, tmp_path_factory):
+    """Builds the program that tries batches, with the options given, for all levels that this machine can run."""
+
+    def built(*options):
+        folder = tmp_path_factory.mktemp("batches")
+        objects = compile_levels(generated, folder, levels, *options)
+        words = ["-std=gnu99", *options, f"-I{generated}/c/include", BATCHES, *objects, "-lm", "-o", folder / "batches"]
+        compile_c(*words)
+        return folder / "batches"
+
+    return built
+
+
+def tried(*command):
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout, done.stderr
+
+
+def test_batches_are_right_in_any_storage(batches):
+    assert tried(batches()) == (0, "right\n", "")
+
+
+@pytest.mark.slow
+def test_sanitizers_find_nothing(batches):
+    program = batches(*SANITIZERS)
+    code, out, err = tried(program)
+    if "LeakSanitizer has encountered a fatal error" in err:
+        code, out, err = tried("env", "ASAN_OPTIONS=detect_leaks=0", program)
+    assert (code, out, err) == (0, "right\n", "")
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("valgrind") is None, reason="no valgrind")
+def test_valgrind_finds_nothing(batches):
+    command = ["valgrind", "--quiet", "--error-exitcode=9", "--leak-check=full", batches("-g"), "memory"]
+    assert tried(*command) == (0, "right\n", "")

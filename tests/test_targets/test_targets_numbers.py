@@ -56,6 +56,12 @@ def long_sum(A, x):
     return 0.1 + sum((A[i, j] - x[i]) * (x[j] - 1.5 * A[j, i]) for i in range(3) for j in range(3))
 
 
+def nested_turns(angles, idle):
+    s, c = np.sin(angles[0] / 2), np.cos(angles[1] - angles[0])
+    late = np.cos(s + angles[2])
+    return np.array([late * s / np.hypot(s, c), c - late]), s, 0.5
+
+
 def by_hand(name, inputs):
     """The results for one item, always a tuple."""
     found = globals()[name](*(np.asarray(value, float) for value in inputs))
@@ -282,7 +288,7 @@ for _name in ("add", "radd", "sub", "rsub", "mul", "rmul", "truediv", "rtruediv"
 class Namespace:
     """The functions of the array API that the kernels use; arguments must be arrays of this library."""
 
-    float32, float64 = np.float32, np.float64
+    float32, float64, nan = np.float32, np.float64, np.nan
     isdtype, result_type = staticmethod(np.isdtype), staticmethod(np.result_type)
 
     @staticmethod

@@ -3,7 +3,94 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "batches.h"
 #include "chasles.h"
+
+static const chasles_shape chasles_cross_product_matrix_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_cross_product_matrix_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_cross_product_matrix_loop_shapes,
+    CHASLES_BLOCKS(chasles_cross_product_matrix_block),
+};
+
+static const chasles_shape chasles_cross_product_matrix_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_cross_product_matrix_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_cross_product_matrix_loopf_shapes,
+    CHASLES_BLOCKS(chasles_cross_product_matrix_blockf),
+};
+
+static const chasles_shape chasles_rotation_from_axis_angle_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {2, 3, 3},
+};
+const chasles_loop chasles_rotation_from_axis_angle_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_rotation_from_axis_angle_loop_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_axis_angle_block),
+};
+
+static const chasles_shape chasles_rotation_from_axis_angle_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {2, 3, 3},
+};
+const chasles_loop chasles_rotation_from_axis_angle_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_rotation_from_axis_angle_loopf_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_axis_angle_blockf),
+};
+
+static const chasles_shape chasles_point_after_displacement_loop_shapes[] = {
+    {2, 3, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_point_after_displacement_loop = {
+    sizeof(double), 0, 4, 5,
+    chasles_point_after_displacement_loop_shapes,
+    CHASLES_BLOCKS(chasles_point_after_displacement_block),
+};
+
+static const chasles_shape chasles_point_after_displacement_loopf_shapes[] = {
+    {2, 3, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_point_after_displacement_loopf = {
+    sizeof(float), 0, 4, 5,
+    chasles_point_after_displacement_loopf_shapes,
+    CHASLES_BLOCKS(chasles_point_after_displacement_blockf),
+};
+
+static const chasles_shape chasles_pitch_of_motion_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 3},
+    {0, 1, 1},
+};
+const chasles_loop chasles_pitch_of_motion_loop = {
+    sizeof(double), 0, 3, 4,
+    chasles_pitch_of_motion_loop_shapes,
+    CHASLES_BLOCKS(chasles_pitch_of_motion_block),
+};
+
+static const chasles_shape chasles_pitch_of_motion_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 3},
+    {0, 1, 1},
+};
+const chasles_loop chasles_pitch_of_motion_loopf = {
+    sizeof(float), 0, 3, 4,
+    chasles_pitch_of_motion_loopf_shapes,
+    CHASLES_BLOCKS(chasles_pitch_of_motion_blockf),
+};
 
 /*
  * (2.38) The cross-product matrix of v: multiplying by it is taking the vector product with v.
@@ -67,9 +154,11 @@ void chasles_cross_product_matrix_batch(
     const double *v, ptrdiff_t v_step,
     double *V, ptrdiff_t V_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_cross_product_matrix(v + i * v_step, V + i * V_step);
-    }
+    char *const at[] = {(char *)v, (char *)V};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {v_step * size, V_step * size};
+    const chasles_loop *loop = &chasles_cross_product_matrix_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -82,9 +171,11 @@ void chasles_cross_product_matrix_batchf(
     const float *v, ptrdiff_t v_step,
     float *V, ptrdiff_t V_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_cross_product_matrixf(v + i * v_step, V + i * V_step);
-    }
+    char *const at[] = {(char *)v, (char *)V};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {v_step * size, V_step * size};
+    const chasles_loop *loop = &chasles_cross_product_matrix_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -179,9 +270,11 @@ void chasles_rotation_from_axis_angle_batch(
     const double *phi, ptrdiff_t phi_step,
     double *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_axis_angle(e + i * e_step, phi[i * phi_step], Q + i * Q_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_axis_angle_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -195,9 +288,11 @@ void chasles_rotation_from_axis_angle_batchf(
     const float *phi, ptrdiff_t phi_step,
     float *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_axis_anglef(e + i * e_step, phi[i * phi_step], Q + i * Q_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_axis_angle_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -267,14 +362,16 @@ void chasles_point_after_displacement_batch(
     const double *p, ptrdiff_t p_step,
     double *p_prime, ptrdiff_t p_prime_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_point_after_displacement(
-            Q + i * Q_step,
-            a + i * a_step,
-            a_prime + i * a_prime_step,
-            p + i * p_step,
-            p_prime + i * p_prime_step);
-    }
+    char *const at[] = {(char *)Q, (char *)a, (char *)a_prime, (char *)p, (char *)p_prime};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        Q_step * size,
+        a_step * size,
+        a_prime_step * size,
+        p_step * size,
+        p_prime_step * size};
+    const chasles_loop *loop = &chasles_point_after_displacement_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -290,14 +387,16 @@ void chasles_point_after_displacement_batchf(
     const float *p, ptrdiff_t p_step,
     float *p_prime, ptrdiff_t p_prime_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_point_after_displacementf(
-            Q + i * Q_step,
-            a + i * a_step,
-            a_prime + i * a_prime_step,
-            p + i * p_step,
-            p_prime + i * p_prime_step);
-    }
+    char *const at[] = {(char *)Q, (char *)a, (char *)a_prime, (char *)p, (char *)p_prime};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        Q_step * size,
+        a_step * size,
+        a_prime_step * size,
+        p_step * size,
+        p_prime_step * size};
+    const chasles_loop *loop = &chasles_point_after_displacement_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -342,13 +441,11 @@ void chasles_pitch_of_motion_batch(
     const double *d_P, ptrdiff_t d_P_step,
     double *result, ptrdiff_t result_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_pitch_of_motion(
-            e + i * e_step,
-            phi[i * phi_step],
-            d_P + i * d_P_step,
-            result + i * result_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)d_P, (char *)result};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, d_P_step * size, result_step * size};
+    const chasles_loop *loop = &chasles_pitch_of_motion_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -363,11 +460,9 @@ void chasles_pitch_of_motion_batchf(
     const float *d_P, ptrdiff_t d_P_step,
     float *result, ptrdiff_t result_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_pitch_of_motionf(
-            e + i * e_step,
-            phi[i * phi_step],
-            d_P + i * d_P_step,
-            result + i * result_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)d_P, (char *)result};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, d_P_step * size, result_step * size};
+    const chasles_loop *loop = &chasles_pitch_of_motion_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }

@@ -3,7 +3,56 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "batches.h"
 #include "chasles.h"
+
+static const chasles_shape chasles_normal_matrix_inverse_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {2, 3, 3},
+};
+const chasles_loop chasles_normal_matrix_inverse_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_normal_matrix_inverse_loop_shapes,
+    CHASLES_BLOCKS(chasles_normal_matrix_inverse_block),
+};
+
+static const chasles_shape chasles_normal_matrix_inverse_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {2, 3, 3},
+};
+const chasles_loop chasles_normal_matrix_inverse_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_normal_matrix_inverse_loopf_shapes,
+    CHASLES_BLOCKS(chasles_normal_matrix_inverse_blockf),
+};
+
+static const chasles_shape chasles_screw_axis_point_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_screw_axis_point_loop = {
+    sizeof(double), 0, 4, 5,
+    chasles_screw_axis_point_loop_shapes,
+    CHASLES_BLOCKS(chasles_screw_axis_point_block),
+};
+
+static const chasles_shape chasles_screw_axis_point_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_screw_axis_point_loopf = {
+    sizeof(float), 0, 4, 5,
+    chasles_screw_axis_point_loopf_shapes,
+    CHASLES_BLOCKS(chasles_screw_axis_point_blockf),
+};
 
 /*
  * (3.16) The inverse of the matrix of the normal equations.
@@ -82,9 +131,11 @@ void chasles_normal_matrix_inverse_batch(
     const double *phi, ptrdiff_t phi_step,
     double *result, ptrdiff_t result_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_normal_matrix_inverse(e + i * e_step, phi[i * phi_step], result + i * result_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)result};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, result_step * size};
+    const chasles_loop *loop = &chasles_normal_matrix_inverse_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -98,9 +149,11 @@ void chasles_normal_matrix_inverse_batchf(
     const float *phi, ptrdiff_t phi_step,
     float *result, ptrdiff_t result_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_normal_matrix_inversef(e + i * e_step, phi[i * phi_step], result + i * result_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)result};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, result_step * size};
+    const chasles_loop *loop = &chasles_normal_matrix_inverse_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -185,14 +238,16 @@ void chasles_screw_axis_point_batch(
     const double *a_prime, ptrdiff_t a_prime_step,
     double *p_0, ptrdiff_t p_0_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_screw_axis_point(
-            e + i * e_step,
-            phi[i * phi_step],
-            a + i * a_step,
-            a_prime + i * a_prime_step,
-            p_0 + i * p_0_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)a, (char *)a_prime, (char *)p_0};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        e_step * size,
+        phi_step * size,
+        a_step * size,
+        a_prime_step * size,
+        p_0_step * size};
+    const chasles_loop *loop = &chasles_screw_axis_point_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -208,12 +263,14 @@ void chasles_screw_axis_point_batchf(
     const float *a_prime, ptrdiff_t a_prime_step,
     float *p_0, ptrdiff_t p_0_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_screw_axis_pointf(
-            e + i * e_step,
-            phi[i * phi_step],
-            a + i * a_step,
-            a_prime + i * a_prime_step,
-            p_0 + i * p_0_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)a, (char *)a_prime, (char *)p_0};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        e_step * size,
+        phi_step * size,
+        a_step * size,
+        a_prime_step * size,
+        p_0_step * size};
+    const chasles_loop *loop = &chasles_screw_axis_point_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }

@@ -3,7 +3,46 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "batches.h"
 #include "chasles.h"
+
+static const chasles_shape chasles_plucker_line_loop_shapes[] = {{1, 1, 3}, {1, 1, 3}, {1, 1, 6}};
+const chasles_loop chasles_plucker_line_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_plucker_line_loop_shapes,
+    CHASLES_BLOCKS(chasles_plucker_line_block),
+};
+
+static const chasles_shape chasles_plucker_line_loopf_shapes[] = {{1, 1, 3}, {1, 1, 3}, {1, 1, 6}};
+const chasles_loop chasles_plucker_line_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_plucker_line_loopf_shapes,
+    CHASLES_BLOCKS(chasles_plucker_line_blockf),
+};
+
+static const chasles_shape chasles_plucker_transfer_loop_shapes[] = {
+    {1, 1, 6},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 6},
+};
+const chasles_loop chasles_plucker_transfer_loop = {
+    sizeof(double), 0, 3, 4,
+    chasles_plucker_transfer_loop_shapes,
+    CHASLES_BLOCKS(chasles_plucker_transfer_block),
+};
+
+static const chasles_shape chasles_plucker_transfer_loopf_shapes[] = {
+    {1, 1, 6},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 6},
+};
+const chasles_loop chasles_plucker_transfer_loopf = {
+    sizeof(float), 0, 3, 4,
+    chasles_plucker_transfer_loopf_shapes,
+    CHASLES_BLOCKS(chasles_plucker_transfer_blockf),
+};
 
 /*
  * (3.23) The Plücker array of a line: its direction and its moment.
@@ -75,9 +114,11 @@ void chasles_plucker_line_batch(
     const double *p_2, ptrdiff_t p_2_step,
     double *kappa, ptrdiff_t kappa_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_plucker_line(p_1 + i * p_1_step, p_2 + i * p_2_step, kappa + i * kappa_step);
-    }
+    char *const at[] = {(char *)p_1, (char *)p_2, (char *)kappa};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {p_1_step * size, p_2_step * size, kappa_step * size};
+    const chasles_loop *loop = &chasles_plucker_line_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -91,9 +132,11 @@ void chasles_plucker_line_batchf(
     const float *p_2, ptrdiff_t p_2_step,
     float *kappa, ptrdiff_t kappa_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_plucker_linef(p_1 + i * p_1_step, p_2 + i * p_2_step, kappa + i * kappa_step);
-    }
+    char *const at[] = {(char *)p_1, (char *)p_2, (char *)kappa};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {p_1_step * size, p_2_step * size, kappa_step * size};
+    const chasles_loop *loop = &chasles_plucker_line_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -170,13 +213,11 @@ void chasles_plucker_transfer_batch(
     const double *b, ptrdiff_t b_step,
     double *kappa_B, ptrdiff_t kappa_B_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_plucker_transfer(
-            kappa_A + i * kappa_A_step,
-            a + i * a_step,
-            b + i * b_step,
-            kappa_B + i * kappa_B_step);
-    }
+    char *const at[] = {(char *)kappa_A, (char *)a, (char *)b, (char *)kappa_B};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {kappa_A_step * size, a_step * size, b_step * size, kappa_B_step * size};
+    const chasles_loop *loop = &chasles_plucker_transfer_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -191,11 +232,9 @@ void chasles_plucker_transfer_batchf(
     const float *b, ptrdiff_t b_step,
     float *kappa_B, ptrdiff_t kappa_B_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_plucker_transferf(
-            kappa_A + i * kappa_A_step,
-            a + i * a_step,
-            b + i * b_step,
-            kappa_B + i * kappa_B_step);
-    }
+    char *const at[] = {(char *)kappa_A, (char *)a, (char *)b, (char *)kappa_B};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {kappa_A_step * size, a_step * size, b_step * size, kappa_B_step * size};
+    const chasles_loop *loop = &chasles_plucker_transfer_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }

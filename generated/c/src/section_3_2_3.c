@@ -3,7 +3,52 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "batches.h"
 #include "chasles.h"
+
+static const chasles_shape chasles_rotation_in_triad_axes_loop_shapes[] = {
+    {2, 3, 3},
+    {2, 3, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_rotation_in_triad_axes_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_rotation_in_triad_axes_loop_shapes,
+    CHASLES_BLOCKS(chasles_rotation_in_triad_axes_block),
+};
+
+static const chasles_shape chasles_rotation_in_triad_axes_loopf_shapes[] = {
+    {2, 3, 3},
+    {2, 3, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_rotation_in_triad_axes_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_rotation_in_triad_axes_loopf_shapes,
+    CHASLES_BLOCKS(chasles_rotation_in_triad_axes_blockf),
+};
+
+static const chasles_shape chasles_rotation_from_triads_loop_shapes[] = {
+    {2, 3, 3},
+    {2, 3, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_rotation_from_triads_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_rotation_from_triads_loop_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_triads_block),
+};
+
+static const chasles_shape chasles_rotation_from_triads_loopf_shapes[] = {
+    {2, 3, 3},
+    {2, 3, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_rotation_from_triads_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_rotation_from_triads_loopf_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_triads_blockf),
+};
 
 /*
  * text 3.2.3 h The rotation in the axes of the triad, as a product of matrices.
@@ -95,12 +140,11 @@ void chasles_rotation_in_triad_axes_batch(
     const double *triad_prime, ptrdiff_t triad_prime_step,
     double *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_in_triad_axes(
-            triad + i * triad_step,
-            triad_prime + i * triad_prime_step,
-            Q + i * Q_step);
-    }
+    char *const at[] = {(char *)triad, (char *)triad_prime, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {triad_step * size, triad_prime_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_in_triad_axes_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -114,12 +158,11 @@ void chasles_rotation_in_triad_axes_batchf(
     const float *triad_prime, ptrdiff_t triad_prime_step,
     float *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_in_triad_axesf(
-            triad + i * triad_step,
-            triad_prime + i * triad_prime_step,
-            Q + i * Q_step);
-    }
+    char *const at[] = {(char *)triad, (char *)triad_prime, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {triad_step * size, triad_prime_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_in_triad_axes_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -212,12 +255,11 @@ void chasles_rotation_from_triads_batch(
     const double *triad_prime, ptrdiff_t triad_prime_step,
     double *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_triads(
-            triad + i * triad_step,
-            triad_prime + i * triad_prime_step,
-            Q + i * Q_step);
-    }
+    char *const at[] = {(char *)triad, (char *)triad_prime, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {triad_step * size, triad_prime_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_triads_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -231,10 +273,9 @@ void chasles_rotation_from_triads_batchf(
     const float *triad_prime, ptrdiff_t triad_prime_step,
     float *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_triadsf(
-            triad + i * triad_step,
-            triad_prime + i * triad_prime_step,
-            Q + i * Q_step);
-    }
+    char *const at[] = {(char *)triad, (char *)triad_prime, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {triad_step * size, triad_prime_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_triads_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }

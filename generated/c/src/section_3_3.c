@@ -3,7 +3,22 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "batches.h"
 #include "chasles.h"
+
+static const chasles_shape chasles_axial_vector_loop_shapes[] = {{2, 3, 3}, {1, 1, 3}};
+const chasles_loop chasles_axial_vector_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_axial_vector_loop_shapes,
+    CHASLES_BLOCKS(chasles_axial_vector_block),
+};
+
+static const chasles_shape chasles_axial_vector_loopf_shapes[] = {{2, 3, 3}, {1, 1, 3}};
+const chasles_loop chasles_axial_vector_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_axial_vector_loopf_shapes,
+    CHASLES_BLOCKS(chasles_axial_vector_blockf),
+};
 
 /*
  * (3.45) The angular velocity: the axial vector of the angular-velocity matrix.
@@ -49,9 +64,11 @@ void chasles_axial_vector_batch(
     const double *Omega, ptrdiff_t Omega_step,
     double *omega, ptrdiff_t omega_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_axial_vector(Omega + i * Omega_step, omega + i * omega_step);
-    }
+    char *const at[] = {(char *)Omega, (char *)omega};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {Omega_step * size, omega_step * size};
+    const chasles_loop *loop = &chasles_axial_vector_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -64,7 +81,9 @@ void chasles_axial_vector_batchf(
     const float *Omega, ptrdiff_t Omega_step,
     float *omega, ptrdiff_t omega_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_axial_vectorf(Omega + i * Omega_step, omega + i * omega_step);
-    }
+    char *const at[] = {(char *)Omega, (char *)omega};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {Omega_step * size, omega_step * size};
+    const chasles_loop *loop = &chasles_axial_vector_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }

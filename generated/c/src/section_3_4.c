@@ -3,7 +3,34 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "batches.h"
 #include "chasles.h"
+
+static const chasles_shape chasles_velocity_of_point_loop_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_velocity_of_point_loop = {
+    sizeof(double), 0, 4, 5,
+    chasles_velocity_of_point_loop_shapes,
+    CHASLES_BLOCKS(chasles_velocity_of_point_block),
+};
+
+static const chasles_shape chasles_velocity_of_point_loopf_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_velocity_of_point_loopf = {
+    sizeof(float), 0, 4, 5,
+    chasles_velocity_of_point_loopf_shapes,
+    CHASLES_BLOCKS(chasles_velocity_of_point_blockf),
+};
 
 /*
  * (3.50) The velocity of a point from that of the landmark.
@@ -71,14 +98,16 @@ void chasles_velocity_of_point_batch(
     const double *p, ptrdiff_t p_step,
     double *p_dot, ptrdiff_t p_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_velocity_of_point(
-            omega + i * omega_step,
-            a_dot + i * a_dot_step,
-            a + i * a_step,
-            p + i * p_step,
-            p_dot + i * p_dot_step);
-    }
+    char *const at[] = {(char *)omega, (char *)a_dot, (char *)a, (char *)p, (char *)p_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        omega_step * size,
+        a_dot_step * size,
+        a_step * size,
+        p_step * size,
+        p_dot_step * size};
+    const chasles_loop *loop = &chasles_velocity_of_point_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -94,12 +123,14 @@ void chasles_velocity_of_point_batchf(
     const float *p, ptrdiff_t p_step,
     float *p_dot, ptrdiff_t p_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_velocity_of_pointf(
-            omega + i * omega_step,
-            a_dot + i * a_dot_step,
-            a + i * a_step,
-            p + i * p_step,
-            p_dot + i * p_dot_step);
-    }
+    char *const at[] = {(char *)omega, (char *)a_dot, (char *)a, (char *)p, (char *)p_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        omega_step * size,
+        a_dot_step * size,
+        a_step * size,
+        p_step * size,
+        p_dot_step * size};
+    const chasles_loop *loop = &chasles_velocity_of_point_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }

@@ -3,7 +3,32 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "batches.h"
 #include "chasles.h"
+
+static const chasles_shape chasles_instant_screw_point_loop_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_instant_screw_point_loop = {
+    sizeof(double), 0, 3, 4,
+    chasles_instant_screw_point_loop_shapes,
+    CHASLES_BLOCKS(chasles_instant_screw_point_block),
+};
+
+static const chasles_shape chasles_instant_screw_point_loopf_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_instant_screw_point_loopf = {
+    sizeof(float), 0, 3, 4,
+    chasles_instant_screw_point_loopf_shapes,
+    CHASLES_BLOCKS(chasles_instant_screw_point_blockf),
+};
 
 /*
  * (3.70) The same with vector products.
@@ -71,13 +96,15 @@ void chasles_instant_screw_point_batch(
     const double *a, ptrdiff_t a_step,
     double *p_0_prime, ptrdiff_t p_0_prime_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_instant_screw_point(
-            omega + i * omega_step,
-            a_dot + i * a_dot_step,
-            a + i * a_step,
-            p_0_prime + i * p_0_prime_step);
-    }
+    char *const at[] = {(char *)omega, (char *)a_dot, (char *)a, (char *)p_0_prime};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        omega_step * size,
+        a_dot_step * size,
+        a_step * size,
+        p_0_prime_step * size};
+    const chasles_loop *loop = &chasles_instant_screw_point_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -92,11 +119,13 @@ void chasles_instant_screw_point_batchf(
     const float *a, ptrdiff_t a_step,
     float *p_0_prime, ptrdiff_t p_0_prime_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_instant_screw_pointf(
-            omega + i * omega_step,
-            a_dot + i * a_dot_step,
-            a + i * a_step,
-            p_0_prime + i * p_0_prime_step);
-    }
+    char *const at[] = {(char *)omega, (char *)a_dot, (char *)a, (char *)p_0_prime};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        omega_step * size,
+        a_dot_step * size,
+        a_step * size,
+        p_0_prime_step * size};
+    const chasles_loop *loop = &chasles_instant_screw_point_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }

@@ -3,7 +3,472 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "batches.h"
 #include "chasles.h"
+
+static const chasles_shape chasles_natural_rate_matrix_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {2, 4, 3},
+};
+const chasles_loop chasles_natural_rate_matrix_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_natural_rate_matrix_loop_shapes,
+    CHASLES_BLOCKS(chasles_natural_rate_matrix_block),
+};
+
+static const chasles_shape chasles_natural_rate_matrix_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {2, 4, 3},
+};
+const chasles_loop chasles_natural_rate_matrix_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_natural_rate_matrix_loopf_shapes,
+    CHASLES_BLOCKS(chasles_natural_rate_matrix_blockf),
+};
+
+static const chasles_shape chasles_linear_rate_matrix_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {2, 4, 3},
+};
+const chasles_loop chasles_linear_rate_matrix_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_linear_rate_matrix_loop_shapes,
+    CHASLES_BLOCKS(chasles_linear_rate_matrix_block),
+};
+
+static const chasles_shape chasles_linear_rate_matrix_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {2, 4, 3},
+};
+const chasles_loop chasles_linear_rate_matrix_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_linear_rate_matrix_loopf_shapes,
+    CHASLES_BLOCKS(chasles_linear_rate_matrix_blockf),
+};
+
+static const chasles_shape chasles_euler_rodrigues_rate_matrix_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {2, 4, 3},
+};
+const chasles_loop chasles_euler_rodrigues_rate_matrix_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_euler_rodrigues_rate_matrix_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rodrigues_rate_matrix_block),
+};
+
+static const chasles_shape chasles_euler_rodrigues_rate_matrix_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {2, 4, 3},
+};
+const chasles_loop chasles_euler_rodrigues_rate_matrix_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_euler_rodrigues_rate_matrix_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rodrigues_rate_matrix_blockf),
+};
+
+static const chasles_shape chasles_rotation_from_linear_invariants_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {2, 3, 3},
+};
+const chasles_loop chasles_rotation_from_linear_invariants_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_rotation_from_linear_invariants_loop_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_linear_invariants_block),
+};
+
+static const chasles_shape chasles_rotation_from_linear_invariants_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {2, 3, 3},
+};
+const chasles_loop chasles_rotation_from_linear_invariants_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_rotation_from_linear_invariants_loopf_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_linear_invariants_blockf),
+};
+
+static const chasles_shape chasles_rotation_from_euler_rodrigues_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {2, 3, 3},
+};
+const chasles_loop chasles_rotation_from_euler_rodrigues_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_rotation_from_euler_rodrigues_loop_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_rodrigues_block),
+};
+
+static const chasles_shape chasles_rotation_from_euler_rodrigues_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {2, 3, 3},
+};
+const chasles_loop chasles_rotation_from_euler_rodrigues_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_rotation_from_euler_rodrigues_loopf_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_rodrigues_blockf),
+};
+
+static const chasles_shape chasles_linear_invariants_loop_shapes[] = {
+    {2, 3, 3},
+    {1, 1, 3},
+    {0, 1, 1},
+};
+const chasles_loop chasles_linear_invariants_loop = {
+    sizeof(double), 0, 1, 3,
+    chasles_linear_invariants_loop_shapes,
+    CHASLES_BLOCKS(chasles_linear_invariants_block),
+};
+
+static const chasles_shape chasles_linear_invariants_loopf_shapes[] = {
+    {2, 3, 3},
+    {1, 1, 3},
+    {0, 1, 1},
+};
+const chasles_loop chasles_linear_invariants_loopf = {
+    sizeof(float), 0, 1, 3,
+    chasles_linear_invariants_loopf_shapes,
+    CHASLES_BLOCKS(chasles_linear_invariants_blockf),
+};
+
+static const chasles_shape chasles_natural_invariants_loop_shapes[] = {
+    {2, 3, 3},
+    {1, 1, 3},
+    {0, 1, 1},
+};
+const chasles_loop chasles_natural_invariants_loop = {
+    sizeof(double), 0, 1, 3,
+    chasles_natural_invariants_loop_shapes,
+    CHASLES_BLOCKS(chasles_natural_invariants_block),
+};
+
+static const chasles_shape chasles_natural_invariants_loopf_shapes[] = {
+    {2, 3, 3},
+    {1, 1, 3},
+    {0, 1, 1},
+};
+const chasles_loop chasles_natural_invariants_loopf = {
+    sizeof(float), 0, 1, 3,
+    chasles_natural_invariants_loopf_shapes,
+    CHASLES_BLOCKS(chasles_natural_invariants_blockf),
+};
+
+static const chasles_shape chasles_euler_rodrigues_parameters_loop_shapes[] = {
+    {2, 3, 3},
+    {1, 1, 3},
+    {0, 1, 1},
+};
+const chasles_loop chasles_euler_rodrigues_parameters_loop = {
+    sizeof(double), 0, 1, 3,
+    chasles_euler_rodrigues_parameters_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rodrigues_parameters_block),
+};
+
+static const chasles_shape chasles_euler_rodrigues_parameters_loopf_shapes[] = {
+    {2, 3, 3},
+    {1, 1, 3},
+    {0, 1, 1},
+};
+const chasles_loop chasles_euler_rodrigues_parameters_loopf = {
+    sizeof(float), 0, 1, 3,
+    chasles_euler_rodrigues_parameters_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rodrigues_parameters_blockf),
+};
+
+static const chasles_shape chasles_screw_of_motion_loop_shapes[] = {
+    {2, 3, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 6},
+    {0, 1, 1},
+    {0, 1, 1},
+};
+const chasles_loop chasles_screw_of_motion_loop = {
+    sizeof(double), 0, 3, 6,
+    chasles_screw_of_motion_loop_shapes,
+    CHASLES_BLOCKS(chasles_screw_of_motion_block),
+};
+
+static const chasles_shape chasles_screw_of_motion_loopf_shapes[] = {
+    {2, 3, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 6},
+    {0, 1, 1},
+    {0, 1, 1},
+};
+const chasles_loop chasles_screw_of_motion_loopf = {
+    sizeof(float), 0, 3, 6,
+    chasles_screw_of_motion_loopf_shapes,
+    CHASLES_BLOCKS(chasles_screw_of_motion_blockf),
+};
+
+static const chasles_shape chasles_instant_screw_loop_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 6},
+    {0, 1, 1},
+};
+const chasles_loop chasles_instant_screw_loop = {
+    sizeof(double), 0, 3, 5,
+    chasles_instant_screw_loop_shapes,
+    CHASLES_BLOCKS(chasles_instant_screw_block),
+};
+
+static const chasles_shape chasles_instant_screw_loopf_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 6},
+    {0, 1, 1},
+};
+const chasles_loop chasles_instant_screw_loopf = {
+    sizeof(float), 0, 3, 5,
+    chasles_instant_screw_loopf_shapes,
+    CHASLES_BLOCKS(chasles_instant_screw_blockf),
+};
+
+static const chasles_shape chasles_natural_velocity_matrix_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {2, 3, 4},
+};
+const chasles_loop chasles_natural_velocity_matrix_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_natural_velocity_matrix_loop_shapes,
+    CHASLES_BLOCKS(chasles_natural_velocity_matrix_block),
+};
+
+static const chasles_shape chasles_natural_velocity_matrix_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {2, 3, 4},
+};
+const chasles_loop chasles_natural_velocity_matrix_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_natural_velocity_matrix_loopf_shapes,
+    CHASLES_BLOCKS(chasles_natural_velocity_matrix_blockf),
+};
+
+static const chasles_shape chasles_linear_velocity_matrix_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {2, 3, 4},
+};
+const chasles_loop chasles_linear_velocity_matrix_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_linear_velocity_matrix_loop_shapes,
+    CHASLES_BLOCKS(chasles_linear_velocity_matrix_block),
+};
+
+static const chasles_shape chasles_linear_velocity_matrix_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {2, 3, 4},
+};
+const chasles_loop chasles_linear_velocity_matrix_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_linear_velocity_matrix_loopf_shapes,
+    CHASLES_BLOCKS(chasles_linear_velocity_matrix_blockf),
+};
+
+static const chasles_shape chasles_euler_rodrigues_velocity_matrix_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {2, 3, 4},
+};
+const chasles_loop chasles_euler_rodrigues_velocity_matrix_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_euler_rodrigues_velocity_matrix_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rodrigues_velocity_matrix_block),
+};
+
+static const chasles_shape chasles_euler_rodrigues_velocity_matrix_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {2, 3, 4},
+};
+const chasles_loop chasles_euler_rodrigues_velocity_matrix_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_euler_rodrigues_velocity_matrix_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rodrigues_velocity_matrix_blockf),
+};
+
+static const chasles_shape chasles_pose_rate_natural_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 7},
+};
+const chasles_loop chasles_pose_rate_natural_loop = {
+    sizeof(double), 0, 3, 4,
+    chasles_pose_rate_natural_loop_shapes,
+    CHASLES_BLOCKS(chasles_pose_rate_natural_block),
+};
+
+static const chasles_shape chasles_pose_rate_natural_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 7},
+};
+const chasles_loop chasles_pose_rate_natural_loopf = {
+    sizeof(float), 0, 3, 4,
+    chasles_pose_rate_natural_loopf_shapes,
+    CHASLES_BLOCKS(chasles_pose_rate_natural_blockf),
+};
+
+static const chasles_shape chasles_pose_rate_linear_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 7},
+};
+const chasles_loop chasles_pose_rate_linear_loop = {
+    sizeof(double), 0, 3, 4,
+    chasles_pose_rate_linear_loop_shapes,
+    CHASLES_BLOCKS(chasles_pose_rate_linear_block),
+};
+
+static const chasles_shape chasles_pose_rate_linear_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 7},
+};
+const chasles_loop chasles_pose_rate_linear_loopf = {
+    sizeof(float), 0, 3, 4,
+    chasles_pose_rate_linear_loopf_shapes,
+    CHASLES_BLOCKS(chasles_pose_rate_linear_blockf),
+};
+
+static const chasles_shape chasles_pose_rate_euler_rodrigues_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 7},
+};
+const chasles_loop chasles_pose_rate_euler_rodrigues_loop = {
+    sizeof(double), 0, 3, 4,
+    chasles_pose_rate_euler_rodrigues_loop_shapes,
+    CHASLES_BLOCKS(chasles_pose_rate_euler_rodrigues_block),
+};
+
+static const chasles_shape chasles_pose_rate_euler_rodrigues_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 7},
+};
+const chasles_loop chasles_pose_rate_euler_rodrigues_loopf = {
+    sizeof(float), 0, 3, 4,
+    chasles_pose_rate_euler_rodrigues_loopf_shapes,
+    CHASLES_BLOCKS(chasles_pose_rate_euler_rodrigues_blockf),
+};
+
+static const chasles_shape chasles_twist_from_pose_rate_natural_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 7},
+    {1, 1, 6},
+};
+const chasles_loop chasles_twist_from_pose_rate_natural_loop = {
+    sizeof(double), 0, 3, 4,
+    chasles_twist_from_pose_rate_natural_loop_shapes,
+    CHASLES_BLOCKS(chasles_twist_from_pose_rate_natural_block),
+};
+
+static const chasles_shape chasles_twist_from_pose_rate_natural_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 7},
+    {1, 1, 6},
+};
+const chasles_loop chasles_twist_from_pose_rate_natural_loopf = {
+    sizeof(float), 0, 3, 4,
+    chasles_twist_from_pose_rate_natural_loopf_shapes,
+    CHASLES_BLOCKS(chasles_twist_from_pose_rate_natural_blockf),
+};
+
+static const chasles_shape chasles_twist_from_pose_rate_linear_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 7},
+    {1, 1, 6},
+};
+const chasles_loop chasles_twist_from_pose_rate_linear_loop = {
+    sizeof(double), 0, 3, 4,
+    chasles_twist_from_pose_rate_linear_loop_shapes,
+    CHASLES_BLOCKS(chasles_twist_from_pose_rate_linear_block),
+};
+
+static const chasles_shape chasles_twist_from_pose_rate_linear_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 7},
+    {1, 1, 6},
+};
+const chasles_loop chasles_twist_from_pose_rate_linear_loopf = {
+    sizeof(float), 0, 3, 4,
+    chasles_twist_from_pose_rate_linear_loopf_shapes,
+    CHASLES_BLOCKS(chasles_twist_from_pose_rate_linear_blockf),
+};
+
+static const chasles_shape chasles_twist_from_pose_rate_euler_rodrigues_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 7},
+    {1, 1, 6},
+};
+const chasles_loop chasles_twist_from_pose_rate_euler_rodrigues_loop = {
+    sizeof(double), 0, 3, 4,
+    chasles_twist_from_pose_rate_euler_rodrigues_loop_shapes,
+    CHASLES_BLOCKS(chasles_twist_from_pose_rate_euler_rodrigues_block),
+};
+
+static const chasles_shape chasles_twist_from_pose_rate_euler_rodrigues_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 7},
+    {1, 1, 6},
+};
+const chasles_loop chasles_twist_from_pose_rate_euler_rodrigues_loopf = {
+    sizeof(float), 0, 3, 4,
+    chasles_twist_from_pose_rate_euler_rodrigues_loopf_shapes,
+    CHASLES_BLOCKS(chasles_twist_from_pose_rate_euler_rodrigues_blockf),
+};
+
+static const chasles_shape chasles_twist_transfer_loop_shapes[] = {
+    {1, 1, 6},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 6},
+};
+const chasles_loop chasles_twist_transfer_loop = {
+    sizeof(double), 0, 3, 4,
+    chasles_twist_transfer_loop_shapes,
+    CHASLES_BLOCKS(chasles_twist_transfer_block),
+};
+
+static const chasles_shape chasles_twist_transfer_loopf_shapes[] = {
+    {1, 1, 6},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 6},
+};
+const chasles_loop chasles_twist_transfer_loopf = {
+    sizeof(float), 0, 3, 4,
+    chasles_twist_transfer_loopf_shapes,
+    CHASLES_BLOCKS(chasles_twist_transfer_blockf),
+};
 
 /*
  * (3.76b) The matrix of the natural invariants' rates.
@@ -116,9 +581,11 @@ void chasles_natural_rate_matrix_batch(
     const double *phi, ptrdiff_t phi_step,
     double *N, ptrdiff_t N_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_natural_rate_matrix(e + i * e_step, phi[i * phi_step], N + i * N_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)N};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, N_step * size};
+    const chasles_loop *loop = &chasles_natural_rate_matrix_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -132,9 +599,11 @@ void chasles_natural_rate_matrix_batchf(
     const float *phi, ptrdiff_t phi_step,
     float *N, ptrdiff_t N_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_natural_rate_matrixf(e + i * e_step, phi[i * phi_step], N + i * N_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)N};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, N_step * size};
+    const chasles_loop *loop = &chasles_natural_rate_matrix_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -245,9 +714,11 @@ void chasles_linear_rate_matrix_batch(
     const double *phi, ptrdiff_t phi_step,
     double *L, ptrdiff_t L_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_linear_rate_matrix(e + i * e_step, phi[i * phi_step], L + i * L_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)L};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, L_step * size};
+    const chasles_loop *loop = &chasles_linear_rate_matrix_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -261,9 +732,11 @@ void chasles_linear_rate_matrix_batchf(
     const float *phi, ptrdiff_t phi_step,
     float *L, ptrdiff_t L_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_linear_rate_matrixf(e + i * e_step, phi[i * phi_step], L + i * L_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)L};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, L_step * size};
+    const chasles_loop *loop = &chasles_linear_rate_matrix_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -342,9 +815,11 @@ void chasles_euler_rodrigues_rate_matrix_batch(
     const double *phi, ptrdiff_t phi_step,
     double *H, ptrdiff_t H_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rodrigues_rate_matrix(e + i * e_step, phi[i * phi_step], H + i * H_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)H};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, H_step * size};
+    const chasles_loop *loop = &chasles_euler_rodrigues_rate_matrix_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -358,9 +833,11 @@ void chasles_euler_rodrigues_rate_matrix_batchf(
     const float *phi, ptrdiff_t phi_step,
     float *H, ptrdiff_t H_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rodrigues_rate_matrixf(e + i * e_step, phi[i * phi_step], H + i * H_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)H};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, H_step * size};
+    const chasles_loop *loop = &chasles_euler_rodrigues_rate_matrix_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -449,9 +926,11 @@ void chasles_rotation_from_linear_invariants_batch(
     const double *q_0, ptrdiff_t q_0_step,
     double *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_linear_invariants(q + i * q_step, q_0[i * q_0_step], Q + i * Q_step);
-    }
+    char *const at[] = {(char *)q, (char *)q_0, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {q_step * size, q_0_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_linear_invariants_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -465,9 +944,11 @@ void chasles_rotation_from_linear_invariants_batchf(
     const float *q_0, ptrdiff_t q_0_step,
     float *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_linear_invariantsf(q + i * q_step, q_0[i * q_0_step], Q + i * Q_step);
-    }
+    char *const at[] = {(char *)q, (char *)q_0, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {q_step * size, q_0_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_linear_invariants_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -561,9 +1042,11 @@ void chasles_rotation_from_euler_rodrigues_batch(
     const double *q_0, ptrdiff_t q_0_step,
     double *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_rodrigues(q + i * q_step, q_0[i * q_0_step], Q + i * Q_step);
-    }
+    char *const at[] = {(char *)q, (char *)q_0, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {q_step * size, q_0_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_rodrigues_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -577,9 +1060,11 @@ void chasles_rotation_from_euler_rodrigues_batchf(
     const float *q_0, ptrdiff_t q_0_step,
     float *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_rodriguesf(q + i * q_step, q_0[i * q_0_step], Q + i * Q_step);
-    }
+    char *const at[] = {(char *)q, (char *)q_0, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {q_step * size, q_0_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_rodrigues_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -633,9 +1118,11 @@ void chasles_linear_invariants_batch(
     double *q, ptrdiff_t q_step,
     double *q_0, ptrdiff_t q_0_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_linear_invariants(Q + i * Q_step, q + i * q_step, q_0 + i * q_0_step);
-    }
+    char *const at[] = {(char *)Q, (char *)q, (char *)q_0};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {Q_step * size, q_step * size, q_0_step * size};
+    const chasles_loop *loop = &chasles_linear_invariants_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -649,9 +1136,11 @@ void chasles_linear_invariants_batchf(
     float *q, ptrdiff_t q_step,
     float *q_0, ptrdiff_t q_0_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_linear_invariantsf(Q + i * Q_step, q + i * q_step, q_0 + i * q_0_step);
-    }
+    char *const at[] = {(char *)Q, (char *)q, (char *)q_0};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {Q_step * size, q_step * size, q_0_step * size};
+    const chasles_loop *loop = &chasles_linear_invariants_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -817,9 +1306,11 @@ void chasles_natural_invariants_batch(
     double *e, ptrdiff_t e_step,
     double *phi, ptrdiff_t phi_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_natural_invariants(Q + i * Q_step, e + i * e_step, phi + i * phi_step);
-    }
+    char *const at[] = {(char *)Q, (char *)e, (char *)phi};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {Q_step * size, e_step * size, phi_step * size};
+    const chasles_loop *loop = &chasles_natural_invariants_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -833,9 +1324,11 @@ void chasles_natural_invariants_batchf(
     float *e, ptrdiff_t e_step,
     float *phi, ptrdiff_t phi_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_natural_invariantsf(Q + i * Q_step, e + i * e_step, phi + i * phi_step);
-    }
+    char *const at[] = {(char *)Q, (char *)e, (char *)phi};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {Q_step * size, e_step * size, phi_step * size};
+    const chasles_loop *loop = &chasles_natural_invariants_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -982,9 +1475,11 @@ void chasles_euler_rodrigues_parameters_batch(
     double *q, ptrdiff_t q_step,
     double *q_0, ptrdiff_t q_0_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rodrigues_parameters(Q + i * Q_step, q + i * q_step, q_0 + i * q_0_step);
-    }
+    char *const at[] = {(char *)Q, (char *)q, (char *)q_0};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {Q_step * size, q_step * size, q_0_step * size};
+    const chasles_loop *loop = &chasles_euler_rodrigues_parameters_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -998,9 +1493,11 @@ void chasles_euler_rodrigues_parameters_batchf(
     float *q, ptrdiff_t q_step,
     float *q_0, ptrdiff_t q_0_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rodrigues_parametersf(Q + i * Q_step, q + i * q_step, q_0 + i * q_0_step);
-    }
+    char *const at[] = {(char *)Q, (char *)q, (char *)q_0};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {Q_step * size, q_step * size, q_0_step * size};
+    const chasles_loop *loop = &chasles_euler_rodrigues_parameters_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1225,15 +1722,17 @@ void chasles_screw_of_motion_batch(
     double *d_0, ptrdiff_t d_0_step,
     double *phi, ptrdiff_t phi_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_screw_of_motion(
-            Q + i * Q_step,
-            a + i * a_step,
-            a_prime + i * a_prime_step,
-            axis + i * axis_step,
-            d_0 + i * d_0_step,
-            phi + i * phi_step);
-    }
+    char *const at[] = {(char *)Q, (char *)a, (char *)a_prime, (char *)axis, (char *)d_0, (char *)phi};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        Q_step * size,
+        a_step * size,
+        a_prime_step * size,
+        axis_step * size,
+        d_0_step * size,
+        phi_step * size};
+    const chasles_loop *loop = &chasles_screw_of_motion_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1250,15 +1749,17 @@ void chasles_screw_of_motion_batchf(
     float *d_0, ptrdiff_t d_0_step,
     float *phi, ptrdiff_t phi_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_screw_of_motionf(
-            Q + i * Q_step,
-            a + i * a_step,
-            a_prime + i * a_prime_step,
-            axis + i * axis_step,
-            d_0 + i * d_0_step,
-            phi + i * phi_step);
-    }
+    char *const at[] = {(char *)Q, (char *)a, (char *)a_prime, (char *)axis, (char *)d_0, (char *)phi};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        Q_step * size,
+        a_step * size,
+        a_prime_step * size,
+        axis_step * size,
+        d_0_step * size,
+        phi_step * size};
+    const chasles_loop *loop = &chasles_screw_of_motion_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1356,14 +1857,16 @@ void chasles_instant_screw_batch(
     double *axis, ptrdiff_t axis_step,
     double *pitch, ptrdiff_t pitch_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_instant_screw(
-            omega + i * omega_step,
-            a_dot + i * a_dot_step,
-            a + i * a_step,
-            axis + i * axis_step,
-            pitch + i * pitch_step);
-    }
+    char *const at[] = {(char *)omega, (char *)a_dot, (char *)a, (char *)axis, (char *)pitch};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        omega_step * size,
+        a_dot_step * size,
+        a_step * size,
+        axis_step * size,
+        pitch_step * size};
+    const chasles_loop *loop = &chasles_instant_screw_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1379,14 +1882,16 @@ void chasles_instant_screw_batchf(
     float *axis, ptrdiff_t axis_step,
     float *pitch, ptrdiff_t pitch_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_instant_screwf(
-            omega + i * omega_step,
-            a_dot + i * a_dot_step,
-            a + i * a_step,
-            axis + i * axis_step,
-            pitch + i * pitch_step);
-    }
+    char *const at[] = {(char *)omega, (char *)a_dot, (char *)a, (char *)axis, (char *)pitch};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        omega_step * size,
+        a_dot_step * size,
+        a_step * size,
+        axis_step * size,
+        pitch_step * size};
+    const chasles_loop *loop = &chasles_instant_screw_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1469,9 +1974,11 @@ void chasles_natural_velocity_matrix_batch(
     const double *phi, ptrdiff_t phi_step,
     double *N_tilde, ptrdiff_t N_tilde_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_natural_velocity_matrix(e + i * e_step, phi[i * phi_step], N_tilde + i * N_tilde_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)N_tilde};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, N_tilde_step * size};
+    const chasles_loop *loop = &chasles_natural_velocity_matrix_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1485,9 +1992,11 @@ void chasles_natural_velocity_matrix_batchf(
     const float *phi, ptrdiff_t phi_step,
     float *N_tilde, ptrdiff_t N_tilde_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_natural_velocity_matrixf(e + i * e_step, phi[i * phi_step], N_tilde + i * N_tilde_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)N_tilde};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, N_tilde_step * size};
+    const chasles_loop *loop = &chasles_natural_velocity_matrix_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1567,9 +2076,11 @@ void chasles_linear_velocity_matrix_batch(
     const double *phi, ptrdiff_t phi_step,
     double *L_tilde, ptrdiff_t L_tilde_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_linear_velocity_matrix(e + i * e_step, phi[i * phi_step], L_tilde + i * L_tilde_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)L_tilde};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, L_tilde_step * size};
+    const chasles_loop *loop = &chasles_linear_velocity_matrix_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1583,9 +2094,11 @@ void chasles_linear_velocity_matrix_batchf(
     const float *phi, ptrdiff_t phi_step,
     float *L_tilde, ptrdiff_t L_tilde_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_linear_velocity_matrixf(e + i * e_step, phi[i * phi_step], L_tilde + i * L_tilde_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)L_tilde};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, L_tilde_step * size};
+    const chasles_loop *loop = &chasles_linear_velocity_matrix_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1664,12 +2177,11 @@ void chasles_euler_rodrigues_velocity_matrix_batch(
     const double *phi, ptrdiff_t phi_step,
     double *H_tilde, ptrdiff_t H_tilde_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rodrigues_velocity_matrix(
-            e + i * e_step,
-            phi[i * phi_step],
-            H_tilde + i * H_tilde_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)H_tilde};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, H_tilde_step * size};
+    const chasles_loop *loop = &chasles_euler_rodrigues_velocity_matrix_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1683,12 +2195,11 @@ void chasles_euler_rodrigues_velocity_matrix_batchf(
     const float *phi, ptrdiff_t phi_step,
     float *H_tilde, ptrdiff_t H_tilde_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rodrigues_velocity_matrixf(
-            e + i * e_step,
-            phi[i * phi_step],
-            H_tilde + i * H_tilde_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)H_tilde};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, H_tilde_step * size};
+    const chasles_loop *loop = &chasles_euler_rodrigues_velocity_matrix_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1762,13 +2273,11 @@ void chasles_pose_rate_natural_batch(
     const double *t, ptrdiff_t t_step,
     double *s_dot, ptrdiff_t s_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_pose_rate_natural(
-            e + i * e_step,
-            phi[i * phi_step],
-            t + i * t_step,
-            s_dot + i * s_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)t, (char *)s_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, t_step * size, s_dot_step * size};
+    const chasles_loop *loop = &chasles_pose_rate_natural_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1783,13 +2292,11 @@ void chasles_pose_rate_natural_batchf(
     const float *t, ptrdiff_t t_step,
     float *s_dot, ptrdiff_t s_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_pose_rate_naturalf(
-            e + i * e_step,
-            phi[i * phi_step],
-            t + i * t_step,
-            s_dot + i * s_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)t, (char *)s_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, t_step * size, s_dot_step * size};
+    const chasles_loop *loop = &chasles_pose_rate_natural_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1868,9 +2375,11 @@ void chasles_pose_rate_linear_batch(
     const double *t, ptrdiff_t t_step,
     double *s_dot, ptrdiff_t s_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_pose_rate_linear(e + i * e_step, phi[i * phi_step], t + i * t_step, s_dot + i * s_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)t, (char *)s_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, t_step * size, s_dot_step * size};
+    const chasles_loop *loop = &chasles_pose_rate_linear_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1885,13 +2394,11 @@ void chasles_pose_rate_linear_batchf(
     const float *t, ptrdiff_t t_step,
     float *s_dot, ptrdiff_t s_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_pose_rate_linearf(
-            e + i * e_step,
-            phi[i * phi_step],
-            t + i * t_step,
-            s_dot + i * s_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)t, (char *)s_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, t_step * size, s_dot_step * size};
+    const chasles_loop *loop = &chasles_pose_rate_linear_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1978,13 +2485,11 @@ void chasles_pose_rate_euler_rodrigues_batch(
     const double *t, ptrdiff_t t_step,
     double *s_dot, ptrdiff_t s_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_pose_rate_euler_rodrigues(
-            e + i * e_step,
-            phi[i * phi_step],
-            t + i * t_step,
-            s_dot + i * s_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)t, (char *)s_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, t_step * size, s_dot_step * size};
+    const chasles_loop *loop = &chasles_pose_rate_euler_rodrigues_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1999,13 +2504,11 @@ void chasles_pose_rate_euler_rodrigues_batchf(
     const float *t, ptrdiff_t t_step,
     float *s_dot, ptrdiff_t s_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_pose_rate_euler_rodriguesf(
-            e + i * e_step,
-            phi[i * phi_step],
-            t + i * t_step,
-            s_dot + i * s_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)t, (char *)s_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, t_step * size, s_dot_step * size};
+    const chasles_loop *loop = &chasles_pose_rate_euler_rodrigues_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2086,13 +2589,11 @@ void chasles_twist_from_pose_rate_natural_batch(
     const double *s_dot, ptrdiff_t s_dot_step,
     double *t, ptrdiff_t t_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_twist_from_pose_rate_natural(
-            e + i * e_step,
-            phi[i * phi_step],
-            s_dot + i * s_dot_step,
-            t + i * t_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)s_dot, (char *)t};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, s_dot_step * size, t_step * size};
+    const chasles_loop *loop = &chasles_twist_from_pose_rate_natural_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2107,13 +2608,11 @@ void chasles_twist_from_pose_rate_natural_batchf(
     const float *s_dot, ptrdiff_t s_dot_step,
     float *t, ptrdiff_t t_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_twist_from_pose_rate_naturalf(
-            e + i * e_step,
-            phi[i * phi_step],
-            s_dot + i * s_dot_step,
-            t + i * t_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)s_dot, (char *)t};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, s_dot_step * size, t_step * size};
+    const chasles_loop *loop = &chasles_twist_from_pose_rate_natural_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2197,13 +2696,11 @@ void chasles_twist_from_pose_rate_linear_batch(
     const double *s_dot, ptrdiff_t s_dot_step,
     double *t, ptrdiff_t t_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_twist_from_pose_rate_linear(
-            e + i * e_step,
-            phi[i * phi_step],
-            s_dot + i * s_dot_step,
-            t + i * t_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)s_dot, (char *)t};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, s_dot_step * size, t_step * size};
+    const chasles_loop *loop = &chasles_twist_from_pose_rate_linear_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2218,13 +2715,11 @@ void chasles_twist_from_pose_rate_linear_batchf(
     const float *s_dot, ptrdiff_t s_dot_step,
     float *t, ptrdiff_t t_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_twist_from_pose_rate_linearf(
-            e + i * e_step,
-            phi[i * phi_step],
-            s_dot + i * s_dot_step,
-            t + i * t_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)s_dot, (char *)t};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, s_dot_step * size, t_step * size};
+    const chasles_loop *loop = &chasles_twist_from_pose_rate_linear_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2307,13 +2802,11 @@ void chasles_twist_from_pose_rate_euler_rodrigues_batch(
     const double *s_dot, ptrdiff_t s_dot_step,
     double *t, ptrdiff_t t_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_twist_from_pose_rate_euler_rodrigues(
-            e + i * e_step,
-            phi[i * phi_step],
-            s_dot + i * s_dot_step,
-            t + i * t_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)s_dot, (char *)t};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, s_dot_step * size, t_step * size};
+    const chasles_loop *loop = &chasles_twist_from_pose_rate_euler_rodrigues_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2328,13 +2821,11 @@ void chasles_twist_from_pose_rate_euler_rodrigues_batchf(
     const float *s_dot, ptrdiff_t s_dot_step,
     float *t, ptrdiff_t t_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_twist_from_pose_rate_euler_rodriguesf(
-            e + i * e_step,
-            phi[i * phi_step],
-            s_dot + i * s_dot_step,
-            t + i * t_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)s_dot, (char *)t};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, s_dot_step * size, t_step * size};
+    const chasles_loop *loop = &chasles_twist_from_pose_rate_euler_rodrigues_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2407,9 +2898,11 @@ void chasles_twist_transfer_batch(
     const double *p, ptrdiff_t p_step,
     double *t_P, ptrdiff_t t_P_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_twist_transfer(t_A + i * t_A_step, a + i * a_step, p + i * p_step, t_P + i * t_P_step);
-    }
+    char *const at[] = {(char *)t_A, (char *)a, (char *)p, (char *)t_P};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {t_A_step * size, a_step * size, p_step * size, t_P_step * size};
+    const chasles_loop *loop = &chasles_twist_transfer_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2424,7 +2917,9 @@ void chasles_twist_transfer_batchf(
     const float *p, ptrdiff_t p_step,
     float *t_P, ptrdiff_t t_P_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_twist_transferf(t_A + i * t_A_step, a + i * a_step, p + i * p_step, t_P + i * t_P_step);
-    }
+    char *const at[] = {(char *)t_A, (char *)a, (char *)p, (char *)t_P};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {t_A_step * size, a_step * size, p_step * size, t_P_step * size};
+    const chasles_loop *loop = &chasles_twist_transfer_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }

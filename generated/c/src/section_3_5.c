@@ -3,7 +3,358 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "batches.h"
 #include "chasles.h"
+
+static const chasles_shape chasles_angular_acceleration_matrix_loop_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_angular_acceleration_matrix_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_angular_acceleration_matrix_loop_shapes,
+    CHASLES_BLOCKS(chasles_angular_acceleration_matrix_block),
+};
+
+static const chasles_shape chasles_angular_acceleration_matrix_loopf_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_angular_acceleration_matrix_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_angular_acceleration_matrix_loopf_shapes,
+    CHASLES_BLOCKS(chasles_angular_acceleration_matrix_blockf),
+};
+
+static const chasles_shape chasles_acceleration_of_point_loop_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_acceleration_of_point_loop = {
+    sizeof(double), 0, 5, 6,
+    chasles_acceleration_of_point_loop_shapes,
+    CHASLES_BLOCKS(chasles_acceleration_of_point_block),
+};
+
+static const chasles_shape chasles_acceleration_of_point_loopf_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_acceleration_of_point_loopf = {
+    sizeof(float), 0, 5, 6,
+    chasles_acceleration_of_point_loopf_shapes,
+    CHASLES_BLOCKS(chasles_acceleration_of_point_blockf),
+};
+
+static const chasles_shape chasles_natural_rate_matrix_dot_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 3},
+    {2, 4, 3},
+};
+const chasles_loop chasles_natural_rate_matrix_dot_loop = {
+    sizeof(double), 0, 3, 4,
+    chasles_natural_rate_matrix_dot_loop_shapes,
+    CHASLES_BLOCKS(chasles_natural_rate_matrix_dot_block),
+};
+
+static const chasles_shape chasles_natural_rate_matrix_dot_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 3},
+    {2, 4, 3},
+};
+const chasles_loop chasles_natural_rate_matrix_dot_loopf = {
+    sizeof(float), 0, 3, 4,
+    chasles_natural_rate_matrix_dot_loopf_shapes,
+    CHASLES_BLOCKS(chasles_natural_rate_matrix_dot_blockf),
+};
+
+static const chasles_shape chasles_linear_rate_matrix_dot_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 3},
+    {2, 4, 3},
+};
+const chasles_loop chasles_linear_rate_matrix_dot_loop = {
+    sizeof(double), 0, 3, 4,
+    chasles_linear_rate_matrix_dot_loop_shapes,
+    CHASLES_BLOCKS(chasles_linear_rate_matrix_dot_block),
+};
+
+static const chasles_shape chasles_linear_rate_matrix_dot_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 3},
+    {2, 4, 3},
+};
+const chasles_loop chasles_linear_rate_matrix_dot_loopf = {
+    sizeof(float), 0, 3, 4,
+    chasles_linear_rate_matrix_dot_loopf_shapes,
+    CHASLES_BLOCKS(chasles_linear_rate_matrix_dot_blockf),
+};
+
+static const chasles_shape chasles_euler_rodrigues_rate_matrix_dot_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 3},
+    {2, 4, 3},
+};
+const chasles_loop chasles_euler_rodrigues_rate_matrix_dot_loop = {
+    sizeof(double), 0, 3, 4,
+    chasles_euler_rodrigues_rate_matrix_dot_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rodrigues_rate_matrix_dot_block),
+};
+
+static const chasles_shape chasles_euler_rodrigues_rate_matrix_dot_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 3},
+    {2, 4, 3},
+};
+const chasles_loop chasles_euler_rodrigues_rate_matrix_dot_loopf = {
+    sizeof(float), 0, 3, 4,
+    chasles_euler_rodrigues_rate_matrix_dot_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rodrigues_rate_matrix_dot_blockf),
+};
+
+static const chasles_shape chasles_natural_velocity_matrix_dot_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 3},
+    {2, 3, 4},
+};
+const chasles_loop chasles_natural_velocity_matrix_dot_loop = {
+    sizeof(double), 0, 3, 4,
+    chasles_natural_velocity_matrix_dot_loop_shapes,
+    CHASLES_BLOCKS(chasles_natural_velocity_matrix_dot_block),
+};
+
+static const chasles_shape chasles_natural_velocity_matrix_dot_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 3},
+    {2, 3, 4},
+};
+const chasles_loop chasles_natural_velocity_matrix_dot_loopf = {
+    sizeof(float), 0, 3, 4,
+    chasles_natural_velocity_matrix_dot_loopf_shapes,
+    CHASLES_BLOCKS(chasles_natural_velocity_matrix_dot_blockf),
+};
+
+static const chasles_shape chasles_linear_velocity_matrix_dot_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 3},
+    {2, 3, 4},
+};
+const chasles_loop chasles_linear_velocity_matrix_dot_loop = {
+    sizeof(double), 0, 3, 4,
+    chasles_linear_velocity_matrix_dot_loop_shapes,
+    CHASLES_BLOCKS(chasles_linear_velocity_matrix_dot_block),
+};
+
+static const chasles_shape chasles_linear_velocity_matrix_dot_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 3},
+    {2, 3, 4},
+};
+const chasles_loop chasles_linear_velocity_matrix_dot_loopf = {
+    sizeof(float), 0, 3, 4,
+    chasles_linear_velocity_matrix_dot_loopf_shapes,
+    CHASLES_BLOCKS(chasles_linear_velocity_matrix_dot_blockf),
+};
+
+static const chasles_shape chasles_euler_rodrigues_velocity_matrix_dot_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 3},
+    {2, 3, 4},
+};
+const chasles_loop chasles_euler_rodrigues_velocity_matrix_dot_loop = {
+    sizeof(double), 0, 3, 4,
+    chasles_euler_rodrigues_velocity_matrix_dot_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rodrigues_velocity_matrix_dot_block),
+};
+
+static const chasles_shape chasles_euler_rodrigues_velocity_matrix_dot_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 3},
+    {2, 3, 4},
+};
+const chasles_loop chasles_euler_rodrigues_velocity_matrix_dot_loopf = {
+    sizeof(float), 0, 3, 4,
+    chasles_euler_rodrigues_velocity_matrix_dot_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rodrigues_velocity_matrix_dot_blockf),
+};
+
+static const chasles_shape chasles_pose_acceleration_natural_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 6},
+    {1, 1, 7},
+};
+const chasles_loop chasles_pose_acceleration_natural_loop = {
+    sizeof(double), 0, 4, 5,
+    chasles_pose_acceleration_natural_loop_shapes,
+    CHASLES_BLOCKS(chasles_pose_acceleration_natural_block),
+};
+
+static const chasles_shape chasles_pose_acceleration_natural_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 6},
+    {1, 1, 7},
+};
+const chasles_loop chasles_pose_acceleration_natural_loopf = {
+    sizeof(float), 0, 4, 5,
+    chasles_pose_acceleration_natural_loopf_shapes,
+    CHASLES_BLOCKS(chasles_pose_acceleration_natural_blockf),
+};
+
+static const chasles_shape chasles_pose_acceleration_linear_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 6},
+    {1, 1, 7},
+};
+const chasles_loop chasles_pose_acceleration_linear_loop = {
+    sizeof(double), 0, 4, 5,
+    chasles_pose_acceleration_linear_loop_shapes,
+    CHASLES_BLOCKS(chasles_pose_acceleration_linear_block),
+};
+
+static const chasles_shape chasles_pose_acceleration_linear_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 6},
+    {1, 1, 7},
+};
+const chasles_loop chasles_pose_acceleration_linear_loopf = {
+    sizeof(float), 0, 4, 5,
+    chasles_pose_acceleration_linear_loopf_shapes,
+    CHASLES_BLOCKS(chasles_pose_acceleration_linear_blockf),
+};
+
+static const chasles_shape chasles_pose_acceleration_euler_rodrigues_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 6},
+    {1, 1, 7},
+};
+const chasles_loop chasles_pose_acceleration_euler_rodrigues_loop = {
+    sizeof(double), 0, 4, 5,
+    chasles_pose_acceleration_euler_rodrigues_loop_shapes,
+    CHASLES_BLOCKS(chasles_pose_acceleration_euler_rodrigues_block),
+};
+
+static const chasles_shape chasles_pose_acceleration_euler_rodrigues_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 6},
+    {1, 1, 7},
+};
+const chasles_loop chasles_pose_acceleration_euler_rodrigues_loopf = {
+    sizeof(float), 0, 4, 5,
+    chasles_pose_acceleration_euler_rodrigues_loopf_shapes,
+    CHASLES_BLOCKS(chasles_pose_acceleration_euler_rodrigues_blockf),
+};
+
+static const chasles_shape chasles_twist_rate_from_pose_natural_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 7},
+    {1, 1, 7},
+    {1, 1, 6},
+};
+const chasles_loop chasles_twist_rate_from_pose_natural_loop = {
+    sizeof(double), 0, 4, 5,
+    chasles_twist_rate_from_pose_natural_loop_shapes,
+    CHASLES_BLOCKS(chasles_twist_rate_from_pose_natural_block),
+};
+
+static const chasles_shape chasles_twist_rate_from_pose_natural_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 7},
+    {1, 1, 7},
+    {1, 1, 6},
+};
+const chasles_loop chasles_twist_rate_from_pose_natural_loopf = {
+    sizeof(float), 0, 4, 5,
+    chasles_twist_rate_from_pose_natural_loopf_shapes,
+    CHASLES_BLOCKS(chasles_twist_rate_from_pose_natural_blockf),
+};
+
+static const chasles_shape chasles_twist_rate_from_pose_linear_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 7},
+    {1, 1, 7},
+    {1, 1, 6},
+};
+const chasles_loop chasles_twist_rate_from_pose_linear_loop = {
+    sizeof(double), 0, 4, 5,
+    chasles_twist_rate_from_pose_linear_loop_shapes,
+    CHASLES_BLOCKS(chasles_twist_rate_from_pose_linear_block),
+};
+
+static const chasles_shape chasles_twist_rate_from_pose_linear_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 7},
+    {1, 1, 7},
+    {1, 1, 6},
+};
+const chasles_loop chasles_twist_rate_from_pose_linear_loopf = {
+    sizeof(float), 0, 4, 5,
+    chasles_twist_rate_from_pose_linear_loopf_shapes,
+    CHASLES_BLOCKS(chasles_twist_rate_from_pose_linear_blockf),
+};
+
+static const chasles_shape chasles_twist_rate_from_pose_euler_rodrigues_loop_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 7},
+    {1, 1, 7},
+    {1, 1, 6},
+};
+const chasles_loop chasles_twist_rate_from_pose_euler_rodrigues_loop = {
+    sizeof(double), 0, 4, 5,
+    chasles_twist_rate_from_pose_euler_rodrigues_loop_shapes,
+    CHASLES_BLOCKS(chasles_twist_rate_from_pose_euler_rodrigues_block),
+};
+
+static const chasles_shape chasles_twist_rate_from_pose_euler_rodrigues_loopf_shapes[] = {
+    {1, 1, 3},
+    {0, 1, 1},
+    {1, 1, 7},
+    {1, 1, 7},
+    {1, 1, 6},
+};
+const chasles_loop chasles_twist_rate_from_pose_euler_rodrigues_loopf = {
+    sizeof(float), 0, 4, 5,
+    chasles_twist_rate_from_pose_euler_rodrigues_loopf_shapes,
+    CHASLES_BLOCKS(chasles_twist_rate_from_pose_euler_rodrigues_blockf),
+};
 
 /*
  * (3.86) The angular-acceleration matrix.
@@ -93,12 +444,11 @@ void chasles_angular_acceleration_matrix_batch(
     const double *omega_dot, ptrdiff_t omega_dot_step,
     double *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_angular_acceleration_matrix(
-            omega + i * omega_step,
-            omega_dot + i * omega_dot_step,
-            W + i * W_step);
-    }
+    char *const at[] = {(char *)omega, (char *)omega_dot, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {omega_step * size, omega_dot_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_angular_acceleration_matrix_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -112,12 +462,11 @@ void chasles_angular_acceleration_matrix_batchf(
     const float *omega_dot, ptrdiff_t omega_dot_step,
     float *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_angular_acceleration_matrixf(
-            omega + i * omega_step,
-            omega_dot + i * omega_dot_step,
-            W + i * W_step);
-    }
+    char *const at[] = {(char *)omega, (char *)omega_dot, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {omega_step * size, omega_dot_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_angular_acceleration_matrix_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -202,15 +551,23 @@ void chasles_acceleration_of_point_batch(
     const double *p, ptrdiff_t p_step,
     double *p_ddot, ptrdiff_t p_ddot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_acceleration_of_point(
-            omega + i * omega_step,
-            omega_dot + i * omega_dot_step,
-            a_ddot + i * a_ddot_step,
-            a + i * a_step,
-            p + i * p_step,
-            p_ddot + i * p_ddot_step);
-    }
+    char *const at[] = {
+        (char *)omega,
+        (char *)omega_dot,
+        (char *)a_ddot,
+        (char *)a,
+        (char *)p,
+        (char *)p_ddot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        omega_step * size,
+        omega_dot_step * size,
+        a_ddot_step * size,
+        a_step * size,
+        p_step * size,
+        p_ddot_step * size};
+    const chasles_loop *loop = &chasles_acceleration_of_point_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -227,15 +584,23 @@ void chasles_acceleration_of_point_batchf(
     const float *p, ptrdiff_t p_step,
     float *p_ddot, ptrdiff_t p_ddot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_acceleration_of_pointf(
-            omega + i * omega_step,
-            omega_dot + i * omega_dot_step,
-            a_ddot + i * a_ddot_step,
-            a + i * a_step,
-            p + i * p_step,
-            p_ddot + i * p_ddot_step);
-    }
+    char *const at[] = {
+        (char *)omega,
+        (char *)omega_dot,
+        (char *)a_ddot,
+        (char *)a,
+        (char *)p,
+        (char *)p_ddot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        omega_step * size,
+        omega_dot_step * size,
+        a_ddot_step * size,
+        a_step * size,
+        p_step * size,
+        p_ddot_step * size};
+    const chasles_loop *loop = &chasles_acceleration_of_point_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -374,13 +739,11 @@ void chasles_natural_rate_matrix_dot_batch(
     const double *omega, ptrdiff_t omega_step,
     double *N_dot, ptrdiff_t N_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_natural_rate_matrix_dot(
-            e + i * e_step,
-            phi[i * phi_step],
-            omega + i * omega_step,
-            N_dot + i * N_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)omega, (char *)N_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, omega_step * size, N_dot_step * size};
+    const chasles_loop *loop = &chasles_natural_rate_matrix_dot_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -395,13 +758,11 @@ void chasles_natural_rate_matrix_dot_batchf(
     const float *omega, ptrdiff_t omega_step,
     float *N_dot, ptrdiff_t N_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_natural_rate_matrix_dotf(
-            e + i * e_step,
-            phi[i * phi_step],
-            omega + i * omega_step,
-            N_dot + i * N_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)omega, (char *)N_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, omega_step * size, N_dot_step * size};
+    const chasles_loop *loop = &chasles_natural_rate_matrix_dot_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -547,13 +908,11 @@ void chasles_linear_rate_matrix_dot_batch(
     const double *omega, ptrdiff_t omega_step,
     double *L_dot, ptrdiff_t L_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_linear_rate_matrix_dot(
-            e + i * e_step,
-            phi[i * phi_step],
-            omega + i * omega_step,
-            L_dot + i * L_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)omega, (char *)L_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, omega_step * size, L_dot_step * size};
+    const chasles_loop *loop = &chasles_linear_rate_matrix_dot_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -568,13 +927,11 @@ void chasles_linear_rate_matrix_dot_batchf(
     const float *omega, ptrdiff_t omega_step,
     float *L_dot, ptrdiff_t L_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_linear_rate_matrix_dotf(
-            e + i * e_step,
-            phi[i * phi_step],
-            omega + i * omega_step,
-            L_dot + i * L_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)omega, (char *)L_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, omega_step * size, L_dot_step * size};
+    const chasles_loop *loop = &chasles_linear_rate_matrix_dot_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -673,13 +1030,11 @@ void chasles_euler_rodrigues_rate_matrix_dot_batch(
     const double *omega, ptrdiff_t omega_step,
     double *H_dot, ptrdiff_t H_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rodrigues_rate_matrix_dot(
-            e + i * e_step,
-            phi[i * phi_step],
-            omega + i * omega_step,
-            H_dot + i * H_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)omega, (char *)H_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, omega_step * size, H_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rodrigues_rate_matrix_dot_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -694,13 +1049,11 @@ void chasles_euler_rodrigues_rate_matrix_dot_batchf(
     const float *omega, ptrdiff_t omega_step,
     float *H_dot, ptrdiff_t H_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rodrigues_rate_matrix_dotf(
-            e + i * e_step,
-            phi[i * phi_step],
-            omega + i * omega_step,
-            H_dot + i * H_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)omega, (char *)H_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {e_step * size, phi_step * size, omega_step * size, H_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rodrigues_rate_matrix_dot_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -815,13 +1168,15 @@ void chasles_natural_velocity_matrix_dot_batch(
     const double *omega, ptrdiff_t omega_step,
     double *N_tilde_dot, ptrdiff_t N_tilde_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_natural_velocity_matrix_dot(
-            e + i * e_step,
-            phi[i * phi_step],
-            omega + i * omega_step,
-            N_tilde_dot + i * N_tilde_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)omega, (char *)N_tilde_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        e_step * size,
+        phi_step * size,
+        omega_step * size,
+        N_tilde_dot_step * size};
+    const chasles_loop *loop = &chasles_natural_velocity_matrix_dot_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -836,13 +1191,15 @@ void chasles_natural_velocity_matrix_dot_batchf(
     const float *omega, ptrdiff_t omega_step,
     float *N_tilde_dot, ptrdiff_t N_tilde_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_natural_velocity_matrix_dotf(
-            e + i * e_step,
-            phi[i * phi_step],
-            omega + i * omega_step,
-            N_tilde_dot + i * N_tilde_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)omega, (char *)N_tilde_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        e_step * size,
+        phi_step * size,
+        omega_step * size,
+        N_tilde_dot_step * size};
+    const chasles_loop *loop = &chasles_natural_velocity_matrix_dot_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -941,13 +1298,15 @@ void chasles_linear_velocity_matrix_dot_batch(
     const double *omega, ptrdiff_t omega_step,
     double *L_tilde_dot, ptrdiff_t L_tilde_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_linear_velocity_matrix_dot(
-            e + i * e_step,
-            phi[i * phi_step],
-            omega + i * omega_step,
-            L_tilde_dot + i * L_tilde_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)omega, (char *)L_tilde_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        e_step * size,
+        phi_step * size,
+        omega_step * size,
+        L_tilde_dot_step * size};
+    const chasles_loop *loop = &chasles_linear_velocity_matrix_dot_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -962,13 +1321,15 @@ void chasles_linear_velocity_matrix_dot_batchf(
     const float *omega, ptrdiff_t omega_step,
     float *L_tilde_dot, ptrdiff_t L_tilde_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_linear_velocity_matrix_dotf(
-            e + i * e_step,
-            phi[i * phi_step],
-            omega + i * omega_step,
-            L_tilde_dot + i * L_tilde_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)omega, (char *)L_tilde_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        e_step * size,
+        phi_step * size,
+        omega_step * size,
+        L_tilde_dot_step * size};
+    const chasles_loop *loop = &chasles_linear_velocity_matrix_dot_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1066,13 +1427,15 @@ void chasles_euler_rodrigues_velocity_matrix_dot_batch(
     const double *omega, ptrdiff_t omega_step,
     double *H_tilde_dot, ptrdiff_t H_tilde_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rodrigues_velocity_matrix_dot(
-            e + i * e_step,
-            phi[i * phi_step],
-            omega + i * omega_step,
-            H_tilde_dot + i * H_tilde_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)omega, (char *)H_tilde_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        e_step * size,
+        phi_step * size,
+        omega_step * size,
+        H_tilde_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rodrigues_velocity_matrix_dot_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1087,13 +1450,15 @@ void chasles_euler_rodrigues_velocity_matrix_dot_batchf(
     const float *omega, ptrdiff_t omega_step,
     float *H_tilde_dot, ptrdiff_t H_tilde_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rodrigues_velocity_matrix_dotf(
-            e + i * e_step,
-            phi[i * phi_step],
-            omega + i * omega_step,
-            H_tilde_dot + i * H_tilde_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)omega, (char *)H_tilde_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        e_step * size,
+        phi_step * size,
+        omega_step * size,
+        H_tilde_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rodrigues_velocity_matrix_dot_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1204,14 +1569,16 @@ void chasles_pose_acceleration_natural_batch(
     const double *t_dot, ptrdiff_t t_dot_step,
     double *s_ddot, ptrdiff_t s_ddot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_pose_acceleration_natural(
-            e + i * e_step,
-            phi[i * phi_step],
-            t + i * t_step,
-            t_dot + i * t_dot_step,
-            s_ddot + i * s_ddot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)t, (char *)t_dot, (char *)s_ddot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        e_step * size,
+        phi_step * size,
+        t_step * size,
+        t_dot_step * size,
+        s_ddot_step * size};
+    const chasles_loop *loop = &chasles_pose_acceleration_natural_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1227,14 +1594,16 @@ void chasles_pose_acceleration_natural_batchf(
     const float *t_dot, ptrdiff_t t_dot_step,
     float *s_ddot, ptrdiff_t s_ddot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_pose_acceleration_naturalf(
-            e + i * e_step,
-            phi[i * phi_step],
-            t + i * t_step,
-            t_dot + i * t_dot_step,
-            s_ddot + i * s_ddot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)t, (char *)t_dot, (char *)s_ddot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        e_step * size,
+        phi_step * size,
+        t_step * size,
+        t_dot_step * size,
+        s_ddot_step * size};
+    const chasles_loop *loop = &chasles_pose_acceleration_natural_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1342,14 +1711,16 @@ void chasles_pose_acceleration_linear_batch(
     const double *t_dot, ptrdiff_t t_dot_step,
     double *s_ddot, ptrdiff_t s_ddot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_pose_acceleration_linear(
-            e + i * e_step,
-            phi[i * phi_step],
-            t + i * t_step,
-            t_dot + i * t_dot_step,
-            s_ddot + i * s_ddot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)t, (char *)t_dot, (char *)s_ddot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        e_step * size,
+        phi_step * size,
+        t_step * size,
+        t_dot_step * size,
+        s_ddot_step * size};
+    const chasles_loop *loop = &chasles_pose_acceleration_linear_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1365,14 +1736,16 @@ void chasles_pose_acceleration_linear_batchf(
     const float *t_dot, ptrdiff_t t_dot_step,
     float *s_ddot, ptrdiff_t s_ddot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_pose_acceleration_linearf(
-            e + i * e_step,
-            phi[i * phi_step],
-            t + i * t_step,
-            t_dot + i * t_dot_step,
-            s_ddot + i * s_ddot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)t, (char *)t_dot, (char *)s_ddot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        e_step * size,
+        phi_step * size,
+        t_step * size,
+        t_dot_step * size,
+        s_ddot_step * size};
+    const chasles_loop *loop = &chasles_pose_acceleration_linear_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1477,14 +1850,16 @@ void chasles_pose_acceleration_euler_rodrigues_batch(
     const double *t_dot, ptrdiff_t t_dot_step,
     double *s_ddot, ptrdiff_t s_ddot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_pose_acceleration_euler_rodrigues(
-            e + i * e_step,
-            phi[i * phi_step],
-            t + i * t_step,
-            t_dot + i * t_dot_step,
-            s_ddot + i * s_ddot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)t, (char *)t_dot, (char *)s_ddot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        e_step * size,
+        phi_step * size,
+        t_step * size,
+        t_dot_step * size,
+        s_ddot_step * size};
+    const chasles_loop *loop = &chasles_pose_acceleration_euler_rodrigues_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1500,14 +1875,16 @@ void chasles_pose_acceleration_euler_rodrigues_batchf(
     const float *t_dot, ptrdiff_t t_dot_step,
     float *s_ddot, ptrdiff_t s_ddot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_pose_acceleration_euler_rodriguesf(
-            e + i * e_step,
-            phi[i * phi_step],
-            t + i * t_step,
-            t_dot + i * t_dot_step,
-            s_ddot + i * s_ddot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)t, (char *)t_dot, (char *)s_ddot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        e_step * size,
+        phi_step * size,
+        t_step * size,
+        t_dot_step * size,
+        s_ddot_step * size};
+    const chasles_loop *loop = &chasles_pose_acceleration_euler_rodrigues_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1605,14 +1982,16 @@ void chasles_twist_rate_from_pose_natural_batch(
     const double *s_ddot, ptrdiff_t s_ddot_step,
     double *t_dot, ptrdiff_t t_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_twist_rate_from_pose_natural(
-            e + i * e_step,
-            phi[i * phi_step],
-            s_dot + i * s_dot_step,
-            s_ddot + i * s_ddot_step,
-            t_dot + i * t_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)s_dot, (char *)s_ddot, (char *)t_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        e_step * size,
+        phi_step * size,
+        s_dot_step * size,
+        s_ddot_step * size,
+        t_dot_step * size};
+    const chasles_loop *loop = &chasles_twist_rate_from_pose_natural_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1628,14 +2007,16 @@ void chasles_twist_rate_from_pose_natural_batchf(
     const float *s_ddot, ptrdiff_t s_ddot_step,
     float *t_dot, ptrdiff_t t_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_twist_rate_from_pose_naturalf(
-            e + i * e_step,
-            phi[i * phi_step],
-            s_dot + i * s_dot_step,
-            s_ddot + i * s_ddot_step,
-            t_dot + i * t_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)s_dot, (char *)s_ddot, (char *)t_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        e_step * size,
+        phi_step * size,
+        s_dot_step * size,
+        s_ddot_step * size,
+        t_dot_step * size};
+    const chasles_loop *loop = &chasles_twist_rate_from_pose_natural_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1734,14 +2115,16 @@ void chasles_twist_rate_from_pose_linear_batch(
     const double *s_ddot, ptrdiff_t s_ddot_step,
     double *t_dot, ptrdiff_t t_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_twist_rate_from_pose_linear(
-            e + i * e_step,
-            phi[i * phi_step],
-            s_dot + i * s_dot_step,
-            s_ddot + i * s_ddot_step,
-            t_dot + i * t_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)s_dot, (char *)s_ddot, (char *)t_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        e_step * size,
+        phi_step * size,
+        s_dot_step * size,
+        s_ddot_step * size,
+        t_dot_step * size};
+    const chasles_loop *loop = &chasles_twist_rate_from_pose_linear_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1757,14 +2140,16 @@ void chasles_twist_rate_from_pose_linear_batchf(
     const float *s_ddot, ptrdiff_t s_ddot_step,
     float *t_dot, ptrdiff_t t_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_twist_rate_from_pose_linearf(
-            e + i * e_step,
-            phi[i * phi_step],
-            s_dot + i * s_dot_step,
-            s_ddot + i * s_ddot_step,
-            t_dot + i * t_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)s_dot, (char *)s_ddot, (char *)t_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        e_step * size,
+        phi_step * size,
+        s_dot_step * size,
+        s_ddot_step * size,
+        t_dot_step * size};
+    const chasles_loop *loop = &chasles_twist_rate_from_pose_linear_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1787,6 +2172,7 @@ void chasles_twist_rate_from_pose_euler_rodrigues(
     const double s_ddot[7],
     double t_dot[6])
 {
+    (void)s_dot;
     const double t_dot3 = s_ddot[4];
     const double t_dot4 = s_ddot[5];
     const double t_dot5 = s_ddot[6];
@@ -1819,6 +2205,7 @@ void chasles_twist_rate_from_pose_euler_rodriguesf(
     const float s_ddot[7],
     float t_dot[6])
 {
+    (void)s_dot;
     const float t_dot3 = s_ddot[4];
     const float t_dot4 = s_ddot[5];
     const float t_dot5 = s_ddot[6];
@@ -1852,14 +2239,16 @@ void chasles_twist_rate_from_pose_euler_rodrigues_batch(
     const double *s_ddot, ptrdiff_t s_ddot_step,
     double *t_dot, ptrdiff_t t_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_twist_rate_from_pose_euler_rodrigues(
-            e + i * e_step,
-            phi[i * phi_step],
-            s_dot + i * s_dot_step,
-            s_ddot + i * s_ddot_step,
-            t_dot + i * t_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)s_dot, (char *)s_ddot, (char *)t_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        e_step * size,
+        phi_step * size,
+        s_dot_step * size,
+        s_ddot_step * size,
+        t_dot_step * size};
+    const chasles_loop *loop = &chasles_twist_rate_from_pose_euler_rodrigues_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1875,12 +2264,14 @@ void chasles_twist_rate_from_pose_euler_rodrigues_batchf(
     const float *s_ddot, ptrdiff_t s_ddot_step,
     float *t_dot, ptrdiff_t t_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_twist_rate_from_pose_euler_rodriguesf(
-            e + i * e_step,
-            phi[i * phi_step],
-            s_dot + i * s_dot_step,
-            s_ddot + i * s_ddot_step,
-            t_dot + i * t_dot_step);
-    }
+    char *const at[] = {(char *)e, (char *)phi, (char *)s_dot, (char *)s_ddot, (char *)t_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        e_step * size,
+        phi_step * size,
+        s_dot_step * size,
+        s_ddot_step * size,
+        t_dot_step * size};
+    const chasles_loop *loop = &chasles_twist_rate_from_pose_euler_rodrigues_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }

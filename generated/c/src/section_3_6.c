@@ -3,7 +3,68 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "batches.h"
 #include "chasles.h"
+
+static const chasles_shape chasles_moving_frame_velocity_loop_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_moving_frame_velocity_loop = {
+    sizeof(double), 0, 5, 6,
+    chasles_moving_frame_velocity_loop_shapes,
+    CHASLES_BLOCKS(chasles_moving_frame_velocity_block),
+};
+
+static const chasles_shape chasles_moving_frame_velocity_loopf_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_moving_frame_velocity_loopf = {
+    sizeof(float), 0, 5, 6,
+    chasles_moving_frame_velocity_loopf_shapes,
+    CHASLES_BLOCKS(chasles_moving_frame_velocity_blockf),
+};
+
+static const chasles_shape chasles_moving_frame_acceleration_loop_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_moving_frame_acceleration_loop = {
+    sizeof(double), 0, 7, 8,
+    chasles_moving_frame_acceleration_loop_shapes,
+    CHASLES_BLOCKS(chasles_moving_frame_acceleration_block),
+};
+
+static const chasles_shape chasles_moving_frame_acceleration_loopf_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_moving_frame_acceleration_loopf = {
+    sizeof(float), 0, 7, 8,
+    chasles_moving_frame_acceleration_loopf_shapes,
+    CHASLES_BLOCKS(chasles_moving_frame_acceleration_blockf),
+};
 
 /*
  * (3.103) The velocity of P in the fixed frame from that in the moving frame.
@@ -82,15 +143,23 @@ void chasles_moving_frame_velocity_batch(
     const double *rho_dot, ptrdiff_t rho_dot_step,
     double *p_dot, ptrdiff_t p_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_moving_frame_velocity(
-            o_dot + i * o_dot_step,
-            Q + i * Q_step,
-            omega + i * omega_step,
-            rho + i * rho_step,
-            rho_dot + i * rho_dot_step,
-            p_dot + i * p_dot_step);
-    }
+    char *const at[] = {
+        (char *)o_dot,
+        (char *)Q,
+        (char *)omega,
+        (char *)rho,
+        (char *)rho_dot,
+        (char *)p_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        o_dot_step * size,
+        Q_step * size,
+        omega_step * size,
+        rho_step * size,
+        rho_dot_step * size,
+        p_dot_step * size};
+    const chasles_loop *loop = &chasles_moving_frame_velocity_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -107,15 +176,23 @@ void chasles_moving_frame_velocity_batchf(
     const float *rho_dot, ptrdiff_t rho_dot_step,
     float *p_dot, ptrdiff_t p_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_moving_frame_velocityf(
-            o_dot + i * o_dot_step,
-            Q + i * Q_step,
-            omega + i * omega_step,
-            rho + i * rho_step,
-            rho_dot + i * rho_dot_step,
-            p_dot + i * p_dot_step);
-    }
+    char *const at[] = {
+        (char *)o_dot,
+        (char *)Q,
+        (char *)omega,
+        (char *)rho,
+        (char *)rho_dot,
+        (char *)p_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        o_dot_step * size,
+        Q_step * size,
+        omega_step * size,
+        rho_step * size,
+        rho_dot_step * size,
+        p_dot_step * size};
+    const chasles_loop *loop = &chasles_moving_frame_velocity_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -223,17 +300,27 @@ void chasles_moving_frame_acceleration_batch(
     const double *rho_ddot, ptrdiff_t rho_ddot_step,
     double *p_ddot, ptrdiff_t p_ddot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_moving_frame_acceleration(
-            o_ddot + i * o_ddot_step,
-            Q + i * Q_step,
-            omega + i * omega_step,
-            omega_dot + i * omega_dot_step,
-            rho + i * rho_step,
-            rho_dot + i * rho_dot_step,
-            rho_ddot + i * rho_ddot_step,
-            p_ddot + i * p_ddot_step);
-    }
+    char *const at[] = {
+        (char *)o_ddot,
+        (char *)Q,
+        (char *)omega,
+        (char *)omega_dot,
+        (char *)rho,
+        (char *)rho_dot,
+        (char *)rho_ddot,
+        (char *)p_ddot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        o_ddot_step * size,
+        Q_step * size,
+        omega_step * size,
+        omega_dot_step * size,
+        rho_step * size,
+        rho_dot_step * size,
+        rho_ddot_step * size,
+        p_ddot_step * size};
+    const chasles_loop *loop = &chasles_moving_frame_acceleration_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -252,15 +339,25 @@ void chasles_moving_frame_acceleration_batchf(
     const float *rho_ddot, ptrdiff_t rho_ddot_step,
     float *p_ddot, ptrdiff_t p_ddot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_moving_frame_accelerationf(
-            o_ddot + i * o_ddot_step,
-            Q + i * Q_step,
-            omega + i * omega_step,
-            omega_dot + i * omega_dot_step,
-            rho + i * rho_step,
-            rho_dot + i * rho_dot_step,
-            rho_ddot + i * rho_ddot_step,
-            p_ddot + i * p_ddot_step);
-    }
+    char *const at[] = {
+        (char *)o_ddot,
+        (char *)Q,
+        (char *)omega,
+        (char *)omega_dot,
+        (char *)rho,
+        (char *)rho_dot,
+        (char *)rho_ddot,
+        (char *)p_ddot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        o_ddot_step * size,
+        Q_step * size,
+        omega_step * size,
+        omega_dot_step * size,
+        rho_step * size,
+        rho_dot_step * size,
+        rho_ddot_step * size,
+        p_ddot_step * size};
+    const chasles_loop *loop = &chasles_moving_frame_acceleration_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }

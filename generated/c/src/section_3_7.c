@@ -3,7 +3,94 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "batches.h"
 #include "chasles.h"
+
+static const chasles_shape chasles_wrench_axis_loop_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 6},
+    {0, 1, 1},
+};
+const chasles_loop chasles_wrench_axis_loop = {
+    sizeof(double), 0, 3, 5,
+    chasles_wrench_axis_loop_shapes,
+    CHASLES_BLOCKS(chasles_wrench_axis_block),
+};
+
+static const chasles_shape chasles_wrench_axis_loopf_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 6},
+    {0, 1, 1},
+};
+const chasles_loop chasles_wrench_axis_loopf = {
+    sizeof(float), 0, 3, 5,
+    chasles_wrench_axis_loopf_shapes,
+    CHASLES_BLOCKS(chasles_wrench_axis_blockf),
+};
+
+static const chasles_shape chasles_power_loop_shapes[] = {{1, 1, 6}, {1, 1, 6}, {0, 1, 1}};
+const chasles_loop chasles_power_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_power_loop_shapes,
+    CHASLES_BLOCKS(chasles_power_block),
+};
+
+static const chasles_shape chasles_power_loopf_shapes[] = {{1, 1, 6}, {1, 1, 6}, {0, 1, 1}};
+const chasles_loop chasles_power_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_power_loopf_shapes,
+    CHASLES_BLOCKS(chasles_power_blockf),
+};
+
+static const chasles_shape chasles_reciprocal_product_loop_shapes[] = {
+    {1, 1, 6},
+    {1, 1, 6},
+    {0, 1, 1},
+};
+const chasles_loop chasles_reciprocal_product_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_reciprocal_product_loop_shapes,
+    CHASLES_BLOCKS(chasles_reciprocal_product_block),
+};
+
+static const chasles_shape chasles_reciprocal_product_loopf_shapes[] = {
+    {1, 1, 6},
+    {1, 1, 6},
+    {0, 1, 1},
+};
+const chasles_loop chasles_reciprocal_product_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_reciprocal_product_loopf_shapes,
+    CHASLES_BLOCKS(chasles_reciprocal_product_blockf),
+};
+
+static const chasles_shape chasles_wrench_transfer_loop_shapes[] = {
+    {1, 1, 6},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 6},
+};
+const chasles_loop chasles_wrench_transfer_loop = {
+    sizeof(double), 0, 3, 4,
+    chasles_wrench_transfer_loop_shapes,
+    CHASLES_BLOCKS(chasles_wrench_transfer_block),
+};
+
+static const chasles_shape chasles_wrench_transfer_loopf_shapes[] = {
+    {1, 1, 6},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 6},
+};
+const chasles_loop chasles_wrench_transfer_loopf = {
+    sizeof(float), 0, 3, 4,
+    chasles_wrench_transfer_loopf_shapes,
+    CHASLES_BLOCKS(chasles_wrench_transfer_blockf),
+};
 
 /*
  * text 3.7 d The axis and the pitch of the wrench.
@@ -100,14 +187,16 @@ void chasles_wrench_axis_batch(
     double *axis, ptrdiff_t axis_step,
     double *pitch, ptrdiff_t pitch_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_wrench_axis(
-            f + i * f_step,
-            n_A + i * n_A_step,
-            a + i * a_step,
-            axis + i * axis_step,
-            pitch + i * pitch_step);
-    }
+    char *const at[] = {(char *)f, (char *)n_A, (char *)a, (char *)axis, (char *)pitch};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        f_step * size,
+        n_A_step * size,
+        a_step * size,
+        axis_step * size,
+        pitch_step * size};
+    const chasles_loop *loop = &chasles_wrench_axis_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -123,14 +212,16 @@ void chasles_wrench_axis_batchf(
     float *axis, ptrdiff_t axis_step,
     float *pitch, ptrdiff_t pitch_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_wrench_axisf(
-            f + i * f_step,
-            n_A + i * n_A_step,
-            a + i * a_step,
-            axis + i * axis_step,
-            pitch + i * pitch_step);
-    }
+    char *const at[] = {(char *)f, (char *)n_A, (char *)a, (char *)axis, (char *)pitch};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        f_step * size,
+        n_A_step * size,
+        a_step * size,
+        axis_step * size,
+        pitch_step * size};
+    const chasles_loop *loop = &chasles_wrench_axis_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -173,9 +264,11 @@ void chasles_power_batch(
     const double *w, ptrdiff_t w_step,
     double *Pi, ptrdiff_t Pi_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_power(t + i * t_step, w + i * w_step, Pi + i * Pi_step);
-    }
+    char *const at[] = {(char *)t, (char *)w, (char *)Pi};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {t_step * size, w_step * size, Pi_step * size};
+    const chasles_loop *loop = &chasles_power_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -189,9 +282,11 @@ void chasles_power_batchf(
     const float *w, ptrdiff_t w_step,
     float *Pi, ptrdiff_t Pi_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_powerf(t + i * t_step, w + i * w_step, Pi + i * Pi_step);
-    }
+    char *const at[] = {(char *)t, (char *)w, (char *)Pi};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {t_step * size, w_step * size, Pi_step * size};
+    const chasles_loop *loop = &chasles_power_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -234,9 +329,11 @@ void chasles_reciprocal_product_batch(
     const double *s_t, ptrdiff_t s_t_step,
     double *product, ptrdiff_t product_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_reciprocal_product(s_w + i * s_w_step, s_t + i * s_t_step, product + i * product_step);
-    }
+    char *const at[] = {(char *)s_w, (char *)s_t, (char *)product};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {s_w_step * size, s_t_step * size, product_step * size};
+    const chasles_loop *loop = &chasles_reciprocal_product_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -250,9 +347,11 @@ void chasles_reciprocal_product_batchf(
     const float *s_t, ptrdiff_t s_t_step,
     float *product, ptrdiff_t product_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_reciprocal_productf(s_w + i * s_w_step, s_t + i * s_t_step, product + i * product_step);
-    }
+    char *const at[] = {(char *)s_w, (char *)s_t, (char *)product};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {s_w_step * size, s_t_step * size, product_step * size};
+    const chasles_loop *loop = &chasles_reciprocal_product_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -325,9 +424,11 @@ void chasles_wrench_transfer_batch(
     const double *p, ptrdiff_t p_step,
     double *w_P, ptrdiff_t w_P_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_wrench_transfer(w_A + i * w_A_step, a + i * a_step, p + i * p_step, w_P + i * w_P_step);
-    }
+    char *const at[] = {(char *)w_A, (char *)a, (char *)p, (char *)w_P};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {w_A_step * size, a_step * size, p_step * size, w_P_step * size};
+    const chasles_loop *loop = &chasles_wrench_transfer_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -342,7 +443,9 @@ void chasles_wrench_transfer_batchf(
     const float *p, ptrdiff_t p_step,
     float *w_P, ptrdiff_t w_P_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_wrench_transferf(w_A + i * w_A_step, a + i * a_step, p + i * p_step, w_P + i * w_P_step);
-    }
+    char *const at[] = {(char *)w_A, (char *)a, (char *)p, (char *)w_P};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {w_A_step * size, a_step * size, p_step * size, w_P_step * size};
+    const chasles_loop *loop = &chasles_wrench_transfer_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }

@@ -3,7 +3,312 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "batches.h"
 #include "chasles.h"
+
+static const chasles_shape chasles_inertia_about_point_loop_shapes[] = {
+    {2, 3, 3},
+    {0, 1, 1},
+    {1, 1, 3},
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_inertia_about_point_loop = {
+    sizeof(double), 0, 4, 5,
+    chasles_inertia_about_point_loop_shapes,
+    CHASLES_BLOCKS(chasles_inertia_about_point_block),
+};
+
+static const chasles_shape chasles_inertia_about_point_loopf_shapes[] = {
+    {2, 3, 3},
+    {0, 1, 1},
+    {1, 1, 3},
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_inertia_about_point_loopf = {
+    sizeof(float), 0, 4, 5,
+    chasles_inertia_about_point_loopf_shapes,
+    CHASLES_BLOCKS(chasles_inertia_about_point_blockf),
+};
+
+static const chasles_shape chasles_inertia_about_point_sym6_loop_shapes[] = {
+    {1, 1, 6},
+    {0, 1, 1},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 6},
+};
+const chasles_loop chasles_inertia_about_point_sym6_loop = {
+    sizeof(double), 0, 4, 5,
+    chasles_inertia_about_point_sym6_loop_shapes,
+    CHASLES_BLOCKS(chasles_inertia_about_point_sym6_block),
+};
+
+static const chasles_shape chasles_inertia_about_point_sym6_loopf_shapes[] = {
+    {1, 1, 6},
+    {0, 1, 1},
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 6},
+};
+const chasles_loop chasles_inertia_about_point_sym6_loopf = {
+    sizeof(float), 0, 4, 5,
+    chasles_inertia_about_point_sym6_loopf_shapes,
+    CHASLES_BLOCKS(chasles_inertia_about_point_sym6_blockf),
+};
+
+static const chasles_shape chasles_momentum_screw_loop_shapes[] = {
+    {2, 3, 3},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 6},
+};
+const chasles_loop chasles_momentum_screw_loop = {
+    sizeof(double), 0, 3, 4,
+    chasles_momentum_screw_loop_shapes,
+    CHASLES_BLOCKS(chasles_momentum_screw_block),
+};
+
+static const chasles_shape chasles_momentum_screw_loopf_shapes[] = {
+    {2, 3, 3},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 6},
+};
+const chasles_loop chasles_momentum_screw_loopf = {
+    sizeof(float), 0, 3, 4,
+    chasles_momentum_screw_loopf_shapes,
+    CHASLES_BLOCKS(chasles_momentum_screw_blockf),
+};
+
+static const chasles_shape chasles_momentum_screw_sym6_loop_shapes[] = {
+    {1, 1, 6},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 6},
+};
+const chasles_loop chasles_momentum_screw_sym6_loop = {
+    sizeof(double), 0, 3, 4,
+    chasles_momentum_screw_sym6_loop_shapes,
+    CHASLES_BLOCKS(chasles_momentum_screw_sym6_block),
+};
+
+static const chasles_shape chasles_momentum_screw_sym6_loopf_shapes[] = {
+    {1, 1, 6},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 6},
+};
+const chasles_loop chasles_momentum_screw_sym6_loopf = {
+    sizeof(float), 0, 3, 4,
+    chasles_momentum_screw_sym6_loopf_shapes,
+    CHASLES_BLOCKS(chasles_momentum_screw_sym6_blockf),
+};
+
+static const chasles_shape chasles_kinetic_energy_loop_shapes[] = {
+    {2, 3, 3},
+    {0, 1, 1},
+    {1, 1, 6},
+    {0, 1, 1},
+};
+const chasles_loop chasles_kinetic_energy_loop = {
+    sizeof(double), 0, 3, 4,
+    chasles_kinetic_energy_loop_shapes,
+    CHASLES_BLOCKS(chasles_kinetic_energy_block),
+};
+
+static const chasles_shape chasles_kinetic_energy_loopf_shapes[] = {
+    {2, 3, 3},
+    {0, 1, 1},
+    {1, 1, 6},
+    {0, 1, 1},
+};
+const chasles_loop chasles_kinetic_energy_loopf = {
+    sizeof(float), 0, 3, 4,
+    chasles_kinetic_energy_loopf_shapes,
+    CHASLES_BLOCKS(chasles_kinetic_energy_blockf),
+};
+
+static const chasles_shape chasles_kinetic_energy_sym6_loop_shapes[] = {
+    {1, 1, 6},
+    {0, 1, 1},
+    {1, 1, 6},
+    {0, 1, 1},
+};
+const chasles_loop chasles_kinetic_energy_sym6_loop = {
+    sizeof(double), 0, 3, 4,
+    chasles_kinetic_energy_sym6_loop_shapes,
+    CHASLES_BLOCKS(chasles_kinetic_energy_sym6_block),
+};
+
+static const chasles_shape chasles_kinetic_energy_sym6_loopf_shapes[] = {
+    {1, 1, 6},
+    {0, 1, 1},
+    {1, 1, 6},
+    {0, 1, 1},
+};
+const chasles_loop chasles_kinetic_energy_sym6_loopf = {
+    sizeof(float), 0, 3, 4,
+    chasles_kinetic_energy_sym6_loopf_shapes,
+    CHASLES_BLOCKS(chasles_kinetic_energy_sym6_blockf),
+};
+
+static const chasles_shape chasles_newton_euler_wrench_loop_shapes[] = {
+    {2, 3, 3},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 6},
+    {1, 1, 6},
+};
+const chasles_loop chasles_newton_euler_wrench_loop = {
+    sizeof(double), 0, 4, 5,
+    chasles_newton_euler_wrench_loop_shapes,
+    CHASLES_BLOCKS(chasles_newton_euler_wrench_block),
+};
+
+static const chasles_shape chasles_newton_euler_wrench_loopf_shapes[] = {
+    {2, 3, 3},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 6},
+    {1, 1, 6},
+};
+const chasles_loop chasles_newton_euler_wrench_loopf = {
+    sizeof(float), 0, 4, 5,
+    chasles_newton_euler_wrench_loopf_shapes,
+    CHASLES_BLOCKS(chasles_newton_euler_wrench_blockf),
+};
+
+static const chasles_shape chasles_newton_euler_wrench_sym6_loop_shapes[] = {
+    {1, 1, 6},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 6},
+    {1, 1, 6},
+};
+const chasles_loop chasles_newton_euler_wrench_sym6_loop = {
+    sizeof(double), 0, 4, 5,
+    chasles_newton_euler_wrench_sym6_loop_shapes,
+    CHASLES_BLOCKS(chasles_newton_euler_wrench_sym6_block),
+};
+
+static const chasles_shape chasles_newton_euler_wrench_sym6_loopf_shapes[] = {
+    {1, 1, 6},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 6},
+    {1, 1, 6},
+};
+const chasles_loop chasles_newton_euler_wrench_sym6_loopf = {
+    sizeof(float), 0, 4, 5,
+    chasles_newton_euler_wrench_sym6_loopf_shapes,
+    CHASLES_BLOCKS(chasles_newton_euler_wrench_sym6_blockf),
+};
+
+static const chasles_shape chasles_newton_euler_twist_rate_loop_shapes[] = {
+    {2, 3, 3},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 6},
+    {1, 1, 6},
+};
+const chasles_loop chasles_newton_euler_twist_rate_loop = {
+    sizeof(double), 0, 4, 5,
+    chasles_newton_euler_twist_rate_loop_shapes,
+    CHASLES_BLOCKS(chasles_newton_euler_twist_rate_block),
+};
+
+static const chasles_shape chasles_newton_euler_twist_rate_loopf_shapes[] = {
+    {2, 3, 3},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 6},
+    {1, 1, 6},
+};
+const chasles_loop chasles_newton_euler_twist_rate_loopf = {
+    sizeof(float), 0, 4, 5,
+    chasles_newton_euler_twist_rate_loopf_shapes,
+    CHASLES_BLOCKS(chasles_newton_euler_twist_rate_blockf),
+};
+
+static const chasles_shape chasles_newton_euler_twist_rate_sym6_loop_shapes[] = {
+    {1, 1, 6},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 6},
+    {1, 1, 6},
+};
+const chasles_loop chasles_newton_euler_twist_rate_sym6_loop = {
+    sizeof(double), 0, 4, 5,
+    chasles_newton_euler_twist_rate_sym6_loop_shapes,
+    CHASLES_BLOCKS(chasles_newton_euler_twist_rate_sym6_block),
+};
+
+static const chasles_shape chasles_newton_euler_twist_rate_sym6_loopf_shapes[] = {
+    {1, 1, 6},
+    {0, 1, 1},
+    {1, 1, 6},
+    {1, 1, 6},
+    {1, 1, 6},
+};
+const chasles_loop chasles_newton_euler_twist_rate_sym6_loopf = {
+    sizeof(float), 0, 4, 5,
+    chasles_newton_euler_twist_rate_sym6_loopf_shapes,
+    CHASLES_BLOCKS(chasles_newton_euler_twist_rate_sym6_blockf),
+};
+
+static const chasles_shape chasles_inertia_dyad_loop_shapes[] = {
+    {2, 3, 3},
+    {0, 1, 1},
+    {1, 1, 3},
+    {1, 1, 3},
+    {2, 6, 6},
+};
+const chasles_loop chasles_inertia_dyad_loop = {
+    sizeof(double), 0, 4, 5,
+    chasles_inertia_dyad_loop_shapes,
+    CHASLES_BLOCKS(chasles_inertia_dyad_block),
+};
+
+static const chasles_shape chasles_inertia_dyad_loopf_shapes[] = {
+    {2, 3, 3},
+    {0, 1, 1},
+    {1, 1, 3},
+    {1, 1, 3},
+    {2, 6, 6},
+};
+const chasles_loop chasles_inertia_dyad_loopf = {
+    sizeof(float), 0, 4, 5,
+    chasles_inertia_dyad_loopf_shapes,
+    CHASLES_BLOCKS(chasles_inertia_dyad_blockf),
+};
+
+static const chasles_shape chasles_inertia_dyad_sym6_loop_shapes[] = {
+    {1, 1, 6},
+    {0, 1, 1},
+    {1, 1, 3},
+    {1, 1, 3},
+    {2, 6, 6},
+};
+const chasles_loop chasles_inertia_dyad_sym6_loop = {
+    sizeof(double), 0, 4, 5,
+    chasles_inertia_dyad_sym6_loop_shapes,
+    CHASLES_BLOCKS(chasles_inertia_dyad_sym6_block),
+};
+
+static const chasles_shape chasles_inertia_dyad_sym6_loopf_shapes[] = {
+    {1, 1, 6},
+    {0, 1, 1},
+    {1, 1, 3},
+    {1, 1, 3},
+    {2, 6, 6},
+};
+const chasles_loop chasles_inertia_dyad_sym6_loopf = {
+    sizeof(float), 0, 4, 5,
+    chasles_inertia_dyad_sym6_loopf_shapes,
+    CHASLES_BLOCKS(chasles_inertia_dyad_sym6_blockf),
+};
 
 /*
  * (3.133a) Steiner's theorem: the moment of inertia with respect to A from that at the center of mass.
@@ -112,14 +417,16 @@ void chasles_inertia_about_point_batch(
     const double *a, ptrdiff_t a_step,
     double *I_A, ptrdiff_t I_A_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_inertia_about_point(
-            I_C + i * I_C_step,
-            m[i * m_step],
-            c + i * c_step,
-            a + i * a_step,
-            I_A + i * I_A_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)c, (char *)a, (char *)I_A};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        I_C_step * size,
+        m_step * size,
+        c_step * size,
+        a_step * size,
+        I_A_step * size};
+    const chasles_loop *loop = &chasles_inertia_about_point_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -135,14 +442,16 @@ void chasles_inertia_about_point_batchf(
     const float *a, ptrdiff_t a_step,
     float *I_A, ptrdiff_t I_A_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_inertia_about_pointf(
-            I_C + i * I_C_step,
-            m[i * m_step],
-            c + i * c_step,
-            a + i * a_step,
-            I_A + i * I_A_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)c, (char *)a, (char *)I_A};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        I_C_step * size,
+        m_step * size,
+        c_step * size,
+        a_step * size,
+        I_A_step * size};
+    const chasles_loop *loop = &chasles_inertia_about_point_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -235,14 +544,16 @@ void chasles_inertia_about_point_sym6_batch(
     const double *a, ptrdiff_t a_step,
     double *I_A, ptrdiff_t I_A_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_inertia_about_point_sym6(
-            I_C + i * I_C_step,
-            m[i * m_step],
-            c + i * c_step,
-            a + i * a_step,
-            I_A + i * I_A_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)c, (char *)a, (char *)I_A};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        I_C_step * size,
+        m_step * size,
+        c_step * size,
+        a_step * size,
+        I_A_step * size};
+    const chasles_loop *loop = &chasles_inertia_about_point_sym6_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -258,14 +569,16 @@ void chasles_inertia_about_point_sym6_batchf(
     const float *a, ptrdiff_t a_step,
     float *I_A, ptrdiff_t I_A_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_inertia_about_point_sym6f(
-            I_C + i * I_C_step,
-            m[i * m_step],
-            c + i * c_step,
-            a + i * a_step,
-            I_A + i * I_A_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)c, (char *)a, (char *)I_A};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        I_C_step * size,
+        m_step * size,
+        c_step * size,
+        a_step * size,
+        I_A_step * size};
+    const chasles_loop *loop = &chasles_inertia_about_point_sym6_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -330,9 +643,11 @@ void chasles_momentum_screw_batch(
     const double *t, ptrdiff_t t_step,
     double *mu, ptrdiff_t mu_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_momentum_screw(I_C + i * I_C_step, m[i * m_step], t + i * t_step, mu + i * mu_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)t, (char *)mu};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {I_C_step * size, m_step * size, t_step * size, mu_step * size};
+    const chasles_loop *loop = &chasles_momentum_screw_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -347,9 +662,11 @@ void chasles_momentum_screw_batchf(
     const float *t, ptrdiff_t t_step,
     float *mu, ptrdiff_t mu_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_momentum_screwf(I_C + i * I_C_step, m[i * m_step], t + i * t_step, mu + i * mu_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)t, (char *)mu};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {I_C_step * size, m_step * size, t_step * size, mu_step * size};
+    const chasles_loop *loop = &chasles_momentum_screw_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -415,9 +732,11 @@ void chasles_momentum_screw_sym6_batch(
     const double *t, ptrdiff_t t_step,
     double *mu, ptrdiff_t mu_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_momentum_screw_sym6(I_C + i * I_C_step, m[i * m_step], t + i * t_step, mu + i * mu_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)t, (char *)mu};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {I_C_step * size, m_step * size, t_step * size, mu_step * size};
+    const chasles_loop *loop = &chasles_momentum_screw_sym6_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -432,9 +751,11 @@ void chasles_momentum_screw_sym6_batchf(
     const float *t, ptrdiff_t t_step,
     float *mu, ptrdiff_t mu_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_momentum_screw_sym6f(I_C + i * I_C_step, m[i * m_step], t + i * t_step, mu + i * mu_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)t, (char *)mu};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {I_C_step * size, m_step * size, t_step * size, mu_step * size};
+    const chasles_loop *loop = &chasles_momentum_screw_sym6_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -487,9 +808,11 @@ void chasles_kinetic_energy_batch(
     const double *t, ptrdiff_t t_step,
     double *T, ptrdiff_t T_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_kinetic_energy(I_C + i * I_C_step, m[i * m_step], t + i * t_step, T + i * T_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)t, (char *)T};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {I_C_step * size, m_step * size, t_step * size, T_step * size};
+    const chasles_loop *loop = &chasles_kinetic_energy_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -504,9 +827,11 @@ void chasles_kinetic_energy_batchf(
     const float *t, ptrdiff_t t_step,
     float *T, ptrdiff_t T_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_kinetic_energyf(I_C + i * I_C_step, m[i * m_step], t + i * t_step, T + i * T_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)t, (char *)T};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {I_C_step * size, m_step * size, t_step * size, T_step * size};
+    const chasles_loop *loop = &chasles_kinetic_energy_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -560,9 +885,11 @@ void chasles_kinetic_energy_sym6_batch(
     const double *t, ptrdiff_t t_step,
     double *T, ptrdiff_t T_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_kinetic_energy_sym6(I_C + i * I_C_step, m[i * m_step], t + i * t_step, T + i * T_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)t, (char *)T};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {I_C_step * size, m_step * size, t_step * size, T_step * size};
+    const chasles_loop *loop = &chasles_kinetic_energy_sym6_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -577,9 +904,11 @@ void chasles_kinetic_energy_sym6_batchf(
     const float *t, ptrdiff_t t_step,
     float *T, ptrdiff_t T_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_kinetic_energy_sym6f(I_C + i * I_C_step, m[i * m_step], t + i * t_step, T + i * T_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)t, (char *)T};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {I_C_step * size, m_step * size, t_step * size, T_step * size};
+    const chasles_loop *loop = &chasles_kinetic_energy_sym6_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -668,14 +997,16 @@ void chasles_newton_euler_wrench_batch(
     const double *t_dot, ptrdiff_t t_dot_step,
     double *w, ptrdiff_t w_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_newton_euler_wrench(
-            I_C + i * I_C_step,
-            m[i * m_step],
-            t + i * t_step,
-            t_dot + i * t_dot_step,
-            w + i * w_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)t, (char *)t_dot, (char *)w};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        I_C_step * size,
+        m_step * size,
+        t_step * size,
+        t_dot_step * size,
+        w_step * size};
+    const chasles_loop *loop = &chasles_newton_euler_wrench_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -691,14 +1022,16 @@ void chasles_newton_euler_wrench_batchf(
     const float *t_dot, ptrdiff_t t_dot_step,
     float *w, ptrdiff_t w_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_newton_euler_wrenchf(
-            I_C + i * I_C_step,
-            m[i * m_step],
-            t + i * t_step,
-            t_dot + i * t_dot_step,
-            w + i * w_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)t, (char *)t_dot, (char *)w};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        I_C_step * size,
+        m_step * size,
+        t_step * size,
+        t_dot_step * size,
+        w_step * size};
+    const chasles_loop *loop = &chasles_newton_euler_wrench_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -788,14 +1121,16 @@ void chasles_newton_euler_wrench_sym6_batch(
     const double *t_dot, ptrdiff_t t_dot_step,
     double *w, ptrdiff_t w_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_newton_euler_wrench_sym6(
-            I_C + i * I_C_step,
-            m[i * m_step],
-            t + i * t_step,
-            t_dot + i * t_dot_step,
-            w + i * w_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)t, (char *)t_dot, (char *)w};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        I_C_step * size,
+        m_step * size,
+        t_step * size,
+        t_dot_step * size,
+        w_step * size};
+    const chasles_loop *loop = &chasles_newton_euler_wrench_sym6_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -811,14 +1146,16 @@ void chasles_newton_euler_wrench_sym6_batchf(
     const float *t_dot, ptrdiff_t t_dot_step,
     float *w, ptrdiff_t w_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_newton_euler_wrench_sym6f(
-            I_C + i * I_C_step,
-            m[i * m_step],
-            t + i * t_step,
-            t_dot + i * t_dot_step,
-            w + i * w_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)t, (char *)t_dot, (char *)w};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        I_C_step * size,
+        m_step * size,
+        t_step * size,
+        t_dot_step * size,
+        w_step * size};
+    const chasles_loop *loop = &chasles_newton_euler_wrench_sym6_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -926,14 +1263,16 @@ void chasles_newton_euler_twist_rate_batch(
     const double *w, ptrdiff_t w_step,
     double *t_dot, ptrdiff_t t_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_newton_euler_twist_rate(
-            I_C + i * I_C_step,
-            m[i * m_step],
-            t + i * t_step,
-            w + i * w_step,
-            t_dot + i * t_dot_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)t, (char *)w, (char *)t_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        I_C_step * size,
+        m_step * size,
+        t_step * size,
+        w_step * size,
+        t_dot_step * size};
+    const chasles_loop *loop = &chasles_newton_euler_twist_rate_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -949,14 +1288,16 @@ void chasles_newton_euler_twist_rate_batchf(
     const float *w, ptrdiff_t w_step,
     float *t_dot, ptrdiff_t t_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_newton_euler_twist_ratef(
-            I_C + i * I_C_step,
-            m[i * m_step],
-            t + i * t_step,
-            w + i * w_step,
-            t_dot + i * t_dot_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)t, (char *)w, (char *)t_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        I_C_step * size,
+        m_step * size,
+        t_step * size,
+        w_step * size,
+        t_dot_step * size};
+    const chasles_loop *loop = &chasles_newton_euler_twist_rate_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1061,14 +1402,16 @@ void chasles_newton_euler_twist_rate_sym6_batch(
     const double *w, ptrdiff_t w_step,
     double *t_dot, ptrdiff_t t_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_newton_euler_twist_rate_sym6(
-            I_C + i * I_C_step,
-            m[i * m_step],
-            t + i * t_step,
-            w + i * w_step,
-            t_dot + i * t_dot_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)t, (char *)w, (char *)t_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        I_C_step * size,
+        m_step * size,
+        t_step * size,
+        w_step * size,
+        t_dot_step * size};
+    const chasles_loop *loop = &chasles_newton_euler_twist_rate_sym6_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1084,14 +1427,16 @@ void chasles_newton_euler_twist_rate_sym6_batchf(
     const float *w, ptrdiff_t w_step,
     float *t_dot, ptrdiff_t t_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_newton_euler_twist_rate_sym6f(
-            I_C + i * I_C_step,
-            m[i * m_step],
-            t + i * t_step,
-            w + i * w_step,
-            t_dot + i * t_dot_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)t, (char *)w, (char *)t_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        I_C_step * size,
+        m_step * size,
+        t_step * size,
+        w_step * size,
+        t_dot_step * size};
+    const chasles_loop *loop = &chasles_newton_euler_twist_rate_sym6_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1266,14 +1611,16 @@ void chasles_inertia_dyad_batch(
     const double *a, ptrdiff_t a_step,
     double *M_A, ptrdiff_t M_A_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_inertia_dyad(
-            I_C + i * I_C_step,
-            m[i * m_step],
-            c + i * c_step,
-            a + i * a_step,
-            M_A + i * M_A_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)c, (char *)a, (char *)M_A};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        I_C_step * size,
+        m_step * size,
+        c_step * size,
+        a_step * size,
+        M_A_step * size};
+    const chasles_loop *loop = &chasles_inertia_dyad_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1289,14 +1636,16 @@ void chasles_inertia_dyad_batchf(
     const float *a, ptrdiff_t a_step,
     float *M_A, ptrdiff_t M_A_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_inertia_dyadf(
-            I_C + i * I_C_step,
-            m[i * m_step],
-            c + i * c_step,
-            a + i * a_step,
-            M_A + i * M_A_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)c, (char *)a, (char *)M_A};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        I_C_step * size,
+        m_step * size,
+        c_step * size,
+        a_step * size,
+        M_A_step * size};
+    const chasles_loop *loop = &chasles_inertia_dyad_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1460,14 +1809,16 @@ void chasles_inertia_dyad_sym6_batch(
     const double *a, ptrdiff_t a_step,
     double *M_A, ptrdiff_t M_A_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_inertia_dyad_sym6(
-            I_C + i * I_C_step,
-            m[i * m_step],
-            c + i * c_step,
-            a + i * a_step,
-            M_A + i * M_A_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)c, (char *)a, (char *)M_A};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {
+        I_C_step * size,
+        m_step * size,
+        c_step * size,
+        a_step * size,
+        M_A_step * size};
+    const chasles_loop *loop = &chasles_inertia_dyad_sym6_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1483,12 +1834,14 @@ void chasles_inertia_dyad_sym6_batchf(
     const float *a, ptrdiff_t a_step,
     float *M_A, ptrdiff_t M_A_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_inertia_dyad_sym6f(
-            I_C + i * I_C_step,
-            m[i * m_step],
-            c + i * c_step,
-            a + i * a_step,
-            M_A + i * M_A_step);
-    }
+    char *const at[] = {(char *)I_C, (char *)m, (char *)c, (char *)a, (char *)M_A};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {
+        I_C_step * size,
+        m_step * size,
+        c_step * size,
+        a_step * size,
+        M_A_step * size};
+    const chasles_loop *loop = &chasles_inertia_dyad_sym6_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }

@@ -3,7 +3,848 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "batches.h"
 #include "chasles.h"
+
+static const chasles_shape chasles_rotation_from_euler_xyx_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_xyx_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_rotation_from_euler_xyx_loop_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_xyx_block),
+};
+
+static const chasles_shape chasles_rotation_from_euler_xyx_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_xyx_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_rotation_from_euler_xyx_loopf_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_xyx_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_xyx_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_xyx_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_xyx_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_xyx_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_xyx_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_xyx_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_xyx_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_xyx_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_xyx_loop_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_xyx_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_body_xyx_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_xyx_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_xyx_loopf_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_xyx_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_body_xyx_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_xyx_blockf),
+};
+
+static const chasles_shape chasles_euler_rates_xyx_loop_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_xyx_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_euler_rates_xyx_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_xyx_block),
+};
+
+static const chasles_shape chasles_euler_rates_xyx_loopf_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_xyx_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_euler_rates_xyx_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_xyx_blockf),
+};
+
+static const chasles_shape chasles_rotation_from_euler_xyz_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_xyz_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_rotation_from_euler_xyz_loop_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_xyz_block),
+};
+
+static const chasles_shape chasles_rotation_from_euler_xyz_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_xyz_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_rotation_from_euler_xyz_loopf_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_xyz_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_xyz_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_xyz_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_xyz_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_xyz_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_xyz_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_xyz_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_xyz_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_xyz_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_xyz_loop_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_xyz_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_body_xyz_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_xyz_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_xyz_loopf_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_xyz_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_body_xyz_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_xyz_blockf),
+};
+
+static const chasles_shape chasles_euler_rates_xyz_loop_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_xyz_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_euler_rates_xyz_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_xyz_block),
+};
+
+static const chasles_shape chasles_euler_rates_xyz_loopf_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_xyz_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_euler_rates_xyz_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_xyz_blockf),
+};
+
+static const chasles_shape chasles_rotation_from_euler_xzx_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_xzx_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_rotation_from_euler_xzx_loop_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_xzx_block),
+};
+
+static const chasles_shape chasles_rotation_from_euler_xzx_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_xzx_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_rotation_from_euler_xzx_loopf_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_xzx_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_xzx_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_xzx_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_xzx_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_xzx_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_xzx_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_xzx_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_xzx_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_xzx_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_xzx_loop_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_xzx_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_body_xzx_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_xzx_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_xzx_loopf_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_xzx_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_body_xzx_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_xzx_blockf),
+};
+
+static const chasles_shape chasles_euler_rates_xzx_loop_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_xzx_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_euler_rates_xzx_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_xzx_block),
+};
+
+static const chasles_shape chasles_euler_rates_xzx_loopf_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_xzx_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_euler_rates_xzx_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_xzx_blockf),
+};
+
+static const chasles_shape chasles_rotation_from_euler_xzy_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_xzy_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_rotation_from_euler_xzy_loop_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_xzy_block),
+};
+
+static const chasles_shape chasles_rotation_from_euler_xzy_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_xzy_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_rotation_from_euler_xzy_loopf_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_xzy_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_xzy_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_xzy_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_xzy_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_xzy_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_xzy_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_xzy_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_xzy_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_xzy_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_xzy_loop_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_xzy_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_body_xzy_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_xzy_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_xzy_loopf_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_xzy_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_body_xzy_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_xzy_blockf),
+};
+
+static const chasles_shape chasles_euler_rates_xzy_loop_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_xzy_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_euler_rates_xzy_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_xzy_block),
+};
+
+static const chasles_shape chasles_euler_rates_xzy_loopf_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_xzy_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_euler_rates_xzy_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_xzy_blockf),
+};
+
+static const chasles_shape chasles_rotation_from_euler_yxy_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_yxy_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_rotation_from_euler_yxy_loop_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_yxy_block),
+};
+
+static const chasles_shape chasles_rotation_from_euler_yxy_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_yxy_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_rotation_from_euler_yxy_loopf_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_yxy_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_yxy_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_yxy_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_yxy_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_yxy_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_yxy_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_yxy_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_yxy_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_yxy_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_yxy_loop_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_yxy_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_body_yxy_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_yxy_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_yxy_loopf_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_yxy_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_body_yxy_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_yxy_blockf),
+};
+
+static const chasles_shape chasles_euler_rates_yxy_loop_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_yxy_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_euler_rates_yxy_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_yxy_block),
+};
+
+static const chasles_shape chasles_euler_rates_yxy_loopf_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_yxy_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_euler_rates_yxy_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_yxy_blockf),
+};
+
+static const chasles_shape chasles_rotation_from_euler_yxz_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_yxz_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_rotation_from_euler_yxz_loop_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_yxz_block),
+};
+
+static const chasles_shape chasles_rotation_from_euler_yxz_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_yxz_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_rotation_from_euler_yxz_loopf_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_yxz_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_yxz_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_yxz_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_yxz_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_yxz_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_yxz_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_yxz_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_yxz_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_yxz_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_yxz_loop_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_yxz_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_body_yxz_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_yxz_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_yxz_loopf_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_yxz_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_body_yxz_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_yxz_blockf),
+};
+
+static const chasles_shape chasles_euler_rates_yxz_loop_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_yxz_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_euler_rates_yxz_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_yxz_block),
+};
+
+static const chasles_shape chasles_euler_rates_yxz_loopf_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_yxz_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_euler_rates_yxz_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_yxz_blockf),
+};
+
+static const chasles_shape chasles_rotation_from_euler_yzx_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_yzx_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_rotation_from_euler_yzx_loop_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_yzx_block),
+};
+
+static const chasles_shape chasles_rotation_from_euler_yzx_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_yzx_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_rotation_from_euler_yzx_loopf_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_yzx_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_yzx_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_yzx_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_yzx_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_yzx_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_yzx_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_yzx_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_yzx_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_yzx_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_yzx_loop_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_yzx_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_body_yzx_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_yzx_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_yzx_loopf_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_yzx_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_body_yzx_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_yzx_blockf),
+};
+
+static const chasles_shape chasles_euler_rates_yzx_loop_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_yzx_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_euler_rates_yzx_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_yzx_block),
+};
+
+static const chasles_shape chasles_euler_rates_yzx_loopf_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_yzx_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_euler_rates_yzx_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_yzx_blockf),
+};
+
+static const chasles_shape chasles_rotation_from_euler_yzy_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_yzy_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_rotation_from_euler_yzy_loop_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_yzy_block),
+};
+
+static const chasles_shape chasles_rotation_from_euler_yzy_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_yzy_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_rotation_from_euler_yzy_loopf_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_yzy_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_yzy_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_yzy_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_yzy_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_yzy_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_yzy_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_yzy_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_yzy_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_yzy_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_yzy_loop_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_yzy_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_body_yzy_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_yzy_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_yzy_loopf_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_yzy_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_body_yzy_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_yzy_blockf),
+};
+
+static const chasles_shape chasles_euler_rates_yzy_loop_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_yzy_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_euler_rates_yzy_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_yzy_block),
+};
+
+static const chasles_shape chasles_euler_rates_yzy_loopf_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_yzy_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_euler_rates_yzy_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_yzy_blockf),
+};
+
+static const chasles_shape chasles_rotation_from_euler_zxy_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_zxy_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_rotation_from_euler_zxy_loop_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_zxy_block),
+};
+
+static const chasles_shape chasles_rotation_from_euler_zxy_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_zxy_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_rotation_from_euler_zxy_loopf_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_zxy_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_zxy_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_zxy_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_zxy_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_zxy_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_zxy_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_zxy_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_zxy_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_zxy_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_zxy_loop_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_zxy_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_body_zxy_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_zxy_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_zxy_loopf_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_zxy_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_body_zxy_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_zxy_blockf),
+};
+
+static const chasles_shape chasles_euler_rates_zxy_loop_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_zxy_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_euler_rates_zxy_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_zxy_block),
+};
+
+static const chasles_shape chasles_euler_rates_zxy_loopf_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_zxy_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_euler_rates_zxy_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_zxy_blockf),
+};
+
+static const chasles_shape chasles_rotation_from_euler_zxz_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_zxz_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_rotation_from_euler_zxz_loop_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_zxz_block),
+};
+
+static const chasles_shape chasles_rotation_from_euler_zxz_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_zxz_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_rotation_from_euler_zxz_loopf_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_zxz_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_zxz_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_zxz_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_zxz_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_zxz_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_zxz_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_zxz_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_zxz_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_zxz_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_zxz_loop_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_zxz_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_body_zxz_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_zxz_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_zxz_loopf_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_zxz_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_body_zxz_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_zxz_blockf),
+};
+
+static const chasles_shape chasles_euler_rates_zxz_loop_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_zxz_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_euler_rates_zxz_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_zxz_block),
+};
+
+static const chasles_shape chasles_euler_rates_zxz_loopf_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_zxz_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_euler_rates_zxz_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_zxz_blockf),
+};
+
+static const chasles_shape chasles_rotation_from_euler_zyx_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_zyx_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_rotation_from_euler_zyx_loop_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_zyx_block),
+};
+
+static const chasles_shape chasles_rotation_from_euler_zyx_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_zyx_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_rotation_from_euler_zyx_loopf_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_zyx_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_zyx_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_zyx_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_zyx_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_zyx_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_zyx_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_zyx_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_zyx_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_zyx_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_zyx_loop_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_zyx_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_body_zyx_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_zyx_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_zyx_loopf_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_zyx_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_body_zyx_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_zyx_blockf),
+};
+
+static const chasles_shape chasles_euler_rates_zyx_loop_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_zyx_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_euler_rates_zyx_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_zyx_block),
+};
+
+static const chasles_shape chasles_euler_rates_zyx_loopf_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_zyx_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_euler_rates_zyx_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_zyx_blockf),
+};
+
+static const chasles_shape chasles_rotation_from_euler_zyz_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_zyz_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_rotation_from_euler_zyz_loop_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_zyz_block),
+};
+
+static const chasles_shape chasles_rotation_from_euler_zyz_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_rotation_from_euler_zyz_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_rotation_from_euler_zyz_loopf_shapes,
+    CHASLES_BLOCKS(chasles_rotation_from_euler_zyz_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_zyz_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_zyz_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_zyz_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_zyz_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_zyz_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
+const chasles_loop chasles_euler_rate_matrix_zyz_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_zyz_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_zyz_blockf),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_zyz_loop_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_zyz_loop = {
+    sizeof(double), 0, 1, 2,
+    chasles_euler_rate_matrix_body_zyz_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_zyz_block),
+};
+
+static const chasles_shape chasles_euler_rate_matrix_body_zyz_loopf_shapes[] = {
+    {1, 1, 3},
+    {2, 3, 3},
+};
+const chasles_loop chasles_euler_rate_matrix_body_zyz_loopf = {
+    sizeof(float), 0, 1, 2,
+    chasles_euler_rate_matrix_body_zyz_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rate_matrix_body_zyz_blockf),
+};
+
+static const chasles_shape chasles_euler_rates_zyz_loop_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_zyz_loop = {
+    sizeof(double), 0, 2, 3,
+    chasles_euler_rates_zyz_loop_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_zyz_block),
+};
+
+static const chasles_shape chasles_euler_rates_zyz_loopf_shapes[] = {
+    {1, 1, 3},
+    {1, 1, 3},
+    {1, 1, 3},
+};
+const chasles_loop chasles_euler_rates_zyz_loopf = {
+    sizeof(float), 0, 2, 3,
+    chasles_euler_rates_zyz_loopf_shapes,
+    CHASLES_BLOCKS(chasles_euler_rates_zyz_blockf),
+};
 
 /*
  * Ex 3.10 The rotation by Euler angles about x, y, x.
@@ -87,9 +928,11 @@ void chasles_rotation_from_euler_xyx_batch(
     const double *angles, ptrdiff_t angles_step,
     double *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_xyx(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_xyx_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -102,9 +945,11 @@ void chasles_rotation_from_euler_xyx_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_xyxf(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_xyx_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -169,9 +1014,11 @@ void chasles_euler_rate_matrix_xyx_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_xyx(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_xyx_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -184,9 +1031,11 @@ void chasles_euler_rate_matrix_xyx_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_xyxf(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_xyx_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -253,9 +1102,11 @@ void chasles_euler_rate_matrix_body_xyx_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_xyx(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_xyx_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -268,9 +1119,11 @@ void chasles_euler_rate_matrix_body_xyx_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_xyxf(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_xyx_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -325,12 +1178,11 @@ void chasles_euler_rates_xyx_batch(
     const double *omega, ptrdiff_t omega_step,
     double *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_xyx(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_xyx_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -344,12 +1196,11 @@ void chasles_euler_rates_xyx_batchf(
     const float *omega, ptrdiff_t omega_step,
     float *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_xyxf(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_xyx_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -434,9 +1285,11 @@ void chasles_rotation_from_euler_xyz_batch(
     const double *angles, ptrdiff_t angles_step,
     double *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_xyz(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_xyz_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -449,9 +1302,11 @@ void chasles_rotation_from_euler_xyz_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_xyzf(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_xyz_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -516,9 +1371,11 @@ void chasles_euler_rate_matrix_xyz_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_xyz(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_xyz_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -531,9 +1388,11 @@ void chasles_euler_rate_matrix_xyz_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_xyzf(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_xyz_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -598,9 +1457,11 @@ void chasles_euler_rate_matrix_body_xyz_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_xyz(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_xyz_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -613,9 +1474,11 @@ void chasles_euler_rate_matrix_body_xyz_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_xyzf(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_xyz_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -670,12 +1533,11 @@ void chasles_euler_rates_xyz_batch(
     const double *omega, ptrdiff_t omega_step,
     double *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_xyz(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_xyz_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -689,12 +1551,11 @@ void chasles_euler_rates_xyz_batchf(
     const float *omega, ptrdiff_t omega_step,
     float *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_xyzf(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_xyz_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -779,9 +1640,11 @@ void chasles_rotation_from_euler_xzx_batch(
     const double *angles, ptrdiff_t angles_step,
     double *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_xzx(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_xzx_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -794,9 +1657,11 @@ void chasles_rotation_from_euler_xzx_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_xzxf(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_xzx_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -863,9 +1728,11 @@ void chasles_euler_rate_matrix_xzx_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_xzx(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_xzx_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -878,9 +1745,11 @@ void chasles_euler_rate_matrix_xzx_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_xzxf(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_xzx_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -945,9 +1814,11 @@ void chasles_euler_rate_matrix_body_xzx_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_xzx(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_xzx_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -960,9 +1831,11 @@ void chasles_euler_rate_matrix_body_xzx_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_xzxf(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_xzx_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1017,12 +1890,11 @@ void chasles_euler_rates_xzx_batch(
     const double *omega, ptrdiff_t omega_step,
     double *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_xzx(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_xzx_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1036,12 +1908,11 @@ void chasles_euler_rates_xzx_batchf(
     const float *omega, ptrdiff_t omega_step,
     float *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_xzxf(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_xzx_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1128,9 +1999,11 @@ void chasles_rotation_from_euler_xzy_batch(
     const double *angles, ptrdiff_t angles_step,
     double *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_xzy(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_xzy_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1143,9 +2016,11 @@ void chasles_rotation_from_euler_xzy_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_xzyf(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_xzy_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1212,9 +2087,11 @@ void chasles_euler_rate_matrix_xzy_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_xzy(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_xzy_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1227,9 +2104,11 @@ void chasles_euler_rate_matrix_xzy_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_xzyf(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_xzy_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1296,9 +2175,11 @@ void chasles_euler_rate_matrix_body_xzy_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_xzy(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_xzy_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1311,9 +2192,11 @@ void chasles_euler_rate_matrix_body_xzy_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_xzyf(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_xzy_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1368,12 +2251,11 @@ void chasles_euler_rates_xzy_batch(
     const double *omega, ptrdiff_t omega_step,
     double *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_xzy(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_xzy_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1387,12 +2269,11 @@ void chasles_euler_rates_xzy_batchf(
     const float *omega, ptrdiff_t omega_step,
     float *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_xzyf(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_xzy_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1477,9 +2358,11 @@ void chasles_rotation_from_euler_yxy_batch(
     const double *angles, ptrdiff_t angles_step,
     double *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_yxy(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_yxy_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1492,9 +2375,11 @@ void chasles_rotation_from_euler_yxy_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_yxyf(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_yxy_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1561,9 +2446,11 @@ void chasles_euler_rate_matrix_yxy_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_yxy(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_yxy_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1576,9 +2463,11 @@ void chasles_euler_rate_matrix_yxy_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_yxyf(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_yxy_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1643,9 +2532,11 @@ void chasles_euler_rate_matrix_body_yxy_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_yxy(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_yxy_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1658,9 +2549,11 @@ void chasles_euler_rate_matrix_body_yxy_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_yxyf(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_yxy_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1715,12 +2608,11 @@ void chasles_euler_rates_yxy_batch(
     const double *omega, ptrdiff_t omega_step,
     double *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_yxy(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_yxy_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1734,12 +2626,11 @@ void chasles_euler_rates_yxy_batchf(
     const float *omega, ptrdiff_t omega_step,
     float *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_yxyf(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_yxy_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1826,9 +2717,11 @@ void chasles_rotation_from_euler_yxz_batch(
     const double *angles, ptrdiff_t angles_step,
     double *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_yxz(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_yxz_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1841,9 +2734,11 @@ void chasles_rotation_from_euler_yxz_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_yxzf(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_yxz_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1910,9 +2805,11 @@ void chasles_euler_rate_matrix_yxz_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_yxz(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_yxz_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1925,9 +2822,11 @@ void chasles_euler_rate_matrix_yxz_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_yxzf(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_yxz_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -1994,9 +2893,11 @@ void chasles_euler_rate_matrix_body_yxz_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_yxz(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_yxz_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2009,9 +2910,11 @@ void chasles_euler_rate_matrix_body_yxz_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_yxzf(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_yxz_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2066,12 +2969,11 @@ void chasles_euler_rates_yxz_batch(
     const double *omega, ptrdiff_t omega_step,
     double *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_yxz(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_yxz_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2085,12 +2987,11 @@ void chasles_euler_rates_yxz_batchf(
     const float *omega, ptrdiff_t omega_step,
     float *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_yxzf(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_yxz_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2175,9 +3076,11 @@ void chasles_rotation_from_euler_yzx_batch(
     const double *angles, ptrdiff_t angles_step,
     double *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_yzx(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_yzx_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2190,9 +3093,11 @@ void chasles_rotation_from_euler_yzx_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_yzxf(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_yzx_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2257,9 +3162,11 @@ void chasles_euler_rate_matrix_yzx_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_yzx(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_yzx_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2272,9 +3179,11 @@ void chasles_euler_rate_matrix_yzx_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_yzxf(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_yzx_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2339,9 +3248,11 @@ void chasles_euler_rate_matrix_body_yzx_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_yzx(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_yzx_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2354,9 +3265,11 @@ void chasles_euler_rate_matrix_body_yzx_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_yzxf(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_yzx_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2411,12 +3324,11 @@ void chasles_euler_rates_yzx_batch(
     const double *omega, ptrdiff_t omega_step,
     double *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_yzx(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_yzx_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2430,12 +3342,11 @@ void chasles_euler_rates_yzx_batchf(
     const float *omega, ptrdiff_t omega_step,
     float *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_yzxf(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_yzx_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2520,9 +3431,11 @@ void chasles_rotation_from_euler_yzy_batch(
     const double *angles, ptrdiff_t angles_step,
     double *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_yzy(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_yzy_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2535,9 +3448,11 @@ void chasles_rotation_from_euler_yzy_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_yzyf(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_yzy_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2602,9 +3517,11 @@ void chasles_euler_rate_matrix_yzy_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_yzy(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_yzy_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2617,9 +3534,11 @@ void chasles_euler_rate_matrix_yzy_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_yzyf(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_yzy_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2686,9 +3605,11 @@ void chasles_euler_rate_matrix_body_yzy_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_yzy(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_yzy_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2701,9 +3622,11 @@ void chasles_euler_rate_matrix_body_yzy_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_yzyf(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_yzy_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2758,12 +3681,11 @@ void chasles_euler_rates_yzy_batch(
     const double *omega, ptrdiff_t omega_step,
     double *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_yzy(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_yzy_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2777,12 +3699,11 @@ void chasles_euler_rates_yzy_batchf(
     const float *omega, ptrdiff_t omega_step,
     float *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_yzyf(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_yzy_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2867,9 +3788,11 @@ void chasles_rotation_from_euler_zxy_batch(
     const double *angles, ptrdiff_t angles_step,
     double *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_zxy(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_zxy_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2882,9 +3805,11 @@ void chasles_rotation_from_euler_zxy_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_zxyf(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_zxy_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2949,9 +3874,11 @@ void chasles_euler_rate_matrix_zxy_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_zxy(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_zxy_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -2964,9 +3891,11 @@ void chasles_euler_rate_matrix_zxy_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_zxyf(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_zxy_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3031,9 +3960,11 @@ void chasles_euler_rate_matrix_body_zxy_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_zxy(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_zxy_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3046,9 +3977,11 @@ void chasles_euler_rate_matrix_body_zxy_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_zxyf(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_zxy_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3103,12 +4036,11 @@ void chasles_euler_rates_zxy_batch(
     const double *omega, ptrdiff_t omega_step,
     double *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_zxy(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_zxy_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3122,12 +4054,11 @@ void chasles_euler_rates_zxy_batchf(
     const float *omega, ptrdiff_t omega_step,
     float *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_zxyf(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_zxy_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3212,9 +4143,11 @@ void chasles_rotation_from_euler_zxz_batch(
     const double *angles, ptrdiff_t angles_step,
     double *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_zxz(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_zxz_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3227,9 +4160,11 @@ void chasles_rotation_from_euler_zxz_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_zxzf(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_zxz_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3294,9 +4229,11 @@ void chasles_euler_rate_matrix_zxz_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_zxz(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_zxz_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3309,9 +4246,11 @@ void chasles_euler_rate_matrix_zxz_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_zxzf(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_zxz_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3378,9 +4317,11 @@ void chasles_euler_rate_matrix_body_zxz_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_zxz(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_zxz_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3393,9 +4334,11 @@ void chasles_euler_rate_matrix_body_zxz_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_zxzf(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_zxz_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3450,12 +4393,11 @@ void chasles_euler_rates_zxz_batch(
     const double *omega, ptrdiff_t omega_step,
     double *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_zxz(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_zxz_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3469,12 +4411,11 @@ void chasles_euler_rates_zxz_batchf(
     const float *omega, ptrdiff_t omega_step,
     float *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_zxzf(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_zxz_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3561,9 +4502,11 @@ void chasles_rotation_from_euler_zyx_batch(
     const double *angles, ptrdiff_t angles_step,
     double *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_zyx(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_zyx_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3576,9 +4519,11 @@ void chasles_rotation_from_euler_zyx_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_zyxf(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_zyx_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3645,9 +4590,11 @@ void chasles_euler_rate_matrix_zyx_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_zyx(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_zyx_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3660,9 +4607,11 @@ void chasles_euler_rate_matrix_zyx_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_zyxf(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_zyx_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3729,9 +4678,11 @@ void chasles_euler_rate_matrix_body_zyx_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_zyx(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_zyx_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3744,9 +4695,11 @@ void chasles_euler_rate_matrix_body_zyx_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_zyxf(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_zyx_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3801,12 +4754,11 @@ void chasles_euler_rates_zyx_batch(
     const double *omega, ptrdiff_t omega_step,
     double *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_zyx(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_zyx_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3820,12 +4772,11 @@ void chasles_euler_rates_zyx_batchf(
     const float *omega, ptrdiff_t omega_step,
     float *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_zyxf(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_zyx_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3910,9 +4861,11 @@ void chasles_rotation_from_euler_zyz_batch(
     const double *angles, ptrdiff_t angles_step,
     double *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_zyz(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_zyz_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3925,9 +4878,11 @@ void chasles_rotation_from_euler_zyz_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *Q, ptrdiff_t Q_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_rotation_from_euler_zyzf(angles + i * angles_step, Q + i * Q_step);
-    }
+    char *const at[] = {(char *)angles, (char *)Q};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, Q_step * size};
+    const chasles_loop *loop = &chasles_rotation_from_euler_zyz_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -3994,9 +4949,11 @@ void chasles_euler_rate_matrix_zyz_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_zyz(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_zyz_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -4009,9 +4966,11 @@ void chasles_euler_rate_matrix_zyz_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W, ptrdiff_t W_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_zyzf(angles + i * angles_step, W + i * W_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_zyz_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -4076,9 +5035,11 @@ void chasles_euler_rate_matrix_body_zyz_batch(
     const double *angles, ptrdiff_t angles_step,
     double *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_zyz(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_zyz_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -4091,9 +5052,11 @@ void chasles_euler_rate_matrix_body_zyz_batchf(
     const float *angles, ptrdiff_t angles_step,
     float *W_body, ptrdiff_t W_body_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rate_matrix_body_zyzf(angles + i * angles_step, W_body + i * W_body_step);
-    }
+    char *const at[] = {(char *)angles, (char *)W_body};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, W_body_step * size};
+    const chasles_loop *loop = &chasles_euler_rate_matrix_body_zyz_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -4148,12 +5111,11 @@ void chasles_euler_rates_zyz_batch(
     const double *omega, ptrdiff_t omega_step,
     double *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_zyz(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(double);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_zyz_loop;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
 
 /*
@@ -4167,10 +5129,9 @@ void chasles_euler_rates_zyz_batchf(
     const float *omega, ptrdiff_t omega_step,
     float *theta_dot, ptrdiff_t theta_dot_step)
 {
-    for (ptrdiff_t i = 0; i < (ptrdiff_t)count; i++) {
-        chasles_euler_rates_zyzf(
-            angles + i * angles_step,
-            omega + i * omega_step,
-            theta_dot + i * theta_dot_step);
-    }
+    char *const at[] = {(char *)angles, (char *)omega, (char *)theta_dot};
+    const ptrdiff_t size = (ptrdiff_t)sizeof(float);
+    const ptrdiff_t moves[] = {angles_step * size, omega_step * size, theta_dot_step * size};
+    const chasles_loop *loop = &chasles_euler_rates_zyz_loopf;
+    chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }

@@ -62,36 +62,48 @@ static void cross_product_matrix_vector_1(void)
 {
     const double v[3] = {1.25, 0.5, -0.75};
     const double V_expected[9] = {0.0, 0.75, 0.5, -0.75, 0.0, -1.25, -0.5, 1.25, 0.0};
-    double V[9];
+    double V[9], V_batch[99];
     chasles_cross_product_matrix(v, V);
+    chasles_cross_product_matrix_batch(11, v, 0, V_batch, 9);
     compare("chasles_cross_product_matrix, vector 1: V", 9, V, V_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_cross_product_matrix, vector 1, first of a batch: V", 9, V_batch, V_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_cross_product_matrix, vector 1, last: V", 9, V_batch + 90, V_expected, 8.0 * DBL_EPSILON);
 }
 
 static void cross_product_matrix_vector_2(void)
 {
     const double v[3] = {2.0, -1.5, 0.25};
     const double V_expected[9] = {0.0, -0.25, -1.5, 0.25, 0.0, -2.0, 1.5, 2.0, 0.0};
-    double V[9];
+    double V[9], V_batch[99];
     chasles_cross_product_matrix(v, V);
+    chasles_cross_product_matrix_batch(11, v, 0, V_batch, 9);
     compare("chasles_cross_product_matrix, vector 2: V", 9, V, V_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_cross_product_matrix, vector 2, first of a batch: V", 9, V_batch, V_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_cross_product_matrix, vector 2, last: V", 9, V_batch + 90, V_expected, 8.0 * DBL_EPSILON);
 }
 
 static void cross_product_matrix_vector_1f(void)
 {
     const float v[3] = {1.25f, 0.5f, -0.75f};
     const double V_expected[9] = {0.0, 0.75, 0.5, -0.75, 0.0, -1.25, -0.5, 1.25, 0.0};
-    float V[9];
+    float V[9], V_batch[99];
     chasles_cross_product_matrixf(v, V);
+    chasles_cross_product_matrix_batchf(11, v, 0, V_batch, 9);
     comparef("chasles_cross_product_matrixf, vector 1: V", 9, V, V_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_cross_product_matrixf, vector 1, first of a batch: V", 9, V_batch, V_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_cross_product_matrixf, vector 1, last: V", 9, V_batch + 90, V_expected, 8.0 * FLT_EPSILON);
 }
 
 static void cross_product_matrix_vector_2f(void)
 {
     const float v[3] = {2.0f, -1.5f, 0.25f};
     const double V_expected[9] = {0.0, -0.25, -1.5, 0.25, 0.0, -2.0, 1.5, 2.0, 0.0};
-    float V[9];
+    float V[9], V_batch[99];
     chasles_cross_product_matrixf(v, V);
+    chasles_cross_product_matrix_batchf(11, v, 0, V_batch, 9);
     comparef("chasles_cross_product_matrixf, vector 2: V", 9, V, V_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_cross_product_matrixf, vector 2, first of a batch: V", 9, V_batch, V_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_cross_product_matrixf, vector 2, last: V", 9, V_batch + 90, V_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_axis_angle_vector_1(void)
@@ -109,9 +121,12 @@ static void rotation_from_axis_angle_vector_1(void)
         0.62062937872063155347,
         0.61962353466403814747,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_axis_angle(e, phi[0], Q);
+    chasles_rotation_from_axis_angle_batch(11, e, 0, phi, 0, Q_batch, 9);
     compare("chasles_rotation_from_axis_angle, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_axis_angle, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_axis_angle, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_axis_angle_vector_2(void)
@@ -129,9 +144,12 @@ static void rotation_from_axis_angle_vector_2(void)
         0.67975048154262834576,
         0.49018713884302874068,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_axis_angle(e, phi[0], Q);
+    chasles_rotation_from_axis_angle_batch(11, e, 0, phi, 0, Q_batch, 9);
     compare("chasles_rotation_from_axis_angle, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_axis_angle, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_axis_angle, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_axis_angle_vector_1f(void)
@@ -149,9 +167,12 @@ static void rotation_from_axis_angle_vector_1f(void)
         0.62062937872063155347,
         0.61962353466403814747,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_axis_anglef(e, phi[0], Q);
+    chasles_rotation_from_axis_angle_batchf(11, e, 0, phi, 0, Q_batch, 9);
     comparef("chasles_rotation_from_axis_anglef, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_axis_anglef, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_axis_anglef, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_axis_angle_vector_2f(void)
@@ -169,9 +190,12 @@ static void rotation_from_axis_angle_vector_2f(void)
         0.67975048154262834576,
         0.49018713884302874068,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_axis_anglef(e, phi[0], Q);
+    chasles_rotation_from_axis_angle_batchf(11, e, 0, phi, 0, Q_batch, 9);
     comparef("chasles_rotation_from_axis_anglef, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_axis_anglef, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_axis_anglef, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void point_after_displacement_vector_1(void)
@@ -195,9 +219,12 @@ static void point_after_displacement_vector_1(void)
         -2.3333333333333333333,
         0.41666666666666666667,
     };
-    double p_prime[3];
+    double p_prime[3], p_prime_batch[33];
     chasles_point_after_displacement(Q, a, a_prime, p, p_prime);
+    chasles_point_after_displacement_batch(11, Q, 0, a, 0, a_prime, 0, p, 0, p_prime_batch, 3);
     compare("chasles_point_after_displacement, vector 1: p_prime", 3, p_prime, p_prime_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_point_after_displacement, vector 1, first of a batch: p_prime", 3, p_prime_batch, p_prime_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_point_after_displacement, vector 1, last: p_prime", 3, p_prime_batch + 30, p_prime_expected, 8.0 * DBL_EPSILON);
 }
 
 static void point_after_displacement_vector_2(void)
@@ -207,9 +234,12 @@ static void point_after_displacement_vector_2(void)
     const double a_prime[3] = {1.75, -0.5, 0.75};
     const double p[3] = {-1.25, 1.5, 1.25};
     const double p_prime_expected[3] = {-2.6, -1.3, 1.75};
-    double p_prime[3];
+    double p_prime[3], p_prime_batch[33];
     chasles_point_after_displacement(Q, a, a_prime, p, p_prime);
+    chasles_point_after_displacement_batch(11, Q, 0, a, 0, a_prime, 0, p, 0, p_prime_batch, 3);
     compare("chasles_point_after_displacement, vector 2: p_prime", 3, p_prime, p_prime_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_point_after_displacement, vector 2, first of a batch: p_prime", 3, p_prime_batch, p_prime_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_point_after_displacement, vector 2, last: p_prime", 3, p_prime_batch + 30, p_prime_expected, 8.0 * DBL_EPSILON);
 }
 
 static void point_after_displacement_vector_1f(void)
@@ -233,9 +263,12 @@ static void point_after_displacement_vector_1f(void)
         -2.3333333333333333333,
         0.41666666666666666667,
     };
-    float p_prime[3];
+    float p_prime[3], p_prime_batch[33];
     chasles_point_after_displacementf(Q, a, a_prime, p, p_prime);
+    chasles_point_after_displacement_batchf(11, Q, 0, a, 0, a_prime, 0, p, 0, p_prime_batch, 3);
     comparef("chasles_point_after_displacementf, vector 1: p_prime", 3, p_prime, p_prime_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_point_after_displacementf, vector 1, first of a batch: p_prime", 3, p_prime_batch, p_prime_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_point_after_displacementf, vector 1, last: p_prime", 3, p_prime_batch + 30, p_prime_expected, 8.0 * FLT_EPSILON);
 }
 
 static void point_after_displacement_vector_2f(void)
@@ -245,9 +278,12 @@ static void point_after_displacement_vector_2f(void)
     const float a_prime[3] = {1.75f, -0.5f, 0.75f};
     const float p[3] = {-1.25f, 1.5f, 1.25f};
     const double p_prime_expected[3] = {-2.6, -1.3, 1.75};
-    float p_prime[3];
+    float p_prime[3], p_prime_batch[33];
     chasles_point_after_displacementf(Q, a, a_prime, p, p_prime);
+    chasles_point_after_displacement_batchf(11, Q, 0, a, 0, a_prime, 0, p, 0, p_prime_batch, 3);
     comparef("chasles_point_after_displacementf, vector 2: p_prime", 3, p_prime, p_prime_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_point_after_displacementf, vector 2, first of a batch: p_prime", 3, p_prime_batch, p_prime_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_point_after_displacementf, vector 2, last: p_prime", 3, p_prime_batch + 30, p_prime_expected, 8.0 * FLT_EPSILON);
 }
 
 static void pitch_of_motion_vector_1(void)
@@ -256,9 +292,12 @@ static void pitch_of_motion_vector_1(void)
     const double phi[1] = {1.25};
     const double d_P[3] = {0.5, -0.75, 2.0};
     const double result_expected[1] = {0.8};
-    double result[1];
+    double result[1], result_batch[11];
     chasles_pitch_of_motion(e, phi[0], d_P, result);
+    chasles_pitch_of_motion_batch(11, e, 0, phi, 0, d_P, 0, result_batch, 1);
     compare("chasles_pitch_of_motion, vector 1: result", 1, result, result_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pitch_of_motion, vector 1, first of a batch: result", 1, result_batch, result_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pitch_of_motion, vector 1, last: result", 1, result_batch + 10, result_expected, 8.0 * DBL_EPSILON);
 }
 
 static void pitch_of_motion_vector_2(void)
@@ -267,9 +306,12 @@ static void pitch_of_motion_vector_2(void)
     const double phi[1] = {2.0};
     const double d_P[3] = {-1.5, 0.25, 1.75};
     const double result_expected[1] = {0.775};
-    double result[1];
+    double result[1], result_batch[11];
     chasles_pitch_of_motion(e, phi[0], d_P, result);
+    chasles_pitch_of_motion_batch(11, e, 0, phi, 0, d_P, 0, result_batch, 1);
     compare("chasles_pitch_of_motion, vector 2: result", 1, result, result_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pitch_of_motion, vector 2, first of a batch: result", 1, result_batch, result_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pitch_of_motion, vector 2, last: result", 1, result_batch + 10, result_expected, 8.0 * DBL_EPSILON);
 }
 
 static void pitch_of_motion_vector_3(void)
@@ -278,9 +320,12 @@ static void pitch_of_motion_vector_3(void)
     const double phi[1] = {0.0};
     const double d_P[3] = {0.0, 0.0, 0.0};
     const double result_expected[1] = {NAN};
-    double result[1];
+    double result[1], result_batch[11];
     chasles_pitch_of_motion(e, phi[0], d_P, result);
+    chasles_pitch_of_motion_batch(11, e, 0, phi, 0, d_P, 0, result_batch, 1);
     compare("chasles_pitch_of_motion, vector 3: result", 1, result, result_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pitch_of_motion, vector 3, first of a batch: result", 1, result_batch, result_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pitch_of_motion, vector 3, last: result", 1, result_batch + 10, result_expected, 8.0 * DBL_EPSILON);
 }
 
 static void pitch_of_motion_vector_1f(void)
@@ -289,9 +334,12 @@ static void pitch_of_motion_vector_1f(void)
     const float phi[1] = {1.25f};
     const float d_P[3] = {0.5f, -0.75f, 2.0f};
     const double result_expected[1] = {0.8};
-    float result[1];
+    float result[1], result_batch[11];
     chasles_pitch_of_motionf(e, phi[0], d_P, result);
+    chasles_pitch_of_motion_batchf(11, e, 0, phi, 0, d_P, 0, result_batch, 1);
     comparef("chasles_pitch_of_motionf, vector 1: result", 1, result, result_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pitch_of_motionf, vector 1, first of a batch: result", 1, result_batch, result_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pitch_of_motionf, vector 1, last: result", 1, result_batch + 10, result_expected, 8.0 * FLT_EPSILON);
 }
 
 static void pitch_of_motion_vector_2f(void)
@@ -300,9 +348,12 @@ static void pitch_of_motion_vector_2f(void)
     const float phi[1] = {2.0f};
     const float d_P[3] = {-1.5f, 0.25f, 1.75f};
     const double result_expected[1] = {0.775};
-    float result[1];
+    float result[1], result_batch[11];
     chasles_pitch_of_motionf(e, phi[0], d_P, result);
+    chasles_pitch_of_motion_batchf(11, e, 0, phi, 0, d_P, 0, result_batch, 1);
     comparef("chasles_pitch_of_motionf, vector 2: result", 1, result, result_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pitch_of_motionf, vector 2, first of a batch: result", 1, result_batch, result_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pitch_of_motionf, vector 2, last: result", 1, result_batch + 10, result_expected, 8.0 * FLT_EPSILON);
 }
 
 static void pitch_of_motion_vector_3f(void)
@@ -311,9 +362,12 @@ static void pitch_of_motion_vector_3f(void)
     const float phi[1] = {0.0f};
     const float d_P[3] = {0.0f, 0.0f, 0.0f};
     const double result_expected[1] = {NAN};
-    float result[1];
+    float result[1], result_batch[11];
     chasles_pitch_of_motionf(e, phi[0], d_P, result);
+    chasles_pitch_of_motion_batchf(11, e, 0, phi, 0, d_P, 0, result_batch, 1);
     comparef("chasles_pitch_of_motionf, vector 3: result", 1, result, result_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pitch_of_motionf, vector 3, first of a batch: result", 1, result_batch, result_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pitch_of_motionf, vector 3, last: result", 1, result_batch + 10, result_expected, 8.0 * FLT_EPSILON);
 }
 
 static void normal_matrix_inverse_vector_1(void)
@@ -331,9 +385,12 @@ static void normal_matrix_inverse_vector_1(void)
         0.11987970037066107449,
         0.85015037453667365689,
     };
-    double result[9];
+    double result[9], result_batch[99];
     chasles_normal_matrix_inverse(e, phi[0], result);
+    chasles_normal_matrix_inverse_batch(11, e, 0, phi, 0, result_batch, 9);
     compare("chasles_normal_matrix_inverse, vector 1: result", 9, result, result_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_normal_matrix_inverse, vector 1, first of a batch: result", 9, result_batch, result_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_normal_matrix_inverse, vector 1, last: result", 9, result_batch + 90, result_expected, 8.0 * DBL_EPSILON);
 }
 
 static void normal_matrix_inverse_vector_2(void)
@@ -351,9 +408,12 @@ static void normal_matrix_inverse_vector_2(void)
         0.31052604870751297025,
         0.76710546346936527231,
     };
-    double result[9];
+    double result[9], result_batch[99];
     chasles_normal_matrix_inverse(e, phi[0], result);
+    chasles_normal_matrix_inverse_batch(11, e, 0, phi, 0, result_batch, 9);
     compare("chasles_normal_matrix_inverse, vector 2: result", 9, result, result_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_normal_matrix_inverse, vector 2, first of a batch: result", 9, result_batch, result_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_normal_matrix_inverse, vector 2, last: result", 9, result_batch + 90, result_expected, 8.0 * DBL_EPSILON);
 }
 
 static void normal_matrix_inverse_vector_3(void)
@@ -361,9 +421,12 @@ static void normal_matrix_inverse_vector_3(void)
     const double e[3] = {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
     const double phi[1] = {0.0};
     const double result_expected[9] = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
-    double result[9];
+    double result[9], result_batch[99];
     chasles_normal_matrix_inverse(e, phi[0], result);
+    chasles_normal_matrix_inverse_batch(11, e, 0, phi, 0, result_batch, 9);
     compare("chasles_normal_matrix_inverse, vector 3: result", 9, result, result_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_normal_matrix_inverse, vector 3, first of a batch: result", 9, result_batch, result_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_normal_matrix_inverse, vector 3, last: result", 9, result_batch + 90, result_expected, 8.0 * DBL_EPSILON);
 }
 
 static void normal_matrix_inverse_vector_1f(void)
@@ -381,9 +444,12 @@ static void normal_matrix_inverse_vector_1f(void)
         0.11987970037066107449,
         0.85015037453667365689,
     };
-    float result[9];
+    float result[9], result_batch[99];
     chasles_normal_matrix_inversef(e, phi[0], result);
+    chasles_normal_matrix_inverse_batchf(11, e, 0, phi, 0, result_batch, 9);
     comparef("chasles_normal_matrix_inversef, vector 1: result", 9, result, result_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_normal_matrix_inversef, vector 1, first of a batch: result", 9, result_batch, result_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_normal_matrix_inversef, vector 1, last: result", 9, result_batch + 90, result_expected, 8.0 * FLT_EPSILON);
 }
 
 static void normal_matrix_inverse_vector_2f(void)
@@ -401,9 +467,12 @@ static void normal_matrix_inverse_vector_2f(void)
         0.31052604870751297025,
         0.76710546346936527231,
     };
-    float result[9];
+    float result[9], result_batch[99];
     chasles_normal_matrix_inversef(e, phi[0], result);
+    chasles_normal_matrix_inverse_batchf(11, e, 0, phi, 0, result_batch, 9);
     comparef("chasles_normal_matrix_inversef, vector 2: result", 9, result, result_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_normal_matrix_inversef, vector 2, first of a batch: result", 9, result_batch, result_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_normal_matrix_inversef, vector 2, last: result", 9, result_batch + 90, result_expected, 8.0 * FLT_EPSILON);
 }
 
 static void normal_matrix_inverse_vector_3f(void)
@@ -411,9 +480,12 @@ static void normal_matrix_inverse_vector_3f(void)
     const float e[3] = {1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f};
     const float phi[1] = {0.0f};
     const double result_expected[9] = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
-    float result[9];
+    float result[9], result_batch[99];
     chasles_normal_matrix_inversef(e, phi[0], result);
+    chasles_normal_matrix_inverse_batchf(11, e, 0, phi, 0, result_batch, 9);
     comparef("chasles_normal_matrix_inversef, vector 3: result", 9, result, result_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_normal_matrix_inversef, vector 3, first of a batch: result", 9, result_batch, result_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_normal_matrix_inversef, vector 3, last: result", 9, result_batch + 90, result_expected, 8.0 * FLT_EPSILON);
 }
 
 static void screw_axis_point_vector_1(void)
@@ -427,9 +499,12 @@ static void screw_axis_point_vector_1(void)
         -1.7273806582985870833,
         2.4189149518055235184,
     };
-    double p_0[3];
+    double p_0[3], p_0_batch[33];
     chasles_screw_axis_point(e, phi[0], a, a_prime, p_0);
+    chasles_screw_axis_point_batch(11, e, 0, phi, 0, a, 0, a_prime, 0, p_0_batch, 3);
     compare("chasles_screw_axis_point, vector 1: p_0", 3, p_0, p_0_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_screw_axis_point, vector 1, first of a batch: p_0", 3, p_0_batch, p_0_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_screw_axis_point, vector 1, last: p_0", 3, p_0_batch + 30, p_0_expected, 8.0 * DBL_EPSILON);
 }
 
 static void screw_axis_point_vector_2(void)
@@ -443,9 +518,12 @@ static void screw_axis_point_vector_2(void)
         0.4568370463737322812,
         -0.3426277847802992109,
     };
-    double p_0[3];
+    double p_0[3], p_0_batch[33];
     chasles_screw_axis_point(e, phi[0], a, a_prime, p_0);
+    chasles_screw_axis_point_batch(11, e, 0, phi, 0, a, 0, a_prime, 0, p_0_batch, 3);
     compare("chasles_screw_axis_point, vector 2: p_0", 3, p_0, p_0_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_screw_axis_point, vector 2, first of a batch: p_0", 3, p_0_batch, p_0_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_screw_axis_point, vector 2, last: p_0", 3, p_0_batch + 30, p_0_expected, 8.0 * DBL_EPSILON);
 }
 
 static void screw_axis_point_vector_3(void)
@@ -455,9 +533,12 @@ static void screw_axis_point_vector_3(void)
     const double a[3] = {0.0, 0.0, 0.0};
     const double a_prime[3] = {0.0, 0.0, 0.0};
     const double p_0_expected[3] = {NAN, NAN, NAN};
-    double p_0[3];
+    double p_0[3], p_0_batch[33];
     chasles_screw_axis_point(e, phi[0], a, a_prime, p_0);
+    chasles_screw_axis_point_batch(11, e, 0, phi, 0, a, 0, a_prime, 0, p_0_batch, 3);
     compare("chasles_screw_axis_point, vector 3: p_0", 3, p_0, p_0_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_screw_axis_point, vector 3, first of a batch: p_0", 3, p_0_batch, p_0_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_screw_axis_point, vector 3, last: p_0", 3, p_0_batch + 30, p_0_expected, 8.0 * DBL_EPSILON);
 }
 
 static void screw_axis_point_vector_1f(void)
@@ -471,9 +552,12 @@ static void screw_axis_point_vector_1f(void)
         -1.7273806582985870833,
         2.4189149518055235184,
     };
-    float p_0[3];
+    float p_0[3], p_0_batch[33];
     chasles_screw_axis_pointf(e, phi[0], a, a_prime, p_0);
+    chasles_screw_axis_point_batchf(11, e, 0, phi, 0, a, 0, a_prime, 0, p_0_batch, 3);
     comparef("chasles_screw_axis_pointf, vector 1: p_0", 3, p_0, p_0_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_screw_axis_pointf, vector 1, first of a batch: p_0", 3, p_0_batch, p_0_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_screw_axis_pointf, vector 1, last: p_0", 3, p_0_batch + 30, p_0_expected, 8.0 * FLT_EPSILON);
 }
 
 static void screw_axis_point_vector_2f(void)
@@ -487,9 +571,12 @@ static void screw_axis_point_vector_2f(void)
         0.4568370463737322812,
         -0.3426277847802992109,
     };
-    float p_0[3];
+    float p_0[3], p_0_batch[33];
     chasles_screw_axis_pointf(e, phi[0], a, a_prime, p_0);
+    chasles_screw_axis_point_batchf(11, e, 0, phi, 0, a, 0, a_prime, 0, p_0_batch, 3);
     comparef("chasles_screw_axis_pointf, vector 2: p_0", 3, p_0, p_0_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_screw_axis_pointf, vector 2, first of a batch: p_0", 3, p_0_batch, p_0_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_screw_axis_pointf, vector 2, last: p_0", 3, p_0_batch + 30, p_0_expected, 8.0 * FLT_EPSILON);
 }
 
 static void screw_axis_point_vector_3f(void)
@@ -499,9 +586,12 @@ static void screw_axis_point_vector_3f(void)
     const float a[3] = {0.0f, 0.0f, 0.0f};
     const float a_prime[3] = {0.0f, 0.0f, 0.0f};
     const double p_0_expected[3] = {NAN, NAN, NAN};
-    float p_0[3];
+    float p_0[3], p_0_batch[33];
     chasles_screw_axis_pointf(e, phi[0], a, a_prime, p_0);
+    chasles_screw_axis_point_batchf(11, e, 0, phi, 0, a, 0, a_prime, 0, p_0_batch, 3);
     comparef("chasles_screw_axis_pointf, vector 3: p_0", 3, p_0, p_0_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_screw_axis_pointf, vector 3, first of a batch: p_0", 3, p_0_batch, p_0_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_screw_axis_pointf, vector 3, last: p_0", 3, p_0_batch + 30, p_0_expected, 8.0 * FLT_EPSILON);
 }
 
 static void plucker_line_vector_1(void)
@@ -516,9 +606,12 @@ static void plucker_line_vector_1(void)
         -0.76849846300461098463,
         -1.2189975620073139756,
     };
-    double kappa[6];
+    double kappa[6], kappa_batch[66];
     chasles_plucker_line(p_1, p_2, kappa);
+    chasles_plucker_line_batch(11, p_1, 0, p_2, 0, kappa_batch, 6);
     compare("chasles_plucker_line, vector 1: kappa", 6, kappa, kappa_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_plucker_line, vector 1, first of a batch: kappa", 6, kappa_batch, kappa_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_plucker_line, vector 1, last: kappa", 6, kappa_batch + 60, kappa_expected, 8.0 * DBL_EPSILON);
 }
 
 static void plucker_line_vector_2(void)
@@ -533,9 +626,12 @@ static void plucker_line_vector_2(void)
         -0.92742603350296762038,
         1.4184162865339504782,
     };
-    double kappa[6];
+    double kappa[6], kappa_batch[66];
     chasles_plucker_line(p_1, p_2, kappa);
+    chasles_plucker_line_batch(11, p_1, 0, p_2, 0, kappa_batch, 6);
     compare("chasles_plucker_line, vector 2: kappa", 6, kappa, kappa_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_plucker_line, vector 2, first of a batch: kappa", 6, kappa_batch, kappa_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_plucker_line, vector 2, last: kappa", 6, kappa_batch + 60, kappa_expected, 8.0 * DBL_EPSILON);
 }
 
 static void plucker_line_vector_3(void)
@@ -543,9 +639,12 @@ static void plucker_line_vector_3(void)
     const double p_1[3] = {0.0, 0.0, 0.0};
     const double p_2[3] = {0.0, 0.0, 0.0};
     const double kappa_expected[6] = {NAN, NAN, NAN, NAN, NAN, NAN};
-    double kappa[6];
+    double kappa[6], kappa_batch[66];
     chasles_plucker_line(p_1, p_2, kappa);
+    chasles_plucker_line_batch(11, p_1, 0, p_2, 0, kappa_batch, 6);
     compare("chasles_plucker_line, vector 3: kappa", 6, kappa, kappa_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_plucker_line, vector 3, first of a batch: kappa", 6, kappa_batch, kappa_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_plucker_line, vector 3, last: kappa", 6, kappa_batch + 60, kappa_expected, 8.0 * DBL_EPSILON);
 }
 
 static void plucker_line_vector_1f(void)
@@ -560,9 +659,12 @@ static void plucker_line_vector_1f(void)
         -0.76849846300461098463,
         -1.2189975620073139756,
     };
-    float kappa[6];
+    float kappa[6], kappa_batch[66];
     chasles_plucker_linef(p_1, p_2, kappa);
+    chasles_plucker_line_batchf(11, p_1, 0, p_2, 0, kappa_batch, 6);
     comparef("chasles_plucker_linef, vector 1: kappa", 6, kappa, kappa_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_plucker_linef, vector 1, first of a batch: kappa", 6, kappa_batch, kappa_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_plucker_linef, vector 1, last: kappa", 6, kappa_batch + 60, kappa_expected, 8.0 * FLT_EPSILON);
 }
 
 static void plucker_line_vector_2f(void)
@@ -577,9 +679,12 @@ static void plucker_line_vector_2f(void)
         -0.92742603350296762038,
         1.4184162865339504782,
     };
-    float kappa[6];
+    float kappa[6], kappa_batch[66];
     chasles_plucker_linef(p_1, p_2, kappa);
+    chasles_plucker_line_batchf(11, p_1, 0, p_2, 0, kappa_batch, 6);
     comparef("chasles_plucker_linef, vector 2: kappa", 6, kappa, kappa_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_plucker_linef, vector 2, first of a batch: kappa", 6, kappa_batch, kappa_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_plucker_linef, vector 2, last: kappa", 6, kappa_batch + 60, kappa_expected, 8.0 * FLT_EPSILON);
 }
 
 static void plucker_line_vector_3f(void)
@@ -587,9 +692,12 @@ static void plucker_line_vector_3f(void)
     const float p_1[3] = {0.0f, 0.0f, 0.0f};
     const float p_2[3] = {0.0f, 0.0f, 0.0f};
     const double kappa_expected[6] = {NAN, NAN, NAN, NAN, NAN, NAN};
-    float kappa[6];
+    float kappa[6], kappa_batch[66];
     chasles_plucker_linef(p_1, p_2, kappa);
+    chasles_plucker_line_batchf(11, p_1, 0, p_2, 0, kappa_batch, 6);
     comparef("chasles_plucker_linef, vector 3: kappa", 6, kappa, kappa_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_plucker_linef, vector 3, first of a batch: kappa", 6, kappa_batch, kappa_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_plucker_linef, vector 3, last: kappa", 6, kappa_batch + 60, kappa_expected, 8.0 * FLT_EPSILON);
 }
 
 static void plucker_transfer_vector_1(void)
@@ -598,9 +706,12 @@ static void plucker_transfer_vector_1(void)
     const double a[3] = {1.75, -0.5, 0.75};
     const double b[3] = {-1.25, 1.5, 1.25};
     const double kappa_B_expected[6] = {1.25, 0.5, -0.75, 3.75, 0.125, 4.25};
-    double kappa_B[6];
+    double kappa_B[6], kappa_B_batch[66];
     chasles_plucker_transfer(kappa_A, a, b, kappa_B);
+    chasles_plucker_transfer_batch(11, kappa_A, 0, a, 0, b, 0, kappa_B_batch, 6);
     compare("chasles_plucker_transfer, vector 1: kappa_B", 6, kappa_B, kappa_B_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_plucker_transfer, vector 1, first of a batch: kappa_B", 6, kappa_B_batch, kappa_B_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_plucker_transfer, vector 1, last: kappa_B", 6, kappa_B_batch + 60, kappa_B_expected, 8.0 * DBL_EPSILON);
 }
 
 static void plucker_transfer_vector_2(void)
@@ -609,9 +720,12 @@ static void plucker_transfer_vector_2(void)
     const double a[3] = {-1.25, 1.5, 1.25};
     const double b[3] = {0.5, -0.75, 2.0};
     const double kappa_B_expected[6] = {2.0, -1.5, 0.25, 1.1875, -1.5625, -1.125};
-    double kappa_B[6];
+    double kappa_B[6], kappa_B_batch[66];
     chasles_plucker_transfer(kappa_A, a, b, kappa_B);
+    chasles_plucker_transfer_batch(11, kappa_A, 0, a, 0, b, 0, kappa_B_batch, 6);
     compare("chasles_plucker_transfer, vector 2: kappa_B", 6, kappa_B, kappa_B_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_plucker_transfer, vector 2, first of a batch: kappa_B", 6, kappa_B_batch, kappa_B_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_plucker_transfer, vector 2, last: kappa_B", 6, kappa_B_batch + 60, kappa_B_expected, 8.0 * DBL_EPSILON);
 }
 
 static void plucker_transfer_vector_1f(void)
@@ -620,9 +734,12 @@ static void plucker_transfer_vector_1f(void)
     const float a[3] = {1.75f, -0.5f, 0.75f};
     const float b[3] = {-1.25f, 1.5f, 1.25f};
     const double kappa_B_expected[6] = {1.25, 0.5, -0.75, 3.75, 0.125, 4.25};
-    float kappa_B[6];
+    float kappa_B[6], kappa_B_batch[66];
     chasles_plucker_transferf(kappa_A, a, b, kappa_B);
+    chasles_plucker_transfer_batchf(11, kappa_A, 0, a, 0, b, 0, kappa_B_batch, 6);
     comparef("chasles_plucker_transferf, vector 1: kappa_B", 6, kappa_B, kappa_B_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_plucker_transferf, vector 1, first of a batch: kappa_B", 6, kappa_B_batch, kappa_B_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_plucker_transferf, vector 1, last: kappa_B", 6, kappa_B_batch + 60, kappa_B_expected, 8.0 * FLT_EPSILON);
 }
 
 static void plucker_transfer_vector_2f(void)
@@ -631,9 +748,12 @@ static void plucker_transfer_vector_2f(void)
     const float a[3] = {-1.25f, 1.5f, 1.25f};
     const float b[3] = {0.5f, -0.75f, 2.0f};
     const double kappa_B_expected[6] = {2.0, -1.5, 0.25, 1.1875, -1.5625, -1.125};
-    float kappa_B[6];
+    float kappa_B[6], kappa_B_batch[66];
     chasles_plucker_transferf(kappa_A, a, b, kappa_B);
+    chasles_plucker_transfer_batchf(11, kappa_A, 0, a, 0, b, 0, kappa_B_batch, 6);
     comparef("chasles_plucker_transferf, vector 2: kappa_B", 6, kappa_B, kappa_B_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_plucker_transferf, vector 2, first of a batch: kappa_B", 6, kappa_B_batch, kappa_B_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_plucker_transferf, vector 2, last: kappa_B", 6, kappa_B_batch + 60, kappa_B_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_in_triad_axes_vector_1(void)
@@ -661,9 +781,12 @@ static void rotation_in_triad_axes_vector_1(void)
         -0.73333333333333333333,
         0.66666666666666666667,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_in_triad_axes(triad, triad_prime, Q);
+    chasles_rotation_in_triad_axes_batch(11, triad, 0, triad_prime, 0, Q_batch, 9);
     compare("chasles_rotation_in_triad_axes, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_in_triad_axes, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_in_triad_axes, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_in_triad_axes_vector_2(void)
@@ -691,9 +814,12 @@ static void rotation_in_triad_axes_vector_2(void)
         0.66666666666666666667,
         0.66666666666666666667,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_in_triad_axes(triad, triad_prime, Q);
+    chasles_rotation_in_triad_axes_batch(11, triad, 0, triad_prime, 0, Q_batch, 9);
     compare("chasles_rotation_in_triad_axes, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_in_triad_axes, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_in_triad_axes, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_in_triad_axes_vector_1f(void)
@@ -721,9 +847,12 @@ static void rotation_in_triad_axes_vector_1f(void)
         -0.73333333333333333333,
         0.66666666666666666667,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_in_triad_axesf(triad, triad_prime, Q);
+    chasles_rotation_in_triad_axes_batchf(11, triad, 0, triad_prime, 0, Q_batch, 9);
     comparef("chasles_rotation_in_triad_axesf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_in_triad_axesf, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_in_triad_axesf, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_in_triad_axes_vector_2f(void)
@@ -751,9 +880,12 @@ static void rotation_in_triad_axes_vector_2f(void)
         0.66666666666666666667,
         0.66666666666666666667,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_in_triad_axesf(triad, triad_prime, Q);
+    chasles_rotation_in_triad_axes_batchf(11, triad, 0, triad_prime, 0, Q_batch, 9);
     comparef("chasles_rotation_in_triad_axesf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_in_triad_axesf, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_in_triad_axesf, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_triads_vector_1(void)
@@ -781,9 +913,12 @@ static void rotation_from_triads_vector_1(void)
         -0.33333333333333333333,
         0.66666666666666666667,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_triads(triad, triad_prime, Q);
+    chasles_rotation_from_triads_batch(11, triad, 0, triad_prime, 0, Q_batch, 9);
     compare("chasles_rotation_from_triads, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_triads, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_triads, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_triads_vector_2(void)
@@ -811,9 +946,12 @@ static void rotation_from_triads_vector_2(void)
         0.13333333333333333333,
         0.66666666666666666667,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_triads(triad, triad_prime, Q);
+    chasles_rotation_from_triads_batch(11, triad, 0, triad_prime, 0, Q_batch, 9);
     compare("chasles_rotation_from_triads, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_triads, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_triads, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_triads_vector_1f(void)
@@ -841,9 +979,12 @@ static void rotation_from_triads_vector_1f(void)
         -0.33333333333333333333,
         0.66666666666666666667,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_triadsf(triad, triad_prime, Q);
+    chasles_rotation_from_triads_batchf(11, triad, 0, triad_prime, 0, Q_batch, 9);
     comparef("chasles_rotation_from_triadsf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_triadsf, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_triadsf, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_triads_vector_2f(void)
@@ -871,9 +1012,12 @@ static void rotation_from_triads_vector_2f(void)
         0.13333333333333333333,
         0.66666666666666666667,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_triadsf(triad, triad_prime, Q);
+    chasles_rotation_from_triads_batchf(11, triad, 0, triad_prime, 0, Q_batch, 9);
     comparef("chasles_rotation_from_triadsf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_triadsf, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_triadsf, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void axial_vector_vector_1(void)
@@ -890,18 +1034,24 @@ static void axial_vector_vector_1(void)
         2.0 / 3.0,
     };
     const double omega_expected[3] = {0.5, 0.5, 0.5};
-    double omega[3];
+    double omega[3], omega_batch[33];
     chasles_axial_vector(Omega, omega);
+    chasles_axial_vector_batch(11, Omega, 0, omega_batch, 3);
     compare("chasles_axial_vector, vector 1: omega", 3, omega, omega_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_axial_vector, vector 1, first of a batch: omega", 3, omega_batch, omega_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_axial_vector, vector 1, last: omega", 3, omega_batch + 30, omega_expected, 8.0 * DBL_EPSILON);
 }
 
 static void axial_vector_vector_2(void)
 {
     const double Omega[9] = {0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0};
     const double omega_expected[3] = {0.0, 0.0, 0.8};
-    double omega[3];
+    double omega[3], omega_batch[33];
     chasles_axial_vector(Omega, omega);
+    chasles_axial_vector_batch(11, Omega, 0, omega_batch, 3);
     compare("chasles_axial_vector, vector 2: omega", 3, omega, omega_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_axial_vector, vector 2, first of a batch: omega", 3, omega_batch, omega_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_axial_vector, vector 2, last: omega", 3, omega_batch + 30, omega_expected, 8.0 * DBL_EPSILON);
 }
 
 static void axial_vector_vector_1f(void)
@@ -918,18 +1068,24 @@ static void axial_vector_vector_1f(void)
         2.0f / 3.0f,
     };
     const double omega_expected[3] = {0.5, 0.5, 0.5};
-    float omega[3];
+    float omega[3], omega_batch[33];
     chasles_axial_vectorf(Omega, omega);
+    chasles_axial_vector_batchf(11, Omega, 0, omega_batch, 3);
     comparef("chasles_axial_vectorf, vector 1: omega", 3, omega, omega_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_axial_vectorf, vector 1, first of a batch: omega", 3, omega_batch, omega_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_axial_vectorf, vector 1, last: omega", 3, omega_batch + 30, omega_expected, 8.0 * FLT_EPSILON);
 }
 
 static void axial_vector_vector_2f(void)
 {
     const float Omega[9] = {0.6f, -0.8f, 0.0f, 0.8f, 0.6f, 0.0f, 0.0f, 0.0f, 1.0f};
     const double omega_expected[3] = {0.0, 0.0, 0.8};
-    float omega[3];
+    float omega[3], omega_batch[33];
     chasles_axial_vectorf(Omega, omega);
+    chasles_axial_vector_batchf(11, Omega, 0, omega_batch, 3);
     comparef("chasles_axial_vectorf, vector 2: omega", 3, omega, omega_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_axial_vectorf, vector 2, first of a batch: omega", 3, omega_batch, omega_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_axial_vectorf, vector 2, last: omega", 3, omega_batch + 30, omega_expected, 8.0 * FLT_EPSILON);
 }
 
 static void velocity_of_point_vector_1(void)
@@ -939,9 +1095,12 @@ static void velocity_of_point_vector_1(void)
     const double a[3] = {1.75, -0.5, 0.75};
     const double p[3] = {-1.25, 1.5, 1.25};
     const double p_dot_expected[3] = {3.75, 0.125, 4.25};
-    double p_dot[3];
+    double p_dot[3], p_dot_batch[33];
     chasles_velocity_of_point(omega, a_dot, a, p, p_dot);
+    chasles_velocity_of_point_batch(11, omega, 0, a_dot, 0, a, 0, p, 0, p_dot_batch, 3);
     compare("chasles_velocity_of_point, vector 1: p_dot", 3, p_dot, p_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_velocity_of_point, vector 1, first of a batch: p_dot", 3, p_dot_batch, p_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_velocity_of_point, vector 1, last: p_dot", 3, p_dot_batch + 30, p_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void velocity_of_point_vector_2(void)
@@ -951,9 +1110,12 @@ static void velocity_of_point_vector_2(void)
     const double a[3] = {-1.25, 1.5, 1.25};
     const double p[3] = {0.5, -0.75, 2.0};
     const double p_dot_expected[3] = {1.1875, -1.5625, -1.125};
-    double p_dot[3];
+    double p_dot[3], p_dot_batch[33];
     chasles_velocity_of_point(omega, a_dot, a, p, p_dot);
+    chasles_velocity_of_point_batch(11, omega, 0, a_dot, 0, a, 0, p, 0, p_dot_batch, 3);
     compare("chasles_velocity_of_point, vector 2: p_dot", 3, p_dot, p_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_velocity_of_point, vector 2, first of a batch: p_dot", 3, p_dot_batch, p_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_velocity_of_point, vector 2, last: p_dot", 3, p_dot_batch + 30, p_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void velocity_of_point_vector_1f(void)
@@ -963,9 +1125,12 @@ static void velocity_of_point_vector_1f(void)
     const float a[3] = {1.75f, -0.5f, 0.75f};
     const float p[3] = {-1.25f, 1.5f, 1.25f};
     const double p_dot_expected[3] = {3.75, 0.125, 4.25};
-    float p_dot[3];
+    float p_dot[3], p_dot_batch[33];
     chasles_velocity_of_pointf(omega, a_dot, a, p, p_dot);
+    chasles_velocity_of_point_batchf(11, omega, 0, a_dot, 0, a, 0, p, 0, p_dot_batch, 3);
     comparef("chasles_velocity_of_pointf, vector 1: p_dot", 3, p_dot, p_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_velocity_of_pointf, vector 1, first of a batch: p_dot", 3, p_dot_batch, p_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_velocity_of_pointf, vector 1, last: p_dot", 3, p_dot_batch + 30, p_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void velocity_of_point_vector_2f(void)
@@ -975,9 +1140,12 @@ static void velocity_of_point_vector_2f(void)
     const float a[3] = {-1.25f, 1.5f, 1.25f};
     const float p[3] = {0.5f, -0.75f, 2.0f};
     const double p_dot_expected[3] = {1.1875, -1.5625, -1.125};
-    float p_dot[3];
+    float p_dot[3], p_dot_batch[33];
     chasles_velocity_of_pointf(omega, a_dot, a, p, p_dot);
+    chasles_velocity_of_point_batchf(11, omega, 0, a_dot, 0, a, 0, p, 0, p_dot_batch, 3);
     comparef("chasles_velocity_of_pointf, vector 2: p_dot", 3, p_dot, p_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_velocity_of_pointf, vector 2, first of a batch: p_dot", 3, p_dot_batch, p_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_velocity_of_pointf, vector 2, last: p_dot", 3, p_dot_batch + 30, p_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void instant_screw_point_vector_1(void)
@@ -990,9 +1158,12 @@ static void instant_screw_point_vector_1(void)
         -1.5526315789473684211,
         -0.026315789473684210526,
     };
-    double p_0_prime[3];
+    double p_0_prime[3], p_0_prime_batch[33];
     chasles_instant_screw_point(omega, a_dot, a, p_0_prime);
+    chasles_instant_screw_point_batch(11, omega, 0, a_dot, 0, a, 0, p_0_prime_batch, 3);
     compare("chasles_instant_screw_point, vector 1: p_0_prime", 3, p_0_prime, p_0_prime_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_instant_screw_point, vector 1, first of a batch: p_0_prime", 3, p_0_prime_batch, p_0_prime_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_instant_screw_point, vector 1, last: p_0_prime", 3, p_0_prime_batch + 30, p_0_prime_expected, 8.0 * DBL_EPSILON);
 }
 
 static void instant_screw_point_vector_2(void)
@@ -1005,9 +1176,12 @@ static void instant_screw_point_vector_2(void)
         0.27722772277227722772,
         1.6831683168316831683,
     };
-    double p_0_prime[3];
+    double p_0_prime[3], p_0_prime_batch[33];
     chasles_instant_screw_point(omega, a_dot, a, p_0_prime);
+    chasles_instant_screw_point_batch(11, omega, 0, a_dot, 0, a, 0, p_0_prime_batch, 3);
     compare("chasles_instant_screw_point, vector 2: p_0_prime", 3, p_0_prime, p_0_prime_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_instant_screw_point, vector 2, first of a batch: p_0_prime", 3, p_0_prime_batch, p_0_prime_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_instant_screw_point, vector 2, last: p_0_prime", 3, p_0_prime_batch + 30, p_0_prime_expected, 8.0 * DBL_EPSILON);
 }
 
 static void instant_screw_point_vector_3(void)
@@ -1016,9 +1190,12 @@ static void instant_screw_point_vector_3(void)
     const double a_dot[3] = {0.0, 0.0, 0.0};
     const double a[3] = {0.0, 0.0, 0.0};
     const double p_0_prime_expected[3] = {NAN, NAN, NAN};
-    double p_0_prime[3];
+    double p_0_prime[3], p_0_prime_batch[33];
     chasles_instant_screw_point(omega, a_dot, a, p_0_prime);
+    chasles_instant_screw_point_batch(11, omega, 0, a_dot, 0, a, 0, p_0_prime_batch, 3);
     compare("chasles_instant_screw_point, vector 3: p_0_prime", 3, p_0_prime, p_0_prime_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_instant_screw_point, vector 3, first of a batch: p_0_prime", 3, p_0_prime_batch, p_0_prime_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_instant_screw_point, vector 3, last: p_0_prime", 3, p_0_prime_batch + 30, p_0_prime_expected, 8.0 * DBL_EPSILON);
 }
 
 static void instant_screw_point_vector_1f(void)
@@ -1031,9 +1208,12 @@ static void instant_screw_point_vector_1f(void)
         -1.5526315789473684211,
         -0.026315789473684210526,
     };
-    float p_0_prime[3];
+    float p_0_prime[3], p_0_prime_batch[33];
     chasles_instant_screw_pointf(omega, a_dot, a, p_0_prime);
+    chasles_instant_screw_point_batchf(11, omega, 0, a_dot, 0, a, 0, p_0_prime_batch, 3);
     comparef("chasles_instant_screw_pointf, vector 1: p_0_prime", 3, p_0_prime, p_0_prime_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_instant_screw_pointf, vector 1, first of a batch: p_0_prime", 3, p_0_prime_batch, p_0_prime_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_instant_screw_pointf, vector 1, last: p_0_prime", 3, p_0_prime_batch + 30, p_0_prime_expected, 8.0 * FLT_EPSILON);
 }
 
 static void instant_screw_point_vector_2f(void)
@@ -1046,9 +1226,12 @@ static void instant_screw_point_vector_2f(void)
         0.27722772277227722772,
         1.6831683168316831683,
     };
-    float p_0_prime[3];
+    float p_0_prime[3], p_0_prime_batch[33];
     chasles_instant_screw_pointf(omega, a_dot, a, p_0_prime);
+    chasles_instant_screw_point_batchf(11, omega, 0, a_dot, 0, a, 0, p_0_prime_batch, 3);
     comparef("chasles_instant_screw_pointf, vector 2: p_0_prime", 3, p_0_prime, p_0_prime_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_instant_screw_pointf, vector 2, first of a batch: p_0_prime", 3, p_0_prime_batch, p_0_prime_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_instant_screw_pointf, vector 2, last: p_0_prime", 3, p_0_prime_batch + 30, p_0_prime_expected, 8.0 * FLT_EPSILON);
 }
 
 static void instant_screw_point_vector_3f(void)
@@ -1057,9 +1240,12 @@ static void instant_screw_point_vector_3f(void)
     const float a_dot[3] = {0.0f, 0.0f, 0.0f};
     const float a[3] = {0.0f, 0.0f, 0.0f};
     const double p_0_prime_expected[3] = {NAN, NAN, NAN};
-    float p_0_prime[3];
+    float p_0_prime[3], p_0_prime_batch[33];
     chasles_instant_screw_pointf(omega, a_dot, a, p_0_prime);
+    chasles_instant_screw_point_batchf(11, omega, 0, a_dot, 0, a, 0, p_0_prime_batch, 3);
     comparef("chasles_instant_screw_pointf, vector 3: p_0_prime", 3, p_0_prime, p_0_prime_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_instant_screw_pointf, vector 3, first of a batch: p_0_prime", 3, p_0_prime_batch, p_0_prime_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_instant_screw_pointf, vector 3, last: p_0_prime", 3, p_0_prime_batch + 30, p_0_prime_expected, 8.0 * FLT_EPSILON);
 }
 
 static void natural_rate_matrix_vector_1(void)
@@ -1080,9 +1266,12 @@ static void natural_rate_matrix_vector_1(void)
         0.66666666666666666667,
         0.66666666666666666667,
     };
-    double N[12];
+    double N[12], N_batch[132];
     chasles_natural_rate_matrix(e, phi[0], N);
+    chasles_natural_rate_matrix_batch(11, e, 0, phi, 0, N_batch, 12);
     compare("chasles_natural_rate_matrix, vector 1: N", 12, N, N_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_rate_matrix, vector 1, first of a batch: N", 12, N_batch, N_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_rate_matrix, vector 1, last: N", 12, N_batch + 120, N_expected, 8.0 * DBL_EPSILON);
 }
 
 static void natural_rate_matrix_vector_2(void)
@@ -1103,9 +1292,12 @@ static void natural_rate_matrix_vector_2(void)
         0.6,
         0.8,
     };
-    double N[12];
+    double N[12], N_batch[132];
     chasles_natural_rate_matrix(e, phi[0], N);
+    chasles_natural_rate_matrix_batch(11, e, 0, phi, 0, N_batch, 12);
     compare("chasles_natural_rate_matrix, vector 2: N", 12, N, N_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_rate_matrix, vector 2, first of a batch: N", 12, N_batch, N_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_rate_matrix, vector 2, last: N", 12, N_batch + 120, N_expected, 8.0 * DBL_EPSILON);
 }
 
 static void natural_rate_matrix_vector_3(void)
@@ -1126,9 +1318,12 @@ static void natural_rate_matrix_vector_3(void)
         0.66666666666666666667,
         0.66666666666666666667,
     };
-    double N[12];
+    double N[12], N_batch[132];
     chasles_natural_rate_matrix(e, phi[0], N);
+    chasles_natural_rate_matrix_batch(11, e, 0, phi, 0, N_batch, 12);
     compare("chasles_natural_rate_matrix, vector 3: N", 12, N, N_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_rate_matrix, vector 3, first of a batch: N", 12, N_batch, N_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_rate_matrix, vector 3, last: N", 12, N_batch + 120, N_expected, 8.0 * DBL_EPSILON);
 }
 
 static void natural_rate_matrix_vector_1f(void)
@@ -1149,9 +1344,12 @@ static void natural_rate_matrix_vector_1f(void)
         0.66666666666666666667,
         0.66666666666666666667,
     };
-    float N[12];
+    float N[12], N_batch[132];
     chasles_natural_rate_matrixf(e, phi[0], N);
+    chasles_natural_rate_matrix_batchf(11, e, 0, phi, 0, N_batch, 12);
     comparef("chasles_natural_rate_matrixf, vector 1: N", 12, N, N_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_rate_matrixf, vector 1, first of a batch: N", 12, N_batch, N_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_rate_matrixf, vector 1, last: N", 12, N_batch + 120, N_expected, 8.0 * FLT_EPSILON);
 }
 
 static void natural_rate_matrix_vector_2f(void)
@@ -1172,9 +1370,12 @@ static void natural_rate_matrix_vector_2f(void)
         0.6,
         0.8,
     };
-    float N[12];
+    float N[12], N_batch[132];
     chasles_natural_rate_matrixf(e, phi[0], N);
+    chasles_natural_rate_matrix_batchf(11, e, 0, phi, 0, N_batch, 12);
     comparef("chasles_natural_rate_matrixf, vector 2: N", 12, N, N_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_rate_matrixf, vector 2, first of a batch: N", 12, N_batch, N_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_rate_matrixf, vector 2, last: N", 12, N_batch + 120, N_expected, 8.0 * FLT_EPSILON);
 }
 
 static void natural_rate_matrix_vector_3f(void)
@@ -1195,9 +1396,12 @@ static void natural_rate_matrix_vector_3f(void)
         0.66666666666666666667,
         0.66666666666666666667,
     };
-    float N[12];
+    float N[12], N_batch[132];
     chasles_natural_rate_matrixf(e, phi[0], N);
+    chasles_natural_rate_matrix_batchf(11, e, 0, phi, 0, N_batch, 12);
     comparef("chasles_natural_rate_matrixf, vector 3: N", 12, N, N_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_rate_matrixf, vector 3, first of a batch: N", 12, N_batch, N_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_rate_matrixf, vector 3, last: N", 12, N_batch + 120, N_expected, 8.0 * FLT_EPSILON);
 }
 
 static void linear_rate_matrix_vector_1(void)
@@ -1218,9 +1422,12 @@ static void linear_rate_matrix_vector_1(void)
         -0.6326564129037241429,
         -0.6326564129037241429,
     };
-    double L[12];
+    double L[12], L_batch[132];
     chasles_linear_rate_matrix(e, phi[0], L);
+    chasles_linear_rate_matrix_batch(11, e, 0, phi, 0, L_batch, 12);
     compare("chasles_linear_rate_matrix, vector 1: L", 12, L, L_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_rate_matrix, vector 1, first of a batch: L", 12, L_batch, L_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_rate_matrix, vector 1, last: L", 12, L_batch + 120, L_expected, 8.0 * DBL_EPSILON);
 }
 
 static void linear_rate_matrix_vector_2(void)
@@ -1241,9 +1448,12 @@ static void linear_rate_matrix_vector_2(void)
         -0.54557845609540901724,
         -0.72743794146054535632,
     };
-    double L[12];
+    double L[12], L_batch[132];
     chasles_linear_rate_matrix(e, phi[0], L);
+    chasles_linear_rate_matrix_batch(11, e, 0, phi, 0, L_batch, 12);
     compare("chasles_linear_rate_matrix, vector 2: L", 12, L, L_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_rate_matrix, vector 2, first of a batch: L", 12, L_batch, L_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_rate_matrix, vector 2, last: L", 12, L_batch + 120, L_expected, 8.0 * DBL_EPSILON);
 }
 
 static void linear_rate_matrix_vector_1f(void)
@@ -1264,9 +1474,12 @@ static void linear_rate_matrix_vector_1f(void)
         -0.6326564129037241429,
         -0.6326564129037241429,
     };
-    float L[12];
+    float L[12], L_batch[132];
     chasles_linear_rate_matrixf(e, phi[0], L);
+    chasles_linear_rate_matrix_batchf(11, e, 0, phi, 0, L_batch, 12);
     comparef("chasles_linear_rate_matrixf, vector 1: L", 12, L, L_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_rate_matrixf, vector 1, first of a batch: L", 12, L_batch, L_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_rate_matrixf, vector 1, last: L", 12, L_batch + 120, L_expected, 8.0 * FLT_EPSILON);
 }
 
 static void linear_rate_matrix_vector_2f(void)
@@ -1287,9 +1500,12 @@ static void linear_rate_matrix_vector_2f(void)
         -0.54557845609540901724,
         -0.72743794146054535632,
     };
-    float L[12];
+    float L[12], L_batch[132];
     chasles_linear_rate_matrixf(e, phi[0], L);
+    chasles_linear_rate_matrix_batchf(11, e, 0, phi, 0, L_batch, 12);
     comparef("chasles_linear_rate_matrixf, vector 2: L", 12, L, L_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_rate_matrixf, vector 2, first of a batch: L", 12, L_batch, L_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_rate_matrixf, vector 2, last: L", 12, L_batch + 120, L_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rodrigues_rate_matrix_vector_1(void)
@@ -1310,9 +1526,12 @@ static void euler_rodrigues_rate_matrix_vector_1(void)
         -0.19503242431348738494,
         -0.19503242431348738494,
     };
-    double H[12];
+    double H[12], H_batch[132];
     chasles_euler_rodrigues_rate_matrix(e, phi[0], H);
+    chasles_euler_rodrigues_rate_matrix_batch(11, e, 0, phi, 0, H_batch, 12);
     compare("chasles_euler_rodrigues_rate_matrix, vector 1: H", 12, H, H_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_rate_matrix, vector 1, first of a batch: H", 12, H_batch, H_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_rate_matrix, vector 1, last: H", 12, H_batch + 120, H_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rodrigues_rate_matrix_vector_2(void)
@@ -1333,9 +1552,12 @@ static void euler_rodrigues_rate_matrix_vector_2(void)
         -0.252441295442368952,
         -0.33658839392315860266,
     };
-    double H[12];
+    double H[12], H_batch[132];
     chasles_euler_rodrigues_rate_matrix(e, phi[0], H);
+    chasles_euler_rodrigues_rate_matrix_batch(11, e, 0, phi, 0, H_batch, 12);
     compare("chasles_euler_rodrigues_rate_matrix, vector 2: H", 12, H, H_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_rate_matrix, vector 2, first of a batch: H", 12, H_batch, H_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_rate_matrix, vector 2, last: H", 12, H_batch + 120, H_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rodrigues_rate_matrix_vector_1f(void)
@@ -1356,9 +1578,12 @@ static void euler_rodrigues_rate_matrix_vector_1f(void)
         -0.19503242431348738494,
         -0.19503242431348738494,
     };
-    float H[12];
+    float H[12], H_batch[132];
     chasles_euler_rodrigues_rate_matrixf(e, phi[0], H);
+    chasles_euler_rodrigues_rate_matrix_batchf(11, e, 0, phi, 0, H_batch, 12);
     comparef("chasles_euler_rodrigues_rate_matrixf, vector 1: H", 12, H, H_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_rate_matrixf, vector 1, first of a batch: H", 12, H_batch, H_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_rate_matrixf, vector 1, last: H", 12, H_batch + 120, H_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rodrigues_rate_matrix_vector_2f(void)
@@ -1379,9 +1604,12 @@ static void euler_rodrigues_rate_matrix_vector_2f(void)
         -0.252441295442368952,
         -0.33658839392315860266,
     };
-    float H[12];
+    float H[12], H_batch[132];
     chasles_euler_rodrigues_rate_matrixf(e, phi[0], H);
+    chasles_euler_rodrigues_rate_matrix_batchf(11, e, 0, phi, 0, H_batch, 12);
     comparef("chasles_euler_rodrigues_rate_matrixf, vector 2: H", 12, H, H_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_rate_matrixf, vector 2, first of a batch: H", 12, H_batch, H_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_rate_matrixf, vector 2, last: H", 12, H_batch + 120, H_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_linear_invariants_vector_1(void)
@@ -1399,9 +1627,12 @@ static void rotation_from_linear_invariants_vector_1(void)
         1.125,
         2.1875,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_linear_invariants(q, q_0[0], Q);
+    chasles_rotation_from_linear_invariants_batch(11, q, 0, q_0, 0, Q_batch, 9);
     compare("chasles_rotation_from_linear_invariants, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_linear_invariants, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_linear_invariants, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_linear_invariants_vector_2(void)
@@ -1419,9 +1650,12 @@ static void rotation_from_linear_invariants_vector_2(void)
         1.8636363636363636364,
         1.7727272727272727273,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_linear_invariants(q, q_0[0], Q);
+    chasles_rotation_from_linear_invariants_batch(11, q, 0, q_0, 0, Q_batch, 9);
     compare("chasles_rotation_from_linear_invariants, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_linear_invariants, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_linear_invariants, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_linear_invariants_vector_1f(void)
@@ -1439,9 +1673,12 @@ static void rotation_from_linear_invariants_vector_1f(void)
         1.125,
         2.1875,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_linear_invariantsf(q, q_0[0], Q);
+    chasles_rotation_from_linear_invariants_batchf(11, q, 0, q_0, 0, Q_batch, 9);
     comparef("chasles_rotation_from_linear_invariantsf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_linear_invariantsf, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_linear_invariantsf, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_linear_invariants_vector_2f(void)
@@ -1459,9 +1696,12 @@ static void rotation_from_linear_invariants_vector_2f(void)
         1.8636363636363636364,
         1.7727272727272727273,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_linear_invariantsf(q, q_0[0], Q);
+    chasles_rotation_from_linear_invariants_batchf(11, q, 0, q_0, 0, Q_batch, 9);
     comparef("chasles_rotation_from_linear_invariantsf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_linear_invariantsf, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_linear_invariantsf, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_rodrigues_vector_1(void)
@@ -1469,9 +1709,12 @@ static void rotation_from_euler_rodrigues_vector_1(void)
     const double q[3] = {1.25, 0.5, -0.75};
     const double q_0[1] = {2.0};
     const double Q_expected[9] = {4.75, 4.25, 0.125, -1.75, 2.125, -5.75, -3.875, 4.25, 2.75};
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_rodrigues(q, q_0[0], Q);
+    chasles_rotation_from_euler_rodrigues_batch(11, q, 0, q_0, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_rodrigues, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_rodrigues, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_rodrigues, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_rodrigues_vector_2(void)
@@ -1479,9 +1722,12 @@ static void rotation_from_euler_rodrigues_vector_2(void)
     const double q[3] = {2.0, -1.5, 0.25};
     const double q_0[1] = {1.75};
     const double Q_expected[9] = {4.75, -6.875, -4.25, -5.125, 1.25, -7.75, 6.25, 6.25, -3.125};
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_rodrigues(q, q_0[0], Q);
+    chasles_rotation_from_euler_rodrigues_batch(11, q, 0, q_0, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_rodrigues, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_rodrigues, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_rodrigues, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_rodrigues_vector_1f(void)
@@ -1489,9 +1735,12 @@ static void rotation_from_euler_rodrigues_vector_1f(void)
     const float q[3] = {1.25f, 0.5f, -0.75f};
     const float q_0[1] = {2.0f};
     const double Q_expected[9] = {4.75, 4.25, 0.125, -1.75, 2.125, -5.75, -3.875, 4.25, 2.75};
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_rodriguesf(q, q_0[0], Q);
+    chasles_rotation_from_euler_rodrigues_batchf(11, q, 0, q_0, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_rodriguesf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_rodriguesf, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_rodriguesf, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_rodrigues_vector_2f(void)
@@ -1499,9 +1748,12 @@ static void rotation_from_euler_rodrigues_vector_2f(void)
     const float q[3] = {2.0f, -1.5f, 0.25f};
     const float q_0[1] = {1.75f};
     const double Q_expected[9] = {4.75, -6.875, -4.25, -5.125, 1.25, -7.75, 6.25, 6.25, -3.125};
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_rodriguesf(q, q_0[0], Q);
+    chasles_rotation_from_euler_rodrigues_batchf(11, q, 0, q_0, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_rodriguesf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_rodriguesf, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_rodriguesf, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void linear_invariants_vector_1(void)
@@ -1518,24 +1770,34 @@ static void linear_invariants_vector_1(void)
         2.0 / 3.0,
     };
     const double q_expected[3] = {0.5, 0.5, 0.5};
-    double q[3];
+    double q[3], q_batch[33];
     const double q_0_expected[1] = {0.5};
-    double q_0[1];
+    double q_0[1], q_0_batch[11];
     chasles_linear_invariants(Q, q, q_0);
+    chasles_linear_invariants_batch(11, Q, 0, q_batch, 3, q_0_batch, 1);
     compare("chasles_linear_invariants, vector 1: q", 3, q, q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_invariants, vector 1, first of a batch: q", 3, q_batch, q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_invariants, vector 1, last: q", 3, q_batch + 30, q_expected, 8.0 * DBL_EPSILON);
     compare("chasles_linear_invariants, vector 1: q_0", 1, q_0, q_0_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_invariants, vector 1, first of a batch: q_0", 1, q_0_batch, q_0_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_invariants, vector 1, last: q_0", 1, q_0_batch + 10, q_0_expected, 8.0 * DBL_EPSILON);
 }
 
 static void linear_invariants_vector_2(void)
 {
     const double Q[9] = {0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0};
     const double q_expected[3] = {0.0, 0.0, 0.8};
-    double q[3];
+    double q[3], q_batch[33];
     const double q_0_expected[1] = {0.6};
-    double q_0[1];
+    double q_0[1], q_0_batch[11];
     chasles_linear_invariants(Q, q, q_0);
+    chasles_linear_invariants_batch(11, Q, 0, q_batch, 3, q_0_batch, 1);
     compare("chasles_linear_invariants, vector 2: q", 3, q, q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_invariants, vector 2, first of a batch: q", 3, q_batch, q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_invariants, vector 2, last: q", 3, q_batch + 30, q_expected, 8.0 * DBL_EPSILON);
     compare("chasles_linear_invariants, vector 2: q_0", 1, q_0, q_0_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_invariants, vector 2, first of a batch: q_0", 1, q_0_batch, q_0_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_invariants, vector 2, last: q_0", 1, q_0_batch + 10, q_0_expected, 8.0 * DBL_EPSILON);
 }
 
 static void linear_invariants_vector_1f(void)
@@ -1552,24 +1814,34 @@ static void linear_invariants_vector_1f(void)
         2.0f / 3.0f,
     };
     const double q_expected[3] = {0.5, 0.5, 0.5};
-    float q[3];
+    float q[3], q_batch[33];
     const double q_0_expected[1] = {0.5};
-    float q_0[1];
+    float q_0[1], q_0_batch[11];
     chasles_linear_invariantsf(Q, q, q_0);
+    chasles_linear_invariants_batchf(11, Q, 0, q_batch, 3, q_0_batch, 1);
     comparef("chasles_linear_invariantsf, vector 1: q", 3, q, q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_invariantsf, vector 1, first of a batch: q", 3, q_batch, q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_invariantsf, vector 1, last: q", 3, q_batch + 30, q_expected, 8.0 * FLT_EPSILON);
     comparef("chasles_linear_invariantsf, vector 1: q_0", 1, q_0, q_0_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_invariantsf, vector 1, first of a batch: q_0", 1, q_0_batch, q_0_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_invariantsf, vector 1, last: q_0", 1, q_0_batch + 10, q_0_expected, 8.0 * FLT_EPSILON);
 }
 
 static void linear_invariants_vector_2f(void)
 {
     const float Q[9] = {0.6f, -0.8f, 0.0f, 0.8f, 0.6f, 0.0f, 0.0f, 0.0f, 1.0f};
     const double q_expected[3] = {0.0, 0.0, 0.8};
-    float q[3];
+    float q[3], q_batch[33];
     const double q_0_expected[1] = {0.6};
-    float q_0[1];
+    float q_0[1], q_0_batch[11];
     chasles_linear_invariantsf(Q, q, q_0);
+    chasles_linear_invariants_batchf(11, Q, 0, q_batch, 3, q_0_batch, 1);
     comparef("chasles_linear_invariantsf, vector 2: q", 3, q, q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_invariantsf, vector 2, first of a batch: q", 3, q_batch, q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_invariantsf, vector 2, last: q", 3, q_batch + 30, q_expected, 8.0 * FLT_EPSILON);
     comparef("chasles_linear_invariantsf, vector 2: q_0", 1, q_0, q_0_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_invariantsf, vector 2, first of a batch: q_0", 1, q_0_batch, q_0_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_invariantsf, vector 2, last: q_0", 1, q_0_batch + 10, q_0_expected, 8.0 * FLT_EPSILON);
 }
 
 static void natural_invariants_vector_1(void)
@@ -1590,24 +1862,34 @@ static void natural_invariants_vector_1(void)
         0.57735026918962576451,
         0.57735026918962576451,
     };
-    double e[3];
+    double e[3], e_batch[33];
     const double phi_expected[1] = {1.0471975511965977462};
-    double phi[1];
+    double phi[1], phi_batch[11];
     chasles_natural_invariants(Q, e, phi);
+    chasles_natural_invariants_batch(11, Q, 0, e_batch, 3, phi_batch, 1);
     compare("chasles_natural_invariants, vector 1: e", 3, e, e_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_invariants, vector 1, first of a batch: e", 3, e_batch, e_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_invariants, vector 1, last: e", 3, e_batch + 30, e_expected, 8.0 * DBL_EPSILON);
     compare("chasles_natural_invariants, vector 1: phi", 1, phi, phi_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_invariants, vector 1, first of a batch: phi", 1, phi_batch, phi_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_invariants, vector 1, last: phi", 1, phi_batch + 10, phi_expected, 8.0 * DBL_EPSILON);
 }
 
 static void natural_invariants_vector_2(void)
 {
     const double Q[9] = {0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0};
     const double e_expected[3] = {0.0, 0.0, 1.0};
-    double e[3];
+    double e[3], e_batch[33];
     const double phi_expected[1] = {0.92729521800161223243};
-    double phi[1];
+    double phi[1], phi_batch[11];
     chasles_natural_invariants(Q, e, phi);
+    chasles_natural_invariants_batch(11, Q, 0, e_batch, 3, phi_batch, 1);
     compare("chasles_natural_invariants, vector 2: e", 3, e, e_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_invariants, vector 2, first of a batch: e", 3, e_batch, e_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_invariants, vector 2, last: e", 3, e_batch + 30, e_expected, 8.0 * DBL_EPSILON);
     compare("chasles_natural_invariants, vector 2: phi", 1, phi, phi_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_invariants, vector 2, first of a batch: phi", 1, phi_batch, phi_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_invariants, vector 2, last: phi", 1, phi_batch + 10, phi_expected, 8.0 * DBL_EPSILON);
 }
 
 static void natural_invariants_vector_1f(void)
@@ -1628,24 +1910,34 @@ static void natural_invariants_vector_1f(void)
         0.57735026918962576451,
         0.57735026918962576451,
     };
-    float e[3];
+    float e[3], e_batch[33];
     const double phi_expected[1] = {1.0471975511965977462};
-    float phi[1];
+    float phi[1], phi_batch[11];
     chasles_natural_invariantsf(Q, e, phi);
+    chasles_natural_invariants_batchf(11, Q, 0, e_batch, 3, phi_batch, 1);
     comparef("chasles_natural_invariantsf, vector 1: e", 3, e, e_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_invariantsf, vector 1, first of a batch: e", 3, e_batch, e_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_invariantsf, vector 1, last: e", 3, e_batch + 30, e_expected, 8.0 * FLT_EPSILON);
     comparef("chasles_natural_invariantsf, vector 1: phi", 1, phi, phi_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_invariantsf, vector 1, first of a batch: phi", 1, phi_batch, phi_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_invariantsf, vector 1, last: phi", 1, phi_batch + 10, phi_expected, 8.0 * FLT_EPSILON);
 }
 
 static void natural_invariants_vector_2f(void)
 {
     const float Q[9] = {0.6f, -0.8f, 0.0f, 0.8f, 0.6f, 0.0f, 0.0f, 0.0f, 1.0f};
     const double e_expected[3] = {0.0, 0.0, 1.0};
-    float e[3];
+    float e[3], e_batch[33];
     const double phi_expected[1] = {0.92729521800161223243};
-    float phi[1];
+    float phi[1], phi_batch[11];
     chasles_natural_invariantsf(Q, e, phi);
+    chasles_natural_invariants_batchf(11, Q, 0, e_batch, 3, phi_batch, 1);
     comparef("chasles_natural_invariantsf, vector 2: e", 3, e, e_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_invariantsf, vector 2, first of a batch: e", 3, e_batch, e_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_invariantsf, vector 2, last: e", 3, e_batch + 30, e_expected, 8.0 * FLT_EPSILON);
     comparef("chasles_natural_invariantsf, vector 2: phi", 1, phi, phi_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_invariantsf, vector 2, first of a batch: phi", 1, phi_batch, phi_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_invariantsf, vector 2, last: phi", 1, phi_batch + 10, phi_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rodrigues_parameters_vector_1(void)
@@ -1666,24 +1958,34 @@ static void euler_rodrigues_parameters_vector_1(void)
         0.28867513459481288225,
         0.28867513459481288225,
     };
-    double q[3];
+    double q[3], q_batch[33];
     const double q_0_expected[1] = {0.86602540378443864676};
-    double q_0[1];
+    double q_0[1], q_0_batch[11];
     chasles_euler_rodrigues_parameters(Q, q, q_0);
+    chasles_euler_rodrigues_parameters_batch(11, Q, 0, q_batch, 3, q_0_batch, 1);
     compare("chasles_euler_rodrigues_parameters, vector 1: q", 3, q, q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_parameters, vector 1, first of a batch: q", 3, q_batch, q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_parameters, vector 1, last: q", 3, q_batch + 30, q_expected, 8.0 * DBL_EPSILON);
     compare("chasles_euler_rodrigues_parameters, vector 1: q_0", 1, q_0, q_0_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_parameters, vector 1, first of a batch: q_0", 1, q_0_batch, q_0_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_parameters, vector 1, last: q_0", 1, q_0_batch + 10, q_0_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rodrigues_parameters_vector_2(void)
 {
     const double Q[9] = {0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0};
     const double q_expected[3] = {0.0, 0.0, 0.44721359549995793928};
-    double q[3];
+    double q[3], q_batch[33];
     const double q_0_expected[1] = {0.89442719099991587856};
-    double q_0[1];
+    double q_0[1], q_0_batch[11];
     chasles_euler_rodrigues_parameters(Q, q, q_0);
+    chasles_euler_rodrigues_parameters_batch(11, Q, 0, q_batch, 3, q_0_batch, 1);
     compare("chasles_euler_rodrigues_parameters, vector 2: q", 3, q, q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_parameters, vector 2, first of a batch: q", 3, q_batch, q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_parameters, vector 2, last: q", 3, q_batch + 30, q_expected, 8.0 * DBL_EPSILON);
     compare("chasles_euler_rodrigues_parameters, vector 2: q_0", 1, q_0, q_0_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_parameters, vector 2, first of a batch: q_0", 1, q_0_batch, q_0_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_parameters, vector 2, last: q_0", 1, q_0_batch + 10, q_0_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rodrigues_parameters_vector_1f(void)
@@ -1704,24 +2006,34 @@ static void euler_rodrigues_parameters_vector_1f(void)
         0.28867513459481288225,
         0.28867513459481288225,
     };
-    float q[3];
+    float q[3], q_batch[33];
     const double q_0_expected[1] = {0.86602540378443864676};
-    float q_0[1];
+    float q_0[1], q_0_batch[11];
     chasles_euler_rodrigues_parametersf(Q, q, q_0);
+    chasles_euler_rodrigues_parameters_batchf(11, Q, 0, q_batch, 3, q_0_batch, 1);
     comparef("chasles_euler_rodrigues_parametersf, vector 1: q", 3, q, q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_parametersf, vector 1, first of a batch: q", 3, q_batch, q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_parametersf, vector 1, last: q", 3, q_batch + 30, q_expected, 8.0 * FLT_EPSILON);
     comparef("chasles_euler_rodrigues_parametersf, vector 1: q_0", 1, q_0, q_0_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_parametersf, vector 1, first of a batch: q_0", 1, q_0_batch, q_0_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_parametersf, vector 1, last: q_0", 1, q_0_batch + 10, q_0_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rodrigues_parameters_vector_2f(void)
 {
     const float Q[9] = {0.6f, -0.8f, 0.0f, 0.8f, 0.6f, 0.0f, 0.0f, 0.0f, 1.0f};
     const double q_expected[3] = {0.0, 0.0, 0.44721359549995793928};
-    float q[3];
+    float q[3], q_batch[33];
     const double q_0_expected[1] = {0.89442719099991587856};
-    float q_0[1];
+    float q_0[1], q_0_batch[11];
     chasles_euler_rodrigues_parametersf(Q, q, q_0);
+    chasles_euler_rodrigues_parameters_batchf(11, Q, 0, q_batch, 3, q_0_batch, 1);
     comparef("chasles_euler_rodrigues_parametersf, vector 2: q", 3, q, q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_parametersf, vector 2, first of a batch: q", 3, q_batch, q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_parametersf, vector 2, last: q", 3, q_batch + 30, q_expected, 8.0 * FLT_EPSILON);
     comparef("chasles_euler_rodrigues_parametersf, vector 2: q_0", 1, q_0, q_0_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_parametersf, vector 2, first of a batch: q_0", 1, q_0_batch, q_0_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_parametersf, vector 2, last: q_0", 1, q_0_batch + 10, q_0_expected, 8.0 * FLT_EPSILON);
 }
 
 static void screw_of_motion_vector_1(void)
@@ -1747,15 +2059,29 @@ static void screw_of_motion_vector_1(void)
         -2.7424137786507223814,
         2.1650635094610966169,
     };
-    double axis[6];
+    double axis[6], axis_batch[66];
     const double d_0_expected[1] = {-0.14433756729740644113};
-    double d_0[1];
+    double d_0[1], d_0_batch[11];
     const double phi_expected[1] = {1.0471975511965977462};
-    double phi[1];
+    double phi[1], phi_batch[11];
     chasles_screw_of_motion(Q, a, a_prime, axis, d_0, phi);
+    chasles_screw_of_motion_batch(
+        11,
+        Q, 0,
+        a, 0,
+        a_prime, 0,
+        axis_batch, 6,
+        d_0_batch, 1,
+        phi_batch, 1);
     compare("chasles_screw_of_motion, vector 1: axis", 6, axis, axis_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_screw_of_motion, vector 1, first of a batch: axis", 6, axis_batch, axis_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_screw_of_motion, vector 1, last: axis", 6, axis_batch + 60, axis_expected, 8.0 * DBL_EPSILON);
     compare("chasles_screw_of_motion, vector 1: d_0", 1, d_0, d_0_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_screw_of_motion, vector 1, first of a batch: d_0", 1, d_0_batch, d_0_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_screw_of_motion, vector 1, last: d_0", 1, d_0_batch + 10, d_0_expected, 8.0 * DBL_EPSILON);
     compare("chasles_screw_of_motion, vector 1: phi", 1, phi, phi_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_screw_of_motion, vector 1, first of a batch: phi", 1, phi_batch, phi_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_screw_of_motion, vector 1, last: phi", 1, phi_batch + 10, phi_expected, 8.0 * DBL_EPSILON);
 }
 
 static void screw_of_motion_vector_2(void)
@@ -1764,15 +2090,29 @@ static void screw_of_motion_vector_2(void)
     const double a[3] = {2.0, -1.5, 0.25};
     const double a_prime[3] = {1.75, -0.5, 0.75};
     const double axis_expected[6] = {0.0, 0.0, 1.0, -1.25, -0.875, 0.0};
-    double axis[6];
+    double axis[6], axis_batch[66];
     const double d_0_expected[1] = {0.5};
-    double d_0[1];
+    double d_0[1], d_0_batch[11];
     const double phi_expected[1] = {0.92729521800161223243};
-    double phi[1];
+    double phi[1], phi_batch[11];
     chasles_screw_of_motion(Q, a, a_prime, axis, d_0, phi);
+    chasles_screw_of_motion_batch(
+        11,
+        Q, 0,
+        a, 0,
+        a_prime, 0,
+        axis_batch, 6,
+        d_0_batch, 1,
+        phi_batch, 1);
     compare("chasles_screw_of_motion, vector 2: axis", 6, axis, axis_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_screw_of_motion, vector 2, first of a batch: axis", 6, axis_batch, axis_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_screw_of_motion, vector 2, last: axis", 6, axis_batch + 60, axis_expected, 8.0 * DBL_EPSILON);
     compare("chasles_screw_of_motion, vector 2: d_0", 1, d_0, d_0_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_screw_of_motion, vector 2, first of a batch: d_0", 1, d_0_batch, d_0_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_screw_of_motion, vector 2, last: d_0", 1, d_0_batch + 10, d_0_expected, 8.0 * DBL_EPSILON);
     compare("chasles_screw_of_motion, vector 2: phi", 1, phi, phi_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_screw_of_motion, vector 2, first of a batch: phi", 1, phi_batch, phi_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_screw_of_motion, vector 2, last: phi", 1, phi_batch + 10, phi_expected, 8.0 * DBL_EPSILON);
 }
 
 static void screw_of_motion_vector_1f(void)
@@ -1798,15 +2138,29 @@ static void screw_of_motion_vector_1f(void)
         -2.7424137786507223814,
         2.1650635094610966169,
     };
-    float axis[6];
+    float axis[6], axis_batch[66];
     const double d_0_expected[1] = {-0.14433756729740644113};
-    float d_0[1];
+    float d_0[1], d_0_batch[11];
     const double phi_expected[1] = {1.0471975511965977462};
-    float phi[1];
+    float phi[1], phi_batch[11];
     chasles_screw_of_motionf(Q, a, a_prime, axis, d_0, phi);
+    chasles_screw_of_motion_batchf(
+        11,
+        Q, 0,
+        a, 0,
+        a_prime, 0,
+        axis_batch, 6,
+        d_0_batch, 1,
+        phi_batch, 1);
     comparef("chasles_screw_of_motionf, vector 1: axis", 6, axis, axis_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_screw_of_motionf, vector 1, first of a batch: axis", 6, axis_batch, axis_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_screw_of_motionf, vector 1, last: axis", 6, axis_batch + 60, axis_expected, 8.0 * FLT_EPSILON);
     comparef("chasles_screw_of_motionf, vector 1: d_0", 1, d_0, d_0_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_screw_of_motionf, vector 1, first of a batch: d_0", 1, d_0_batch, d_0_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_screw_of_motionf, vector 1, last: d_0", 1, d_0_batch + 10, d_0_expected, 8.0 * FLT_EPSILON);
     comparef("chasles_screw_of_motionf, vector 1: phi", 1, phi, phi_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_screw_of_motionf, vector 1, first of a batch: phi", 1, phi_batch, phi_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_screw_of_motionf, vector 1, last: phi", 1, phi_batch + 10, phi_expected, 8.0 * FLT_EPSILON);
 }
 
 static void screw_of_motion_vector_2f(void)
@@ -1815,15 +2169,29 @@ static void screw_of_motion_vector_2f(void)
     const float a[3] = {2.0f, -1.5f, 0.25f};
     const float a_prime[3] = {1.75f, -0.5f, 0.75f};
     const double axis_expected[6] = {0.0, 0.0, 1.0, -1.25, -0.875, 0.0};
-    float axis[6];
+    float axis[6], axis_batch[66];
     const double d_0_expected[1] = {0.5};
-    float d_0[1];
+    float d_0[1], d_0_batch[11];
     const double phi_expected[1] = {0.92729521800161223243};
-    float phi[1];
+    float phi[1], phi_batch[11];
     chasles_screw_of_motionf(Q, a, a_prime, axis, d_0, phi);
+    chasles_screw_of_motion_batchf(
+        11,
+        Q, 0,
+        a, 0,
+        a_prime, 0,
+        axis_batch, 6,
+        d_0_batch, 1,
+        phi_batch, 1);
     comparef("chasles_screw_of_motionf, vector 2: axis", 6, axis, axis_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_screw_of_motionf, vector 2, first of a batch: axis", 6, axis_batch, axis_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_screw_of_motionf, vector 2, last: axis", 6, axis_batch + 60, axis_expected, 8.0 * FLT_EPSILON);
     comparef("chasles_screw_of_motionf, vector 2: d_0", 1, d_0, d_0_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_screw_of_motionf, vector 2, first of a batch: d_0", 1, d_0_batch, d_0_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_screw_of_motionf, vector 2, last: d_0", 1, d_0_batch + 10, d_0_expected, 8.0 * FLT_EPSILON);
     comparef("chasles_screw_of_motionf, vector 2: phi", 1, phi, phi_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_screw_of_motionf, vector 2, first of a batch: phi", 1, phi_batch, phi_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_screw_of_motionf, vector 2, last: phi", 1, phi_batch + 10, phi_expected, 8.0 * FLT_EPSILON);
 }
 
 static void instant_screw_vector_1(void)
@@ -1839,12 +2207,17 @@ static void instant_screw_vector_1(void)
         0.27321502506233690638,
         1.4557238054102638293,
     };
-    double axis[6];
+    double axis[6], axis_batch[66];
     const double pitch_expected[1] = {0.65789473684210526316};
-    double pitch[1];
+    double pitch[1], pitch_batch[11];
     chasles_instant_screw(omega, a_dot, a, axis, pitch);
+    chasles_instant_screw_batch(11, omega, 0, a_dot, 0, a, 0, axis_batch, 6, pitch_batch, 1);
     compare("chasles_instant_screw, vector 1: axis", 6, axis, axis_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_instant_screw, vector 1, first of a batch: axis", 6, axis_batch, axis_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_instant_screw, vector 1, last: axis", 6, axis_batch + 60, axis_expected, 8.0 * DBL_EPSILON);
     compare("chasles_instant_screw, vector 1: pitch", 1, pitch, pitch_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_instant_screw, vector 1, first of a batch: pitch", 1, pitch_batch, pitch_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_instant_screw, vector 1, last: pitch", 1, pitch_batch + 10, pitch_expected, 8.0 * DBL_EPSILON);
 }
 
 static void instant_screw_vector_2(void)
@@ -1860,12 +2233,17 @@ static void instant_screw_vector_2(void)
         1.3400983544387502196,
         -0.21920373744725008187,
     };
-    double axis[6];
+    double axis[6], axis_batch[66];
     const double pitch_expected[1] = {0.7029702970297029703};
-    double pitch[1];
+    double pitch[1], pitch_batch[11];
     chasles_instant_screw(omega, a_dot, a, axis, pitch);
+    chasles_instant_screw_batch(11, omega, 0, a_dot, 0, a, 0, axis_batch, 6, pitch_batch, 1);
     compare("chasles_instant_screw, vector 2: axis", 6, axis, axis_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_instant_screw, vector 2, first of a batch: axis", 6, axis_batch, axis_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_instant_screw, vector 2, last: axis", 6, axis_batch + 60, axis_expected, 8.0 * DBL_EPSILON);
     compare("chasles_instant_screw, vector 2: pitch", 1, pitch, pitch_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_instant_screw, vector 2, first of a batch: pitch", 1, pitch_batch, pitch_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_instant_screw, vector 2, last: pitch", 1, pitch_batch + 10, pitch_expected, 8.0 * DBL_EPSILON);
 }
 
 static void instant_screw_vector_3(void)
@@ -1874,12 +2252,17 @@ static void instant_screw_vector_3(void)
     const double a_dot[3] = {0.0, 0.0, 0.0};
     const double a[3] = {0.0, 0.0, 0.0};
     const double axis_expected[6] = {NAN, NAN, NAN, NAN, NAN, NAN};
-    double axis[6];
+    double axis[6], axis_batch[66];
     const double pitch_expected[1] = {NAN};
-    double pitch[1];
+    double pitch[1], pitch_batch[11];
     chasles_instant_screw(omega, a_dot, a, axis, pitch);
+    chasles_instant_screw_batch(11, omega, 0, a_dot, 0, a, 0, axis_batch, 6, pitch_batch, 1);
     compare("chasles_instant_screw, vector 3: axis", 6, axis, axis_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_instant_screw, vector 3, first of a batch: axis", 6, axis_batch, axis_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_instant_screw, vector 3, last: axis", 6, axis_batch + 60, axis_expected, 8.0 * DBL_EPSILON);
     compare("chasles_instant_screw, vector 3: pitch", 1, pitch, pitch_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_instant_screw, vector 3, first of a batch: pitch", 1, pitch_batch, pitch_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_instant_screw, vector 3, last: pitch", 1, pitch_batch + 10, pitch_expected, 8.0 * DBL_EPSILON);
 }
 
 static void instant_screw_vector_1f(void)
@@ -1895,12 +2278,17 @@ static void instant_screw_vector_1f(void)
         0.27321502506233690638,
         1.4557238054102638293,
     };
-    float axis[6];
+    float axis[6], axis_batch[66];
     const double pitch_expected[1] = {0.65789473684210526316};
-    float pitch[1];
+    float pitch[1], pitch_batch[11];
     chasles_instant_screwf(omega, a_dot, a, axis, pitch);
+    chasles_instant_screw_batchf(11, omega, 0, a_dot, 0, a, 0, axis_batch, 6, pitch_batch, 1);
     comparef("chasles_instant_screwf, vector 1: axis", 6, axis, axis_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_instant_screwf, vector 1, first of a batch: axis", 6, axis_batch, axis_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_instant_screwf, vector 1, last: axis", 6, axis_batch + 60, axis_expected, 8.0 * FLT_EPSILON);
     comparef("chasles_instant_screwf, vector 1: pitch", 1, pitch, pitch_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_instant_screwf, vector 1, first of a batch: pitch", 1, pitch_batch, pitch_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_instant_screwf, vector 1, last: pitch", 1, pitch_batch + 10, pitch_expected, 8.0 * FLT_EPSILON);
 }
 
 static void instant_screw_vector_2f(void)
@@ -1916,12 +2304,17 @@ static void instant_screw_vector_2f(void)
         1.3400983544387502196,
         -0.21920373744725008187,
     };
-    float axis[6];
+    float axis[6], axis_batch[66];
     const double pitch_expected[1] = {0.7029702970297029703};
-    float pitch[1];
+    float pitch[1], pitch_batch[11];
     chasles_instant_screwf(omega, a_dot, a, axis, pitch);
+    chasles_instant_screw_batchf(11, omega, 0, a_dot, 0, a, 0, axis_batch, 6, pitch_batch, 1);
     comparef("chasles_instant_screwf, vector 2: axis", 6, axis, axis_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_instant_screwf, vector 2, first of a batch: axis", 6, axis_batch, axis_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_instant_screwf, vector 2, last: axis", 6, axis_batch + 60, axis_expected, 8.0 * FLT_EPSILON);
     comparef("chasles_instant_screwf, vector 2: pitch", 1, pitch, pitch_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_instant_screwf, vector 2, first of a batch: pitch", 1, pitch_batch, pitch_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_instant_screwf, vector 2, last: pitch", 1, pitch_batch + 10, pitch_expected, 8.0 * FLT_EPSILON);
 }
 
 static void instant_screw_vector_3f(void)
@@ -1930,12 +2323,17 @@ static void instant_screw_vector_3f(void)
     const float a_dot[3] = {0.0f, 0.0f, 0.0f};
     const float a[3] = {0.0f, 0.0f, 0.0f};
     const double axis_expected[6] = {NAN, NAN, NAN, NAN, NAN, NAN};
-    float axis[6];
+    float axis[6], axis_batch[66];
     const double pitch_expected[1] = {NAN};
-    float pitch[1];
+    float pitch[1], pitch_batch[11];
     chasles_instant_screwf(omega, a_dot, a, axis, pitch);
+    chasles_instant_screw_batchf(11, omega, 0, a_dot, 0, a, 0, axis_batch, 6, pitch_batch, 1);
     comparef("chasles_instant_screwf, vector 3: axis", 6, axis, axis_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_instant_screwf, vector 3, first of a batch: axis", 6, axis_batch, axis_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_instant_screwf, vector 3, last: axis", 6, axis_batch + 60, axis_expected, 8.0 * FLT_EPSILON);
     comparef("chasles_instant_screwf, vector 3: pitch", 1, pitch, pitch_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_instant_screwf, vector 3, first of a batch: pitch", 1, pitch_batch, pitch_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_instant_screwf, vector 3, last: pitch", 1, pitch_batch + 10, pitch_expected, 8.0 * FLT_EPSILON);
 }
 
 static void natural_velocity_matrix_vector_1(void)
@@ -1956,9 +2354,12 @@ static void natural_velocity_matrix_vector_1(void)
         0.94898461935558621435,
         0.66666666666666666667,
     };
-    double N_tilde[12];
+    double N_tilde[12], N_tilde_batch[132];
     chasles_natural_velocity_matrix(e, phi[0], N_tilde);
+    chasles_natural_velocity_matrix_batch(11, e, 0, phi, 0, N_tilde_batch, 12);
     compare("chasles_natural_velocity_matrix, vector 1: N_tilde", 12, N_tilde, N_tilde_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_velocity_matrix, vector 1, first of a batch: N_tilde", 12, N_tilde_batch, N_tilde_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_velocity_matrix, vector 1, last: N_tilde", 12, N_tilde_batch + 120, N_tilde_expected, 8.0 * DBL_EPSILON);
 }
 
 static void natural_velocity_matrix_vector_2(void)
@@ -1979,9 +2380,12 @@ static void natural_velocity_matrix_vector_2(void)
         0.9092974268256816954,
         0.8,
     };
-    double N_tilde[12];
+    double N_tilde[12], N_tilde_batch[132];
     chasles_natural_velocity_matrix(e, phi[0], N_tilde);
+    chasles_natural_velocity_matrix_batch(11, e, 0, phi, 0, N_tilde_batch, 12);
     compare("chasles_natural_velocity_matrix, vector 2: N_tilde", 12, N_tilde, N_tilde_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_velocity_matrix, vector 2, first of a batch: N_tilde", 12, N_tilde_batch, N_tilde_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_velocity_matrix, vector 2, last: N_tilde", 12, N_tilde_batch + 120, N_tilde_expected, 8.0 * DBL_EPSILON);
 }
 
 static void natural_velocity_matrix_vector_1f(void)
@@ -2002,9 +2406,12 @@ static void natural_velocity_matrix_vector_1f(void)
         0.94898461935558621435,
         0.66666666666666666667,
     };
-    float N_tilde[12];
+    float N_tilde[12], N_tilde_batch[132];
     chasles_natural_velocity_matrixf(e, phi[0], N_tilde);
+    chasles_natural_velocity_matrix_batchf(11, e, 0, phi, 0, N_tilde_batch, 12);
     comparef("chasles_natural_velocity_matrixf, vector 1: N_tilde", 12, N_tilde, N_tilde_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_velocity_matrixf, vector 1, first of a batch: N_tilde", 12, N_tilde_batch, N_tilde_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_velocity_matrixf, vector 1, last: N_tilde", 12, N_tilde_batch + 120, N_tilde_expected, 8.0 * FLT_EPSILON);
 }
 
 static void natural_velocity_matrix_vector_2f(void)
@@ -2025,9 +2432,12 @@ static void natural_velocity_matrix_vector_2f(void)
         0.9092974268256816954,
         0.8,
     };
-    float N_tilde[12];
+    float N_tilde[12], N_tilde_batch[132];
     chasles_natural_velocity_matrixf(e, phi[0], N_tilde);
+    chasles_natural_velocity_matrix_batchf(11, e, 0, phi, 0, N_tilde_batch, 12);
     comparef("chasles_natural_velocity_matrixf, vector 2: N_tilde", 12, N_tilde, N_tilde_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_velocity_matrixf, vector 2, first of a batch: N_tilde", 12, N_tilde_batch, N_tilde_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_velocity_matrixf, vector 2, last: N_tilde", 12, N_tilde_batch + 120, N_tilde_expected, 8.0 * FLT_EPSILON);
 }
 
 static void linear_velocity_matrix_vector_1(void)
@@ -2048,9 +2458,12 @@ static void linear_velocity_matrix_vector_1(void)
         1.0,
         -0.48098962732726961333,
     };
-    double L_tilde[12];
+    double L_tilde[12], L_tilde_batch[132];
     chasles_linear_velocity_matrix(e, phi[0], L_tilde);
+    chasles_linear_velocity_matrix_batch(11, e, 0, phi, 0, L_tilde_batch, 12);
     compare("chasles_linear_velocity_matrix, vector 1: L_tilde", 12, L_tilde, L_tilde_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_velocity_matrix, vector 1, first of a batch: L_tilde", 12, L_tilde_batch, L_tilde_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_velocity_matrix, vector 1, last: L_tilde", 12, L_tilde_batch + 120, L_tilde_expected, 8.0 * DBL_EPSILON);
 }
 
 static void linear_velocity_matrix_vector_2(void)
@@ -2071,9 +2484,12 @@ static void linear_velocity_matrix_vector_2(void)
         1.0,
         -1.2459261797239217844,
     };
-    double L_tilde[12];
+    double L_tilde[12], L_tilde_batch[132];
     chasles_linear_velocity_matrix(e, phi[0], L_tilde);
+    chasles_linear_velocity_matrix_batch(11, e, 0, phi, 0, L_tilde_batch, 12);
     compare("chasles_linear_velocity_matrix, vector 2: L_tilde", 12, L_tilde, L_tilde_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_velocity_matrix, vector 2, first of a batch: L_tilde", 12, L_tilde_batch, L_tilde_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_velocity_matrix, vector 2, last: L_tilde", 12, L_tilde_batch + 120, L_tilde_expected, 8.0 * DBL_EPSILON);
 }
 
 static void linear_velocity_matrix_vector_1f(void)
@@ -2094,9 +2510,12 @@ static void linear_velocity_matrix_vector_1f(void)
         1.0,
         -0.48098962732726961333,
     };
-    float L_tilde[12];
+    float L_tilde[12], L_tilde_batch[132];
     chasles_linear_velocity_matrixf(e, phi[0], L_tilde);
+    chasles_linear_velocity_matrix_batchf(11, e, 0, phi, 0, L_tilde_batch, 12);
     comparef("chasles_linear_velocity_matrixf, vector 1: L_tilde", 12, L_tilde, L_tilde_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_velocity_matrixf, vector 1, first of a batch: L_tilde", 12, L_tilde_batch, L_tilde_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_velocity_matrixf, vector 1, last: L_tilde", 12, L_tilde_batch + 120, L_tilde_expected, 8.0 * FLT_EPSILON);
 }
 
 static void linear_velocity_matrix_vector_2f(void)
@@ -2117,9 +2536,12 @@ static void linear_velocity_matrix_vector_2f(void)
         1.0,
         -1.2459261797239217844,
     };
-    float L_tilde[12];
+    float L_tilde[12], L_tilde_batch[132];
     chasles_linear_velocity_matrixf(e, phi[0], L_tilde);
+    chasles_linear_velocity_matrix_batchf(11, e, 0, phi, 0, L_tilde_batch, 12);
     comparef("chasles_linear_velocity_matrixf, vector 2: L_tilde", 12, L_tilde, L_tilde_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_velocity_matrixf, vector 2, first of a batch: L_tilde", 12, L_tilde_batch, L_tilde_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_velocity_matrixf, vector 2, last: L_tilde", 12, L_tilde_batch + 120, L_tilde_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rodrigues_velocity_matrix_vector_1(void)
@@ -2140,9 +2562,12 @@ static void euler_rodrigues_velocity_matrix_vector_1(void)
         1.6219262390104358044,
         -0.78012969725394953974,
     };
-    double H_tilde[12];
+    double H_tilde[12], H_tilde_batch[132];
     chasles_euler_rodrigues_velocity_matrix(e, phi[0], H_tilde);
+    chasles_euler_rodrigues_velocity_matrix_batch(11, e, 0, phi, 0, H_tilde_batch, 12);
     compare("chasles_euler_rodrigues_velocity_matrix, vector 1: H_tilde", 12, H_tilde, H_tilde_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_velocity_matrix, vector 1, first of a batch: H_tilde", 12, H_tilde_batch, H_tilde_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_velocity_matrix, vector 1, last: H_tilde", 12, H_tilde_batch + 120, H_tilde_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rodrigues_velocity_matrix_vector_2(void)
@@ -2163,9 +2588,12 @@ static void euler_rodrigues_velocity_matrix_vector_2(void)
         1.0806046117362794348,
         -1.3463535756926344106,
     };
-    double H_tilde[12];
+    double H_tilde[12], H_tilde_batch[132];
     chasles_euler_rodrigues_velocity_matrix(e, phi[0], H_tilde);
+    chasles_euler_rodrigues_velocity_matrix_batch(11, e, 0, phi, 0, H_tilde_batch, 12);
     compare("chasles_euler_rodrigues_velocity_matrix, vector 2: H_tilde", 12, H_tilde, H_tilde_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_velocity_matrix, vector 2, first of a batch: H_tilde", 12, H_tilde_batch, H_tilde_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_velocity_matrix, vector 2, last: H_tilde", 12, H_tilde_batch + 120, H_tilde_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rodrigues_velocity_matrix_vector_1f(void)
@@ -2186,9 +2614,12 @@ static void euler_rodrigues_velocity_matrix_vector_1f(void)
         1.6219262390104358044,
         -0.78012969725394953974,
     };
-    float H_tilde[12];
+    float H_tilde[12], H_tilde_batch[132];
     chasles_euler_rodrigues_velocity_matrixf(e, phi[0], H_tilde);
+    chasles_euler_rodrigues_velocity_matrix_batchf(11, e, 0, phi, 0, H_tilde_batch, 12);
     comparef("chasles_euler_rodrigues_velocity_matrixf, vector 1: H_tilde", 12, H_tilde, H_tilde_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_velocity_matrixf, vector 1, first of a batch: H_tilde", 12, H_tilde_batch, H_tilde_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_velocity_matrixf, vector 1, last: H_tilde", 12, H_tilde_batch + 120, H_tilde_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rodrigues_velocity_matrix_vector_2f(void)
@@ -2209,9 +2640,12 @@ static void euler_rodrigues_velocity_matrix_vector_2f(void)
         1.0806046117362794348,
         -1.3463535756926344106,
     };
-    float H_tilde[12];
+    float H_tilde[12], H_tilde_batch[132];
     chasles_euler_rodrigues_velocity_matrixf(e, phi[0], H_tilde);
+    chasles_euler_rodrigues_velocity_matrix_batchf(11, e, 0, phi, 0, H_tilde_batch, 12);
     comparef("chasles_euler_rodrigues_velocity_matrixf, vector 2: H_tilde", 12, H_tilde, H_tilde_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_velocity_matrixf, vector 2, first of a batch: H_tilde", 12, H_tilde_batch, H_tilde_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_velocity_matrixf, vector 2, last: H_tilde", 12, H_tilde_batch + 120, H_tilde_expected, 8.0 * FLT_EPSILON);
 }
 
 static void pose_rate_natural_vector_1(void)
@@ -2228,9 +2662,12 @@ static void pose_rate_natural_vector_1(void)
         0.25,
         1.75,
     };
-    double s_dot[7];
+    double s_dot[7], s_dot_batch[77];
     chasles_pose_rate_natural(e, phi[0], t, s_dot);
+    chasles_pose_rate_natural_batch(11, e, 0, phi, 0, t, 0, s_dot_batch, 7);
     compare("chasles_pose_rate_natural, vector 1: s_dot", 7, s_dot, s_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_rate_natural, vector 1, first of a batch: s_dot", 7, s_dot_batch, s_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_rate_natural, vector 1, last: s_dot", 7, s_dot_batch + 70, s_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void pose_rate_natural_vector_2(void)
@@ -2247,9 +2684,12 @@ static void pose_rate_natural_vector_2(void)
         0.75,
         -1.25,
     };
-    double s_dot[7];
+    double s_dot[7], s_dot_batch[77];
     chasles_pose_rate_natural(e, phi[0], t, s_dot);
+    chasles_pose_rate_natural_batch(11, e, 0, phi, 0, t, 0, s_dot_batch, 7);
     compare("chasles_pose_rate_natural, vector 2: s_dot", 7, s_dot, s_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_rate_natural, vector 2, first of a batch: s_dot", 7, s_dot_batch, s_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_rate_natural, vector 2, last: s_dot", 7, s_dot_batch + 70, s_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void pose_rate_natural_vector_3(void)
@@ -2258,9 +2698,12 @@ static void pose_rate_natural_vector_3(void)
     const double phi[1] = {0.0};
     const double t[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     const double s_dot_expected[7] = {NAN, NAN, NAN, 0.0, 0.0, 0.0, 0.0};
-    double s_dot[7];
+    double s_dot[7], s_dot_batch[77];
     chasles_pose_rate_natural(e, phi[0], t, s_dot);
+    chasles_pose_rate_natural_batch(11, e, 0, phi, 0, t, 0, s_dot_batch, 7);
     compare("chasles_pose_rate_natural, vector 3: s_dot", 7, s_dot, s_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_rate_natural, vector 3, first of a batch: s_dot", 7, s_dot_batch, s_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_rate_natural, vector 3, last: s_dot", 7, s_dot_batch + 70, s_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void pose_rate_natural_vector_1f(void)
@@ -2277,9 +2720,12 @@ static void pose_rate_natural_vector_1f(void)
         0.25,
         1.75,
     };
-    float s_dot[7];
+    float s_dot[7], s_dot_batch[77];
     chasles_pose_rate_naturalf(e, phi[0], t, s_dot);
+    chasles_pose_rate_natural_batchf(11, e, 0, phi, 0, t, 0, s_dot_batch, 7);
     comparef("chasles_pose_rate_naturalf, vector 1: s_dot", 7, s_dot, s_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_rate_naturalf, vector 1, first of a batch: s_dot", 7, s_dot_batch, s_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_rate_naturalf, vector 1, last: s_dot", 7, s_dot_batch + 70, s_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void pose_rate_natural_vector_2f(void)
@@ -2296,9 +2742,12 @@ static void pose_rate_natural_vector_2f(void)
         0.75,
         -1.25,
     };
-    float s_dot[7];
+    float s_dot[7], s_dot_batch[77];
     chasles_pose_rate_naturalf(e, phi[0], t, s_dot);
+    chasles_pose_rate_natural_batchf(11, e, 0, phi, 0, t, 0, s_dot_batch, 7);
     comparef("chasles_pose_rate_naturalf, vector 2: s_dot", 7, s_dot, s_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_rate_naturalf, vector 2, first of a batch: s_dot", 7, s_dot_batch, s_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_rate_naturalf, vector 2, last: s_dot", 7, s_dot_batch + 70, s_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void pose_rate_natural_vector_3f(void)
@@ -2307,9 +2756,12 @@ static void pose_rate_natural_vector_3f(void)
     const float phi[1] = {0.0f};
     const float t[6] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
     const double s_dot_expected[7] = {NAN, NAN, NAN, 0.0, 0.0, 0.0, 0.0};
-    float s_dot[7];
+    float s_dot[7], s_dot_batch[77];
     chasles_pose_rate_naturalf(e, phi[0], t, s_dot);
+    chasles_pose_rate_natural_batchf(11, e, 0, phi, 0, t, 0, s_dot_batch, 7);
     comparef("chasles_pose_rate_naturalf, vector 3: s_dot", 7, s_dot, s_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_rate_naturalf, vector 3, first of a batch: s_dot", 7, s_dot_batch, s_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_rate_naturalf, vector 3, last: s_dot", 7, s_dot_batch + 70, s_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void pose_rate_linear_vector_1(void)
@@ -2326,9 +2778,12 @@ static void pose_rate_linear_vector_1(void)
         0.25,
         1.75,
     };
-    double s_dot[7];
+    double s_dot[7], s_dot_batch[77];
     chasles_pose_rate_linear(e, phi[0], t, s_dot);
+    chasles_pose_rate_linear_batch(11, e, 0, phi, 0, t, 0, s_dot_batch, 7);
     compare("chasles_pose_rate_linear, vector 1: s_dot", 7, s_dot, s_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_rate_linear, vector 1, first of a batch: s_dot", 7, s_dot_batch, s_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_rate_linear, vector 1, last: s_dot", 7, s_dot_batch + 70, s_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void pose_rate_linear_vector_2(void)
@@ -2345,9 +2800,12 @@ static void pose_rate_linear_vector_2(void)
         0.75,
         -1.25,
     };
-    double s_dot[7];
+    double s_dot[7], s_dot_batch[77];
     chasles_pose_rate_linear(e, phi[0], t, s_dot);
+    chasles_pose_rate_linear_batch(11, e, 0, phi, 0, t, 0, s_dot_batch, 7);
     compare("chasles_pose_rate_linear, vector 2: s_dot", 7, s_dot, s_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_rate_linear, vector 2, first of a batch: s_dot", 7, s_dot_batch, s_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_rate_linear, vector 2, last: s_dot", 7, s_dot_batch + 70, s_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void pose_rate_linear_vector_1f(void)
@@ -2364,9 +2822,12 @@ static void pose_rate_linear_vector_1f(void)
         0.25,
         1.75,
     };
-    float s_dot[7];
+    float s_dot[7], s_dot_batch[77];
     chasles_pose_rate_linearf(e, phi[0], t, s_dot);
+    chasles_pose_rate_linear_batchf(11, e, 0, phi, 0, t, 0, s_dot_batch, 7);
     comparef("chasles_pose_rate_linearf, vector 1: s_dot", 7, s_dot, s_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_rate_linearf, vector 1, first of a batch: s_dot", 7, s_dot_batch, s_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_rate_linearf, vector 1, last: s_dot", 7, s_dot_batch + 70, s_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void pose_rate_linear_vector_2f(void)
@@ -2383,9 +2844,12 @@ static void pose_rate_linear_vector_2f(void)
         0.75,
         -1.25,
     };
-    float s_dot[7];
+    float s_dot[7], s_dot_batch[77];
     chasles_pose_rate_linearf(e, phi[0], t, s_dot);
+    chasles_pose_rate_linear_batchf(11, e, 0, phi, 0, t, 0, s_dot_batch, 7);
     comparef("chasles_pose_rate_linearf, vector 2: s_dot", 7, s_dot, s_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_rate_linearf, vector 2, first of a batch: s_dot", 7, s_dot_batch, s_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_rate_linearf, vector 2, last: s_dot", 7, s_dot_batch + 70, s_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void pose_rate_euler_rodrigues_vector_1(void)
@@ -2402,9 +2866,12 @@ static void pose_rate_euler_rodrigues_vector_1(void)
         0.25,
         1.75,
     };
-    double s_dot[7];
+    double s_dot[7], s_dot_batch[77];
     chasles_pose_rate_euler_rodrigues(e, phi[0], t, s_dot);
+    chasles_pose_rate_euler_rodrigues_batch(11, e, 0, phi, 0, t, 0, s_dot_batch, 7);
     compare("chasles_pose_rate_euler_rodrigues, vector 1: s_dot", 7, s_dot, s_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_rate_euler_rodrigues, vector 1, first of a batch: s_dot", 7, s_dot_batch, s_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_rate_euler_rodrigues, vector 1, last: s_dot", 7, s_dot_batch + 70, s_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void pose_rate_euler_rodrigues_vector_2(void)
@@ -2421,9 +2888,12 @@ static void pose_rate_euler_rodrigues_vector_2(void)
         0.75,
         -1.25,
     };
-    double s_dot[7];
+    double s_dot[7], s_dot_batch[77];
     chasles_pose_rate_euler_rodrigues(e, phi[0], t, s_dot);
+    chasles_pose_rate_euler_rodrigues_batch(11, e, 0, phi, 0, t, 0, s_dot_batch, 7);
     compare("chasles_pose_rate_euler_rodrigues, vector 2: s_dot", 7, s_dot, s_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_rate_euler_rodrigues, vector 2, first of a batch: s_dot", 7, s_dot_batch, s_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_rate_euler_rodrigues, vector 2, last: s_dot", 7, s_dot_batch + 70, s_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void pose_rate_euler_rodrigues_vector_1f(void)
@@ -2440,9 +2910,12 @@ static void pose_rate_euler_rodrigues_vector_1f(void)
         0.25,
         1.75,
     };
-    float s_dot[7];
+    float s_dot[7], s_dot_batch[77];
     chasles_pose_rate_euler_rodriguesf(e, phi[0], t, s_dot);
+    chasles_pose_rate_euler_rodrigues_batchf(11, e, 0, phi, 0, t, 0, s_dot_batch, 7);
     comparef("chasles_pose_rate_euler_rodriguesf, vector 1: s_dot", 7, s_dot, s_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_rate_euler_rodriguesf, vector 1, first of a batch: s_dot", 7, s_dot_batch, s_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_rate_euler_rodriguesf, vector 1, last: s_dot", 7, s_dot_batch + 70, s_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void pose_rate_euler_rodrigues_vector_2f(void)
@@ -2459,9 +2932,12 @@ static void pose_rate_euler_rodrigues_vector_2f(void)
         0.75,
         -1.25,
     };
-    float s_dot[7];
+    float s_dot[7], s_dot_batch[77];
     chasles_pose_rate_euler_rodriguesf(e, phi[0], t, s_dot);
+    chasles_pose_rate_euler_rodrigues_batchf(11, e, 0, phi, 0, t, 0, s_dot_batch, 7);
     comparef("chasles_pose_rate_euler_rodriguesf, vector 2: s_dot", 7, s_dot, s_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_rate_euler_rodriguesf, vector 2, first of a batch: s_dot", 7, s_dot_batch, s_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_rate_euler_rodriguesf, vector 2, last: s_dot", 7, s_dot_batch + 70, s_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void twist_from_pose_rate_natural_vector_1(void)
@@ -2477,9 +2953,12 @@ static void twist_from_pose_rate_natural_vector_1(void)
         1.75,
         -0.5,
     };
-    double t[6];
+    double t[6], t_batch[66];
     chasles_twist_from_pose_rate_natural(e, phi[0], s_dot, t);
+    chasles_twist_from_pose_rate_natural_batch(11, e, 0, phi, 0, s_dot, 0, t_batch, 6);
     compare("chasles_twist_from_pose_rate_natural, vector 1: t", 6, t, t_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_from_pose_rate_natural, vector 1, first of a batch: t", 6, t_batch, t_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_from_pose_rate_natural, vector 1, last: t", 6, t_batch + 60, t_expected, 8.0 * DBL_EPSILON);
 }
 
 static void twist_from_pose_rate_natural_vector_2(void)
@@ -2495,9 +2974,12 @@ static void twist_from_pose_rate_natural_vector_2(void)
         -1.25,
         1.5,
     };
-    double t[6];
+    double t[6], t_batch[66];
     chasles_twist_from_pose_rate_natural(e, phi[0], s_dot, t);
+    chasles_twist_from_pose_rate_natural_batch(11, e, 0, phi, 0, s_dot, 0, t_batch, 6);
     compare("chasles_twist_from_pose_rate_natural, vector 2: t", 6, t, t_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_from_pose_rate_natural, vector 2, first of a batch: t", 6, t_batch, t_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_from_pose_rate_natural, vector 2, last: t", 6, t_batch + 60, t_expected, 8.0 * DBL_EPSILON);
 }
 
 static void twist_from_pose_rate_natural_vector_1f(void)
@@ -2513,9 +2995,12 @@ static void twist_from_pose_rate_natural_vector_1f(void)
         1.75,
         -0.5,
     };
-    float t[6];
+    float t[6], t_batch[66];
     chasles_twist_from_pose_rate_naturalf(e, phi[0], s_dot, t);
+    chasles_twist_from_pose_rate_natural_batchf(11, e, 0, phi, 0, s_dot, 0, t_batch, 6);
     comparef("chasles_twist_from_pose_rate_naturalf, vector 1: t", 6, t, t_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_from_pose_rate_naturalf, vector 1, first of a batch: t", 6, t_batch, t_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_from_pose_rate_naturalf, vector 1, last: t", 6, t_batch + 60, t_expected, 8.0 * FLT_EPSILON);
 }
 
 static void twist_from_pose_rate_natural_vector_2f(void)
@@ -2531,9 +3016,12 @@ static void twist_from_pose_rate_natural_vector_2f(void)
         -1.25,
         1.5,
     };
-    float t[6];
+    float t[6], t_batch[66];
     chasles_twist_from_pose_rate_naturalf(e, phi[0], s_dot, t);
+    chasles_twist_from_pose_rate_natural_batchf(11, e, 0, phi, 0, s_dot, 0, t_batch, 6);
     comparef("chasles_twist_from_pose_rate_naturalf, vector 2: t", 6, t, t_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_from_pose_rate_naturalf, vector 2, first of a batch: t", 6, t_batch, t_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_from_pose_rate_naturalf, vector 2, last: t", 6, t_batch + 60, t_expected, 8.0 * FLT_EPSILON);
 }
 
 static void twist_from_pose_rate_linear_vector_1(void)
@@ -2549,9 +3037,12 @@ static void twist_from_pose_rate_linear_vector_1(void)
         1.75,
         -0.5,
     };
-    double t[6];
+    double t[6], t_batch[66];
     chasles_twist_from_pose_rate_linear(e, phi[0], s_dot, t);
+    chasles_twist_from_pose_rate_linear_batch(11, e, 0, phi, 0, s_dot, 0, t_batch, 6);
     compare("chasles_twist_from_pose_rate_linear, vector 1: t", 6, t, t_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_from_pose_rate_linear, vector 1, first of a batch: t", 6, t_batch, t_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_from_pose_rate_linear, vector 1, last: t", 6, t_batch + 60, t_expected, 8.0 * DBL_EPSILON);
 }
 
 static void twist_from_pose_rate_linear_vector_2(void)
@@ -2567,9 +3058,12 @@ static void twist_from_pose_rate_linear_vector_2(void)
         -1.25,
         1.5,
     };
-    double t[6];
+    double t[6], t_batch[66];
     chasles_twist_from_pose_rate_linear(e, phi[0], s_dot, t);
+    chasles_twist_from_pose_rate_linear_batch(11, e, 0, phi, 0, s_dot, 0, t_batch, 6);
     compare("chasles_twist_from_pose_rate_linear, vector 2: t", 6, t, t_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_from_pose_rate_linear, vector 2, first of a batch: t", 6, t_batch, t_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_from_pose_rate_linear, vector 2, last: t", 6, t_batch + 60, t_expected, 8.0 * DBL_EPSILON);
 }
 
 static void twist_from_pose_rate_linear_vector_1f(void)
@@ -2585,9 +3079,12 @@ static void twist_from_pose_rate_linear_vector_1f(void)
         1.75,
         -0.5,
     };
-    float t[6];
+    float t[6], t_batch[66];
     chasles_twist_from_pose_rate_linearf(e, phi[0], s_dot, t);
+    chasles_twist_from_pose_rate_linear_batchf(11, e, 0, phi, 0, s_dot, 0, t_batch, 6);
     comparef("chasles_twist_from_pose_rate_linearf, vector 1: t", 6, t, t_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_from_pose_rate_linearf, vector 1, first of a batch: t", 6, t_batch, t_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_from_pose_rate_linearf, vector 1, last: t", 6, t_batch + 60, t_expected, 8.0 * FLT_EPSILON);
 }
 
 static void twist_from_pose_rate_linear_vector_2f(void)
@@ -2603,9 +3100,12 @@ static void twist_from_pose_rate_linear_vector_2f(void)
         -1.25,
         1.5,
     };
-    float t[6];
+    float t[6], t_batch[66];
     chasles_twist_from_pose_rate_linearf(e, phi[0], s_dot, t);
+    chasles_twist_from_pose_rate_linear_batchf(11, e, 0, phi, 0, s_dot, 0, t_batch, 6);
     comparef("chasles_twist_from_pose_rate_linearf, vector 2: t", 6, t, t_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_from_pose_rate_linearf, vector 2, first of a batch: t", 6, t_batch, t_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_from_pose_rate_linearf, vector 2, last: t", 6, t_batch + 60, t_expected, 8.0 * FLT_EPSILON);
 }
 
 static void twist_from_pose_rate_euler_rodrigues_vector_1(void)
@@ -2621,9 +3121,12 @@ static void twist_from_pose_rate_euler_rodrigues_vector_1(void)
         1.75,
         -0.5,
     };
-    double t[6];
+    double t[6], t_batch[66];
     chasles_twist_from_pose_rate_euler_rodrigues(e, phi[0], s_dot, t);
+    chasles_twist_from_pose_rate_euler_rodrigues_batch(11, e, 0, phi, 0, s_dot, 0, t_batch, 6);
     compare("chasles_twist_from_pose_rate_euler_rodrigues, vector 1: t", 6, t, t_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_from_pose_rate_euler_rodrigues, vector 1, first of a batch: t", 6, t_batch, t_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_from_pose_rate_euler_rodrigues, vector 1, last: t", 6, t_batch + 60, t_expected, 8.0 * DBL_EPSILON);
 }
 
 static void twist_from_pose_rate_euler_rodrigues_vector_2(void)
@@ -2639,9 +3142,12 @@ static void twist_from_pose_rate_euler_rodrigues_vector_2(void)
         -1.25,
         1.5,
     };
-    double t[6];
+    double t[6], t_batch[66];
     chasles_twist_from_pose_rate_euler_rodrigues(e, phi[0], s_dot, t);
+    chasles_twist_from_pose_rate_euler_rodrigues_batch(11, e, 0, phi, 0, s_dot, 0, t_batch, 6);
     compare("chasles_twist_from_pose_rate_euler_rodrigues, vector 2: t", 6, t, t_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_from_pose_rate_euler_rodrigues, vector 2, first of a batch: t", 6, t_batch, t_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_from_pose_rate_euler_rodrigues, vector 2, last: t", 6, t_batch + 60, t_expected, 8.0 * DBL_EPSILON);
 }
 
 static void twist_from_pose_rate_euler_rodrigues_vector_1f(void)
@@ -2657,9 +3163,12 @@ static void twist_from_pose_rate_euler_rodrigues_vector_1f(void)
         1.75,
         -0.5,
     };
-    float t[6];
+    float t[6], t_batch[66];
     chasles_twist_from_pose_rate_euler_rodriguesf(e, phi[0], s_dot, t);
+    chasles_twist_from_pose_rate_euler_rodrigues_batchf(11, e, 0, phi, 0, s_dot, 0, t_batch, 6);
     comparef("chasles_twist_from_pose_rate_euler_rodriguesf, vector 1: t", 6, t, t_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_from_pose_rate_euler_rodriguesf, vector 1, first of a batch: t", 6, t_batch, t_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_from_pose_rate_euler_rodriguesf, vector 1, last: t", 6, t_batch + 60, t_expected, 8.0 * FLT_EPSILON);
 }
 
 static void twist_from_pose_rate_euler_rodrigues_vector_2f(void)
@@ -2675,9 +3184,12 @@ static void twist_from_pose_rate_euler_rodrigues_vector_2f(void)
         -1.25,
         1.5,
     };
-    float t[6];
+    float t[6], t_batch[66];
     chasles_twist_from_pose_rate_euler_rodriguesf(e, phi[0], s_dot, t);
+    chasles_twist_from_pose_rate_euler_rodrigues_batchf(11, e, 0, phi, 0, s_dot, 0, t_batch, 6);
     comparef("chasles_twist_from_pose_rate_euler_rodriguesf, vector 2: t", 6, t, t_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_from_pose_rate_euler_rodriguesf, vector 2, first of a batch: t", 6, t_batch, t_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_from_pose_rate_euler_rodriguesf, vector 2, last: t", 6, t_batch + 60, t_expected, 8.0 * FLT_EPSILON);
 }
 
 static void twist_transfer_vector_1(void)
@@ -2686,9 +3198,12 @@ static void twist_transfer_vector_1(void)
     const double a[3] = {1.75, -0.5, 0.75};
     const double p[3] = {-1.25, 1.5, 1.25};
     const double t_P_expected[6] = {1.25, 0.5, -0.75, 3.75, 0.125, 4.25};
-    double t_P[6];
+    double t_P[6], t_P_batch[66];
     chasles_twist_transfer(t_A, a, p, t_P);
+    chasles_twist_transfer_batch(11, t_A, 0, a, 0, p, 0, t_P_batch, 6);
     compare("chasles_twist_transfer, vector 1: t_P", 6, t_P, t_P_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_transfer, vector 1, first of a batch: t_P", 6, t_P_batch, t_P_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_transfer, vector 1, last: t_P", 6, t_P_batch + 60, t_P_expected, 8.0 * DBL_EPSILON);
 }
 
 static void twist_transfer_vector_2(void)
@@ -2697,9 +3212,12 @@ static void twist_transfer_vector_2(void)
     const double a[3] = {-1.25, 1.5, 1.25};
     const double p[3] = {0.5, -0.75, 2.0};
     const double t_P_expected[6] = {2.0, -1.5, 0.25, 1.1875, -1.5625, -1.125};
-    double t_P[6];
+    double t_P[6], t_P_batch[66];
     chasles_twist_transfer(t_A, a, p, t_P);
+    chasles_twist_transfer_batch(11, t_A, 0, a, 0, p, 0, t_P_batch, 6);
     compare("chasles_twist_transfer, vector 2: t_P", 6, t_P, t_P_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_transfer, vector 2, first of a batch: t_P", 6, t_P_batch, t_P_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_transfer, vector 2, last: t_P", 6, t_P_batch + 60, t_P_expected, 8.0 * DBL_EPSILON);
 }
 
 static void twist_transfer_vector_1f(void)
@@ -2708,9 +3226,12 @@ static void twist_transfer_vector_1f(void)
     const float a[3] = {1.75f, -0.5f, 0.75f};
     const float p[3] = {-1.25f, 1.5f, 1.25f};
     const double t_P_expected[6] = {1.25, 0.5, -0.75, 3.75, 0.125, 4.25};
-    float t_P[6];
+    float t_P[6], t_P_batch[66];
     chasles_twist_transferf(t_A, a, p, t_P);
+    chasles_twist_transfer_batchf(11, t_A, 0, a, 0, p, 0, t_P_batch, 6);
     comparef("chasles_twist_transferf, vector 1: t_P", 6, t_P, t_P_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_transferf, vector 1, first of a batch: t_P", 6, t_P_batch, t_P_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_transferf, vector 1, last: t_P", 6, t_P_batch + 60, t_P_expected, 8.0 * FLT_EPSILON);
 }
 
 static void twist_transfer_vector_2f(void)
@@ -2719,9 +3240,12 @@ static void twist_transfer_vector_2f(void)
     const float a[3] = {-1.25f, 1.5f, 1.25f};
     const float p[3] = {0.5f, -0.75f, 2.0f};
     const double t_P_expected[6] = {2.0, -1.5, 0.25, 1.1875, -1.5625, -1.125};
-    float t_P[6];
+    float t_P[6], t_P_batch[66];
     chasles_twist_transferf(t_A, a, p, t_P);
+    chasles_twist_transfer_batchf(11, t_A, 0, a, 0, p, 0, t_P_batch, 6);
     comparef("chasles_twist_transferf, vector 2: t_P", 6, t_P, t_P_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_transferf, vector 2, first of a batch: t_P", 6, t_P_batch, t_P_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_transferf, vector 2, last: t_P", 6, t_P_batch + 60, t_P_expected, 8.0 * FLT_EPSILON);
 }
 
 static void angular_acceleration_matrix_vector_1(void)
@@ -2739,9 +3263,12 @@ static void angular_acceleration_matrix_vector_1(void)
         1.625,
         -1.8125,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_angular_acceleration_matrix(omega, omega_dot, W);
+    chasles_angular_acceleration_matrix_batch(11, omega, 0, omega_dot, 0, W_batch, 9);
     compare("chasles_angular_acceleration_matrix, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_angular_acceleration_matrix, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_angular_acceleration_matrix, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void angular_acceleration_matrix_vector_2(void)
@@ -2749,9 +3276,12 @@ static void angular_acceleration_matrix_vector_2(void)
     const double omega[3] = {2.0, -1.5, 0.25};
     const double omega_dot[3] = {1.75, -0.5, 0.75};
     const double W_expected[9] = {-2.3125, -3.75, 0.0, -2.25, -4.0625, -2.125, 1.0, 1.375, -6.25};
-    double W[9];
+    double W[9], W_batch[99];
     chasles_angular_acceleration_matrix(omega, omega_dot, W);
+    chasles_angular_acceleration_matrix_batch(11, omega, 0, omega_dot, 0, W_batch, 9);
     compare("chasles_angular_acceleration_matrix, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_angular_acceleration_matrix, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_angular_acceleration_matrix, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void angular_acceleration_matrix_vector_1f(void)
@@ -2769,9 +3299,12 @@ static void angular_acceleration_matrix_vector_1f(void)
         1.625,
         -1.8125,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_angular_acceleration_matrixf(omega, omega_dot, W);
+    chasles_angular_acceleration_matrix_batchf(11, omega, 0, omega_dot, 0, W_batch, 9);
     comparef("chasles_angular_acceleration_matrixf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_angular_acceleration_matrixf, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_angular_acceleration_matrixf, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void angular_acceleration_matrix_vector_2f(void)
@@ -2779,9 +3312,12 @@ static void angular_acceleration_matrix_vector_2f(void)
     const float omega[3] = {2.0f, -1.5f, 0.25f};
     const float omega_dot[3] = {1.75f, -0.5f, 0.75f};
     const double W_expected[9] = {-2.3125, -3.75, 0.0, -2.25, -4.0625, -2.125, 1.0, 1.375, -6.25};
-    float W[9];
+    float W[9], W_batch[99];
     chasles_angular_acceleration_matrixf(omega, omega_dot, W);
+    chasles_angular_acceleration_matrix_batchf(11, omega, 0, omega_dot, 0, W_batch, 9);
     comparef("chasles_angular_acceleration_matrixf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_angular_acceleration_matrixf, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_angular_acceleration_matrixf, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void acceleration_of_point_vector_1(void)
@@ -2792,9 +3328,19 @@ static void acceleration_of_point_vector_1(void)
     const double a[3] = {-1.25, 1.5, 1.25};
     const double p[3] = {0.5, -0.75, 2.0};
     const double p_ddot_expected[3] = {-2.34375, 4.03125, -3.28125};
-    double p_ddot[3];
+    double p_ddot[3], p_ddot_batch[33];
     chasles_acceleration_of_point(omega, omega_dot, a_ddot, a, p, p_ddot);
+    chasles_acceleration_of_point_batch(
+        11,
+        omega, 0,
+        omega_dot, 0,
+        a_ddot, 0,
+        a, 0,
+        p, 0,
+        p_ddot_batch, 3);
     compare("chasles_acceleration_of_point, vector 1: p_ddot", 3, p_ddot, p_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_acceleration_of_point, vector 1, first of a batch: p_ddot", 3, p_ddot_batch, p_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_acceleration_of_point, vector 1, last: p_ddot", 3, p_ddot_batch + 30, p_ddot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void acceleration_of_point_vector_2(void)
@@ -2805,9 +3351,19 @@ static void acceleration_of_point_vector_2(void)
     const double a[3] = {0.5, -0.75, 2.0};
     const double p[3] = {-1.5, 0.25, 1.75};
     const double p_ddot_expected[3] = {-0.375, 2.46875, 2.1875};
-    double p_ddot[3];
+    double p_ddot[3], p_ddot_batch[33];
     chasles_acceleration_of_point(omega, omega_dot, a_ddot, a, p, p_ddot);
+    chasles_acceleration_of_point_batch(
+        11,
+        omega, 0,
+        omega_dot, 0,
+        a_ddot, 0,
+        a, 0,
+        p, 0,
+        p_ddot_batch, 3);
     compare("chasles_acceleration_of_point, vector 2: p_ddot", 3, p_ddot, p_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_acceleration_of_point, vector 2, first of a batch: p_ddot", 3, p_ddot_batch, p_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_acceleration_of_point, vector 2, last: p_ddot", 3, p_ddot_batch + 30, p_ddot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void acceleration_of_point_vector_1f(void)
@@ -2818,9 +3374,19 @@ static void acceleration_of_point_vector_1f(void)
     const float a[3] = {-1.25f, 1.5f, 1.25f};
     const float p[3] = {0.5f, -0.75f, 2.0f};
     const double p_ddot_expected[3] = {-2.34375, 4.03125, -3.28125};
-    float p_ddot[3];
+    float p_ddot[3], p_ddot_batch[33];
     chasles_acceleration_of_pointf(omega, omega_dot, a_ddot, a, p, p_ddot);
+    chasles_acceleration_of_point_batchf(
+        11,
+        omega, 0,
+        omega_dot, 0,
+        a_ddot, 0,
+        a, 0,
+        p, 0,
+        p_ddot_batch, 3);
     comparef("chasles_acceleration_of_pointf, vector 1: p_ddot", 3, p_ddot, p_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_acceleration_of_pointf, vector 1, first of a batch: p_ddot", 3, p_ddot_batch, p_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_acceleration_of_pointf, vector 1, last: p_ddot", 3, p_ddot_batch + 30, p_ddot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void acceleration_of_point_vector_2f(void)
@@ -2831,9 +3397,19 @@ static void acceleration_of_point_vector_2f(void)
     const float a[3] = {0.5f, -0.75f, 2.0f};
     const float p[3] = {-1.5f, 0.25f, 1.75f};
     const double p_ddot_expected[3] = {-0.375, 2.46875, 2.1875};
-    float p_ddot[3];
+    float p_ddot[3], p_ddot_batch[33];
     chasles_acceleration_of_pointf(omega, omega_dot, a_ddot, a, p, p_ddot);
+    chasles_acceleration_of_point_batchf(
+        11,
+        omega, 0,
+        omega_dot, 0,
+        a_ddot, 0,
+        a, 0,
+        p, 0,
+        p_ddot_batch, 3);
     comparef("chasles_acceleration_of_pointf, vector 2: p_ddot", 3, p_ddot, p_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_acceleration_of_pointf, vector 2, first of a batch: p_ddot", 3, p_ddot_batch, p_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_acceleration_of_pointf, vector 2, last: p_ddot", 3, p_ddot_batch + 30, p_ddot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void natural_rate_matrix_dot_vector_1(void)
@@ -2855,9 +3431,12 @@ static void natural_rate_matrix_dot_vector_1(void)
         -0.81510548681247276845,
         1.2156875169999743703,
     };
-    double N_dot[12];
+    double N_dot[12], N_dot_batch[132];
     chasles_natural_rate_matrix_dot(e, phi[0], omega, N_dot);
+    chasles_natural_rate_matrix_dot_batch(11, e, 0, phi, 0, omega, 0, N_dot_batch, 12);
     compare("chasles_natural_rate_matrix_dot, vector 1: N_dot", 12, N_dot, N_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_rate_matrix_dot, vector 1, first of a batch: N_dot", 12, N_dot_batch, N_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_rate_matrix_dot, vector 1, last: N_dot", 12, N_dot_batch + 120, N_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void natural_rate_matrix_dot_vector_2(void)
@@ -2879,9 +3458,12 @@ static void natural_rate_matrix_dot_vector_2(void)
         0.38168851058232756098,
         -0.28626638293674567073,
     };
-    double N_dot[12];
+    double N_dot[12], N_dot_batch[132];
     chasles_natural_rate_matrix_dot(e, phi[0], omega, N_dot);
+    chasles_natural_rate_matrix_dot_batch(11, e, 0, phi, 0, omega, 0, N_dot_batch, 12);
     compare("chasles_natural_rate_matrix_dot, vector 2: N_dot", 12, N_dot, N_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_rate_matrix_dot, vector 2, first of a batch: N_dot", 12, N_dot_batch, N_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_rate_matrix_dot, vector 2, last: N_dot", 12, N_dot_batch + 120, N_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void natural_rate_matrix_dot_vector_3(void)
@@ -2890,9 +3472,12 @@ static void natural_rate_matrix_dot_vector_3(void)
     const double phi[1] = {0.0};
     const double omega[3] = {0.0, 0.0, 0.0};
     const double N_dot_expected[12] = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
-    double N_dot[12];
+    double N_dot[12], N_dot_batch[132];
     chasles_natural_rate_matrix_dot(e, phi[0], omega, N_dot);
+    chasles_natural_rate_matrix_dot_batch(11, e, 0, phi, 0, omega, 0, N_dot_batch, 12);
     compare("chasles_natural_rate_matrix_dot, vector 3: N_dot", 12, N_dot, N_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_rate_matrix_dot, vector 3, first of a batch: N_dot", 12, N_dot_batch, N_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_rate_matrix_dot, vector 3, last: N_dot", 12, N_dot_batch + 120, N_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void natural_rate_matrix_dot_vector_1f(void)
@@ -2914,9 +3499,12 @@ static void natural_rate_matrix_dot_vector_1f(void)
         -0.81510548681247276845,
         1.2156875169999743703,
     };
-    float N_dot[12];
+    float N_dot[12], N_dot_batch[132];
     chasles_natural_rate_matrix_dotf(e, phi[0], omega, N_dot);
+    chasles_natural_rate_matrix_dot_batchf(11, e, 0, phi, 0, omega, 0, N_dot_batch, 12);
     comparef("chasles_natural_rate_matrix_dotf, vector 1: N_dot", 12, N_dot, N_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_rate_matrix_dotf, vector 1, first of a batch: N_dot", 12, N_dot_batch, N_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_rate_matrix_dotf, vector 1, last: N_dot", 12, N_dot_batch + 120, N_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void natural_rate_matrix_dot_vector_2f(void)
@@ -2938,9 +3526,12 @@ static void natural_rate_matrix_dot_vector_2f(void)
         0.38168851058232756098,
         -0.28626638293674567073,
     };
-    float N_dot[12];
+    float N_dot[12], N_dot_batch[132];
     chasles_natural_rate_matrix_dotf(e, phi[0], omega, N_dot);
+    chasles_natural_rate_matrix_dot_batchf(11, e, 0, phi, 0, omega, 0, N_dot_batch, 12);
     comparef("chasles_natural_rate_matrix_dotf, vector 2: N_dot", 12, N_dot, N_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_rate_matrix_dotf, vector 2, first of a batch: N_dot", 12, N_dot_batch, N_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_rate_matrix_dotf, vector 2, last: N_dot", 12, N_dot_batch + 120, N_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void natural_rate_matrix_dot_vector_3f(void)
@@ -2949,9 +3540,12 @@ static void natural_rate_matrix_dot_vector_3f(void)
     const float phi[1] = {0.0f};
     const float omega[3] = {0.0f, 0.0f, 0.0f};
     const double N_dot_expected[12] = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
-    float N_dot[12];
+    float N_dot[12], N_dot_batch[132];
     chasles_natural_rate_matrix_dotf(e, phi[0], omega, N_dot);
+    chasles_natural_rate_matrix_dot_batchf(11, e, 0, phi, 0, omega, 0, N_dot_batch, 12);
     comparef("chasles_natural_rate_matrix_dotf, vector 3: N_dot", 12, N_dot, N_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_rate_matrix_dotf, vector 3, first of a batch: N_dot", 12, N_dot_batch, N_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_rate_matrix_dotf, vector 3, last: N_dot", 12, N_dot_batch + 120, N_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void linear_rate_matrix_dot_vector_1(void)
@@ -2973,9 +3567,12 @@ static void linear_rate_matrix_dot_vector_1(void)
         0.56330766187387182534,
         -1.3638836638390708664,
     };
-    double L_dot[12];
+    double L_dot[12], L_dot_batch[132];
     chasles_linear_rate_matrix_dot(e, phi[0], omega, L_dot);
+    chasles_linear_rate_matrix_dot_batch(11, e, 0, phi, 0, omega, 0, L_dot_batch, 12);
     compare("chasles_linear_rate_matrix_dot, vector 1: L_dot", 12, L_dot, L_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_rate_matrix_dot, vector 1, first of a batch: L_dot", 12, L_dot_batch, L_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_rate_matrix_dot, vector 1, last: L_dot", 12, L_dot_batch + 120, L_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void linear_rate_matrix_dot_vector_2(void)
@@ -2997,9 +3594,12 @@ static void linear_rate_matrix_dot_vector_2(void)
         0.039948177467404991091,
         0.77632336270953463149,
     };
-    double L_dot[12];
+    double L_dot[12], L_dot_batch[132];
     chasles_linear_rate_matrix_dot(e, phi[0], omega, L_dot);
+    chasles_linear_rate_matrix_dot_batch(11, e, 0, phi, 0, omega, 0, L_dot_batch, 12);
     compare("chasles_linear_rate_matrix_dot, vector 2: L_dot", 12, L_dot, L_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_rate_matrix_dot, vector 2, first of a batch: L_dot", 12, L_dot_batch, L_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_rate_matrix_dot, vector 2, last: L_dot", 12, L_dot_batch + 120, L_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void linear_rate_matrix_dot_vector_1f(void)
@@ -3021,9 +3621,12 @@ static void linear_rate_matrix_dot_vector_1f(void)
         0.56330766187387182534,
         -1.3638836638390708664,
     };
-    float L_dot[12];
+    float L_dot[12], L_dot_batch[132];
     chasles_linear_rate_matrix_dotf(e, phi[0], omega, L_dot);
+    chasles_linear_rate_matrix_dot_batchf(11, e, 0, phi, 0, omega, 0, L_dot_batch, 12);
     comparef("chasles_linear_rate_matrix_dotf, vector 1: L_dot", 12, L_dot, L_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_rate_matrix_dotf, vector 1, first of a batch: L_dot", 12, L_dot_batch, L_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_rate_matrix_dotf, vector 1, last: L_dot", 12, L_dot_batch + 120, L_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void linear_rate_matrix_dot_vector_2f(void)
@@ -3045,9 +3648,12 @@ static void linear_rate_matrix_dot_vector_2f(void)
         0.039948177467404991091,
         0.77632336270953463149,
     };
-    float L_dot[12];
+    float L_dot[12], L_dot_batch[132];
     chasles_linear_rate_matrix_dotf(e, phi[0], omega, L_dot);
+    chasles_linear_rate_matrix_dot_batchf(11, e, 0, phi, 0, omega, 0, L_dot_batch, 12);
     comparef("chasles_linear_rate_matrix_dotf, vector 2: L_dot", 12, L_dot, L_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_rate_matrix_dotf, vector 2, first of a batch: L_dot", 12, L_dot_batch, L_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_rate_matrix_dotf, vector 2, last: L_dot", 12, L_dot_batch + 120, L_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rodrigues_rate_matrix_dot_vector_1(void)
@@ -3069,9 +3675,12 @@ static void euler_rodrigues_rate_matrix_dot_vector_1(void)
         0.10329747882885651043,
         -0.490808245389759682,
     };
-    double H_dot[12];
+    double H_dot[12], H_dot_batch[132];
     chasles_euler_rodrigues_rate_matrix_dot(e, phi[0], omega, H_dot);
+    chasles_euler_rodrigues_rate_matrix_dot_batch(11, e, 0, phi, 0, omega, 0, H_dot_batch, 12);
     compare("chasles_euler_rodrigues_rate_matrix_dot, vector 1: H_dot", 12, H_dot, H_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_rate_matrix_dot, vector 1, first of a batch: H_dot", 12, H_dot_batch, H_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_rate_matrix_dot, vector 1, last: H_dot", 12, H_dot_batch + 120, H_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rodrigues_rate_matrix_dot_vector_2(void)
@@ -3093,9 +3702,12 @@ static void euler_rodrigues_rate_matrix_dot_vector_2(void)
         -0.28621018955912768433,
         -0.047051287235534412366,
     };
-    double H_dot[12];
+    double H_dot[12], H_dot_batch[132];
     chasles_euler_rodrigues_rate_matrix_dot(e, phi[0], omega, H_dot);
+    chasles_euler_rodrigues_rate_matrix_dot_batch(11, e, 0, phi, 0, omega, 0, H_dot_batch, 12);
     compare("chasles_euler_rodrigues_rate_matrix_dot, vector 2: H_dot", 12, H_dot, H_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_rate_matrix_dot, vector 2, first of a batch: H_dot", 12, H_dot_batch, H_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_rate_matrix_dot, vector 2, last: H_dot", 12, H_dot_batch + 120, H_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rodrigues_rate_matrix_dot_vector_1f(void)
@@ -3117,9 +3729,12 @@ static void euler_rodrigues_rate_matrix_dot_vector_1f(void)
         0.10329747882885651043,
         -0.490808245389759682,
     };
-    float H_dot[12];
+    float H_dot[12], H_dot_batch[132];
     chasles_euler_rodrigues_rate_matrix_dotf(e, phi[0], omega, H_dot);
+    chasles_euler_rodrigues_rate_matrix_dot_batchf(11, e, 0, phi, 0, omega, 0, H_dot_batch, 12);
     comparef("chasles_euler_rodrigues_rate_matrix_dotf, vector 1: H_dot", 12, H_dot, H_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_rate_matrix_dotf, vector 1, first of a batch: H_dot", 12, H_dot_batch, H_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_rate_matrix_dotf, vector 1, last: H_dot", 12, H_dot_batch + 120, H_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rodrigues_rate_matrix_dot_vector_2f(void)
@@ -3141,9 +3756,12 @@ static void euler_rodrigues_rate_matrix_dot_vector_2f(void)
         -0.28621018955912768433,
         -0.047051287235534412366,
     };
-    float H_dot[12];
+    float H_dot[12], H_dot_batch[132];
     chasles_euler_rodrigues_rate_matrix_dotf(e, phi[0], omega, H_dot);
+    chasles_euler_rodrigues_rate_matrix_dot_batchf(11, e, 0, phi, 0, omega, 0, H_dot_batch, 12);
     comparef("chasles_euler_rodrigues_rate_matrix_dotf, vector 2: H_dot", 12, H_dot, H_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_rate_matrix_dotf, vector 2, first of a batch: H_dot", 12, H_dot_batch, H_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_rate_matrix_dotf, vector 2, last: H_dot", 12, H_dot_batch + 120, H_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void natural_velocity_matrix_dot_vector_1(void)
@@ -3165,9 +3783,12 @@ static void natural_velocity_matrix_dot_vector_1(void)
         0.31532236239526866545,
         1.2156875169999743703,
     };
-    double N_tilde_dot[12];
+    double N_tilde_dot[12], N_tilde_dot_batch[132];
     chasles_natural_velocity_matrix_dot(e, phi[0], omega, N_tilde_dot);
+    chasles_natural_velocity_matrix_dot_batch(11, e, 0, phi, 0, omega, 0, N_tilde_dot_batch, 12);
     compare("chasles_natural_velocity_matrix_dot, vector 1: N_tilde_dot", 12, N_tilde_dot, N_tilde_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_velocity_matrix_dot, vector 1, first of a batch: N_tilde_dot", 12, N_tilde_dot_batch, N_tilde_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_velocity_matrix_dot, vector 1, last: N_tilde_dot", 12, N_tilde_dot_batch + 120, N_tilde_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void natural_velocity_matrix_dot_vector_2(void)
@@ -3189,9 +3810,12 @@ static void natural_velocity_matrix_dot_vector_2(void)
         -0.64502759664807069985,
         -0.28626638293674567073,
     };
-    double N_tilde_dot[12];
+    double N_tilde_dot[12], N_tilde_dot_batch[132];
     chasles_natural_velocity_matrix_dot(e, phi[0], omega, N_tilde_dot);
+    chasles_natural_velocity_matrix_dot_batch(11, e, 0, phi, 0, omega, 0, N_tilde_dot_batch, 12);
     compare("chasles_natural_velocity_matrix_dot, vector 2: N_tilde_dot", 12, N_tilde_dot, N_tilde_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_velocity_matrix_dot, vector 2, first of a batch: N_tilde_dot", 12, N_tilde_dot_batch, N_tilde_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_velocity_matrix_dot, vector 2, last: N_tilde_dot", 12, N_tilde_dot_batch + 120, N_tilde_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void natural_velocity_matrix_dot_vector_3(void)
@@ -3213,9 +3837,12 @@ static void natural_velocity_matrix_dot_vector_3(void)
         0.0,
         NAN,
     };
-    double N_tilde_dot[12];
+    double N_tilde_dot[12], N_tilde_dot_batch[132];
     chasles_natural_velocity_matrix_dot(e, phi[0], omega, N_tilde_dot);
+    chasles_natural_velocity_matrix_dot_batch(11, e, 0, phi, 0, omega, 0, N_tilde_dot_batch, 12);
     compare("chasles_natural_velocity_matrix_dot, vector 3: N_tilde_dot", 12, N_tilde_dot, N_tilde_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_velocity_matrix_dot, vector 3, first of a batch: N_tilde_dot", 12, N_tilde_dot_batch, N_tilde_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_natural_velocity_matrix_dot, vector 3, last: N_tilde_dot", 12, N_tilde_dot_batch + 120, N_tilde_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void natural_velocity_matrix_dot_vector_1f(void)
@@ -3237,9 +3864,12 @@ static void natural_velocity_matrix_dot_vector_1f(void)
         0.31532236239526866545,
         1.2156875169999743703,
     };
-    float N_tilde_dot[12];
+    float N_tilde_dot[12], N_tilde_dot_batch[132];
     chasles_natural_velocity_matrix_dotf(e, phi[0], omega, N_tilde_dot);
+    chasles_natural_velocity_matrix_dot_batchf(11, e, 0, phi, 0, omega, 0, N_tilde_dot_batch, 12);
     comparef("chasles_natural_velocity_matrix_dotf, vector 1: N_tilde_dot", 12, N_tilde_dot, N_tilde_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_velocity_matrix_dotf, vector 1, first of a batch: N_tilde_dot", 12, N_tilde_dot_batch, N_tilde_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_velocity_matrix_dotf, vector 1, last: N_tilde_dot", 12, N_tilde_dot_batch + 120, N_tilde_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void natural_velocity_matrix_dot_vector_2f(void)
@@ -3261,9 +3891,12 @@ static void natural_velocity_matrix_dot_vector_2f(void)
         -0.64502759664807069985,
         -0.28626638293674567073,
     };
-    float N_tilde_dot[12];
+    float N_tilde_dot[12], N_tilde_dot_batch[132];
     chasles_natural_velocity_matrix_dotf(e, phi[0], omega, N_tilde_dot);
+    chasles_natural_velocity_matrix_dot_batchf(11, e, 0, phi, 0, omega, 0, N_tilde_dot_batch, 12);
     comparef("chasles_natural_velocity_matrix_dotf, vector 2: N_tilde_dot", 12, N_tilde_dot, N_tilde_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_velocity_matrix_dotf, vector 2, first of a batch: N_tilde_dot", 12, N_tilde_dot_batch, N_tilde_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_velocity_matrix_dotf, vector 2, last: N_tilde_dot", 12, N_tilde_dot_batch + 120, N_tilde_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void natural_velocity_matrix_dot_vector_3f(void)
@@ -3285,9 +3918,12 @@ static void natural_velocity_matrix_dot_vector_3f(void)
         0.0,
         NAN,
     };
-    float N_tilde_dot[12];
+    float N_tilde_dot[12], N_tilde_dot_batch[132];
     chasles_natural_velocity_matrix_dotf(e, phi[0], omega, N_tilde_dot);
+    chasles_natural_velocity_matrix_dot_batchf(11, e, 0, phi, 0, omega, 0, N_tilde_dot_batch, 12);
     comparef("chasles_natural_velocity_matrix_dotf, vector 3: N_tilde_dot", 12, N_tilde_dot, N_tilde_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_velocity_matrix_dotf, vector 3, first of a batch: N_tilde_dot", 12, N_tilde_dot_batch, N_tilde_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_natural_velocity_matrix_dotf, vector 3, last: N_tilde_dot", 12, N_tilde_dot_batch + 120, N_tilde_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void linear_velocity_matrix_dot_vector_1(void)
@@ -3309,9 +3945,12 @@ static void linear_velocity_matrix_dot_vector_1(void)
         0.0,
         -1.3839462281529997365,
     };
-    double L_tilde_dot[12];
+    double L_tilde_dot[12], L_tilde_dot_batch[132];
     chasles_linear_velocity_matrix_dot(e, phi[0], omega, L_tilde_dot);
+    chasles_linear_velocity_matrix_dot_batch(11, e, 0, phi, 0, omega, 0, L_tilde_dot_batch, 12);
     compare("chasles_linear_velocity_matrix_dot, vector 1: L_tilde_dot", 12, L_tilde_dot, L_tilde_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_velocity_matrix_dot, vector 1, first of a batch: L_tilde_dot", 12, L_tilde_dot_batch, L_tilde_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_velocity_matrix_dot, vector 1, last: L_tilde_dot", 12, L_tilde_dot_batch + 120, L_tilde_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void linear_velocity_matrix_dot_vector_2(void)
@@ -3333,9 +3972,12 @@ static void linear_velocity_matrix_dot_vector_2(void)
         0.0,
         -1.6779881928104450481,
     };
-    double L_tilde_dot[12];
+    double L_tilde_dot[12], L_tilde_dot_batch[132];
     chasles_linear_velocity_matrix_dot(e, phi[0], omega, L_tilde_dot);
+    chasles_linear_velocity_matrix_dot_batch(11, e, 0, phi, 0, omega, 0, L_tilde_dot_batch, 12);
     compare("chasles_linear_velocity_matrix_dot, vector 2: L_tilde_dot", 12, L_tilde_dot, L_tilde_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_velocity_matrix_dot, vector 2, first of a batch: L_tilde_dot", 12, L_tilde_dot_batch, L_tilde_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_linear_velocity_matrix_dot, vector 2, last: L_tilde_dot", 12, L_tilde_dot_batch + 120, L_tilde_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void linear_velocity_matrix_dot_vector_1f(void)
@@ -3357,9 +3999,12 @@ static void linear_velocity_matrix_dot_vector_1f(void)
         0.0,
         -1.3839462281529997365,
     };
-    float L_tilde_dot[12];
+    float L_tilde_dot[12], L_tilde_dot_batch[132];
     chasles_linear_velocity_matrix_dotf(e, phi[0], omega, L_tilde_dot);
+    chasles_linear_velocity_matrix_dot_batchf(11, e, 0, phi, 0, omega, 0, L_tilde_dot_batch, 12);
     comparef("chasles_linear_velocity_matrix_dotf, vector 1: L_tilde_dot", 12, L_tilde_dot, L_tilde_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_velocity_matrix_dotf, vector 1, first of a batch: L_tilde_dot", 12, L_tilde_dot_batch, L_tilde_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_velocity_matrix_dotf, vector 1, last: L_tilde_dot", 12, L_tilde_dot_batch + 120, L_tilde_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void linear_velocity_matrix_dot_vector_2f(void)
@@ -3381,9 +4026,12 @@ static void linear_velocity_matrix_dot_vector_2f(void)
         0.0,
         -1.6779881928104450481,
     };
-    float L_tilde_dot[12];
+    float L_tilde_dot[12], L_tilde_dot_batch[132];
     chasles_linear_velocity_matrix_dotf(e, phi[0], omega, L_tilde_dot);
+    chasles_linear_velocity_matrix_dot_batchf(11, e, 0, phi, 0, omega, 0, L_tilde_dot_batch, 12);
     comparef("chasles_linear_velocity_matrix_dotf, vector 2: L_tilde_dot", 12, L_tilde_dot, L_tilde_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_velocity_matrix_dotf, vector 2, first of a batch: L_tilde_dot", 12, L_tilde_dot_batch, L_tilde_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_linear_velocity_matrix_dotf, vector 2, last: L_tilde_dot", 12, L_tilde_dot_batch + 120, L_tilde_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rodrigues_velocity_matrix_dot_vector_1(void)
@@ -3405,9 +4053,17 @@ static void euler_rodrigues_velocity_matrix_dot_vector_1(void)
         -0.58509727294046215481,
         -1.963232981559038728,
     };
-    double H_tilde_dot[12];
+    double H_tilde_dot[12], H_tilde_dot_batch[132];
     chasles_euler_rodrigues_velocity_matrix_dot(e, phi[0], omega, H_tilde_dot);
+    chasles_euler_rodrigues_velocity_matrix_dot_batch(
+        11,
+        e, 0,
+        phi, 0,
+        omega, 0,
+        H_tilde_dot_batch, 12);
     compare("chasles_euler_rodrigues_velocity_matrix_dot, vector 1: H_tilde_dot", 12, H_tilde_dot, H_tilde_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_velocity_matrix_dot, vector 1, first of a batch: H_tilde_dot", 12, H_tilde_dot_batch, H_tilde_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_velocity_matrix_dot, vector 1, last: H_tilde_dot", 12, H_tilde_dot_batch + 120, H_tilde_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rodrigues_velocity_matrix_dot_vector_2(void)
@@ -3429,9 +4085,17 @@ static void euler_rodrigues_velocity_matrix_dot_vector_2(void)
         -1.3042800264522395853,
         -0.18820514894213764946,
     };
-    double H_tilde_dot[12];
+    double H_tilde_dot[12], H_tilde_dot_batch[132];
     chasles_euler_rodrigues_velocity_matrix_dot(e, phi[0], omega, H_tilde_dot);
+    chasles_euler_rodrigues_velocity_matrix_dot_batch(
+        11,
+        e, 0,
+        phi, 0,
+        omega, 0,
+        H_tilde_dot_batch, 12);
     compare("chasles_euler_rodrigues_velocity_matrix_dot, vector 2: H_tilde_dot", 12, H_tilde_dot, H_tilde_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_velocity_matrix_dot, vector 2, first of a batch: H_tilde_dot", 12, H_tilde_dot_batch, H_tilde_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rodrigues_velocity_matrix_dot, vector 2, last: H_tilde_dot", 12, H_tilde_dot_batch + 120, H_tilde_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rodrigues_velocity_matrix_dot_vector_1f(void)
@@ -3453,9 +4117,17 @@ static void euler_rodrigues_velocity_matrix_dot_vector_1f(void)
         -0.58509727294046215481,
         -1.963232981559038728,
     };
-    float H_tilde_dot[12];
+    float H_tilde_dot[12], H_tilde_dot_batch[132];
     chasles_euler_rodrigues_velocity_matrix_dotf(e, phi[0], omega, H_tilde_dot);
+    chasles_euler_rodrigues_velocity_matrix_dot_batchf(
+        11,
+        e, 0,
+        phi, 0,
+        omega, 0,
+        H_tilde_dot_batch, 12);
     comparef("chasles_euler_rodrigues_velocity_matrix_dotf, vector 1: H_tilde_dot", 12, H_tilde_dot, H_tilde_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_velocity_matrix_dotf, vector 1, first of a batch: H_tilde_dot", 12, H_tilde_dot_batch, H_tilde_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_velocity_matrix_dotf, vector 1, last: H_tilde_dot", 12, H_tilde_dot_batch + 120, H_tilde_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rodrigues_velocity_matrix_dot_vector_2f(void)
@@ -3477,9 +4149,17 @@ static void euler_rodrigues_velocity_matrix_dot_vector_2f(void)
         -1.3042800264522395853,
         -0.18820514894213764946,
     };
-    float H_tilde_dot[12];
+    float H_tilde_dot[12], H_tilde_dot_batch[132];
     chasles_euler_rodrigues_velocity_matrix_dotf(e, phi[0], omega, H_tilde_dot);
+    chasles_euler_rodrigues_velocity_matrix_dot_batchf(
+        11,
+        e, 0,
+        phi, 0,
+        omega, 0,
+        H_tilde_dot_batch, 12);
     comparef("chasles_euler_rodrigues_velocity_matrix_dotf, vector 2: H_tilde_dot", 12, H_tilde_dot, H_tilde_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_velocity_matrix_dotf, vector 2, first of a batch: H_tilde_dot", 12, H_tilde_dot_batch, H_tilde_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rodrigues_velocity_matrix_dotf, vector 2, last: H_tilde_dot", 12, H_tilde_dot_batch + 120, H_tilde_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void pose_acceleration_natural_vector_1(void)
@@ -3497,9 +4177,12 @@ static void pose_acceleration_natural_vector_1(void)
         1.25,
         0.5,
     };
-    double s_ddot[7];
+    double s_ddot[7], s_ddot_batch[77];
     chasles_pose_acceleration_natural(e, phi[0], t, t_dot, s_ddot);
+    chasles_pose_acceleration_natural_batch(11, e, 0, phi, 0, t, 0, t_dot, 0, s_ddot_batch, 7);
     compare("chasles_pose_acceleration_natural, vector 1: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_acceleration_natural, vector 1, first of a batch: s_ddot", 7, s_ddot_batch, s_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_acceleration_natural, vector 1, last: s_ddot", 7, s_ddot_batch + 70, s_ddot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void pose_acceleration_natural_vector_2(void)
@@ -3517,9 +4200,12 @@ static void pose_acceleration_natural_vector_2(void)
         2.0,
         -1.5,
     };
-    double s_ddot[7];
+    double s_ddot[7], s_ddot_batch[77];
     chasles_pose_acceleration_natural(e, phi[0], t, t_dot, s_ddot);
+    chasles_pose_acceleration_natural_batch(11, e, 0, phi, 0, t, 0, t_dot, 0, s_ddot_batch, 7);
     compare("chasles_pose_acceleration_natural, vector 2: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_acceleration_natural, vector 2, first of a batch: s_ddot", 7, s_ddot_batch, s_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_acceleration_natural, vector 2, last: s_ddot", 7, s_ddot_batch + 70, s_ddot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void pose_acceleration_natural_vector_3(void)
@@ -3529,9 +4215,12 @@ static void pose_acceleration_natural_vector_3(void)
     const double t[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     const double t_dot[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     const double s_ddot_expected[7] = {NAN, NAN, NAN, NAN, 0.0, 0.0, 0.0};
-    double s_ddot[7];
+    double s_ddot[7], s_ddot_batch[77];
     chasles_pose_acceleration_natural(e, phi[0], t, t_dot, s_ddot);
+    chasles_pose_acceleration_natural_batch(11, e, 0, phi, 0, t, 0, t_dot, 0, s_ddot_batch, 7);
     compare("chasles_pose_acceleration_natural, vector 3: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_acceleration_natural, vector 3, first of a batch: s_ddot", 7, s_ddot_batch, s_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_acceleration_natural, vector 3, last: s_ddot", 7, s_ddot_batch + 70, s_ddot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void pose_acceleration_natural_vector_1f(void)
@@ -3549,9 +4238,12 @@ static void pose_acceleration_natural_vector_1f(void)
         1.25,
         0.5,
     };
-    float s_ddot[7];
+    float s_ddot[7], s_ddot_batch[77];
     chasles_pose_acceleration_naturalf(e, phi[0], t, t_dot, s_ddot);
+    chasles_pose_acceleration_natural_batchf(11, e, 0, phi, 0, t, 0, t_dot, 0, s_ddot_batch, 7);
     comparef("chasles_pose_acceleration_naturalf, vector 1: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_acceleration_naturalf, vector 1, first of a batch: s_ddot", 7, s_ddot_batch, s_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_acceleration_naturalf, vector 1, last: s_ddot", 7, s_ddot_batch + 70, s_ddot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void pose_acceleration_natural_vector_2f(void)
@@ -3569,9 +4261,12 @@ static void pose_acceleration_natural_vector_2f(void)
         2.0,
         -1.5,
     };
-    float s_ddot[7];
+    float s_ddot[7], s_ddot_batch[77];
     chasles_pose_acceleration_naturalf(e, phi[0], t, t_dot, s_ddot);
+    chasles_pose_acceleration_natural_batchf(11, e, 0, phi, 0, t, 0, t_dot, 0, s_ddot_batch, 7);
     comparef("chasles_pose_acceleration_naturalf, vector 2: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_acceleration_naturalf, vector 2, first of a batch: s_ddot", 7, s_ddot_batch, s_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_acceleration_naturalf, vector 2, last: s_ddot", 7, s_ddot_batch + 70, s_ddot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void pose_acceleration_natural_vector_3f(void)
@@ -3581,9 +4276,12 @@ static void pose_acceleration_natural_vector_3f(void)
     const float t[6] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
     const float t_dot[6] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
     const double s_ddot_expected[7] = {NAN, NAN, NAN, NAN, 0.0, 0.0, 0.0};
-    float s_ddot[7];
+    float s_ddot[7], s_ddot_batch[77];
     chasles_pose_acceleration_naturalf(e, phi[0], t, t_dot, s_ddot);
+    chasles_pose_acceleration_natural_batchf(11, e, 0, phi, 0, t, 0, t_dot, 0, s_ddot_batch, 7);
     comparef("chasles_pose_acceleration_naturalf, vector 3: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_acceleration_naturalf, vector 3, first of a batch: s_ddot", 7, s_ddot_batch, s_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_acceleration_naturalf, vector 3, last: s_ddot", 7, s_ddot_batch + 70, s_ddot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void pose_acceleration_linear_vector_1(void)
@@ -3601,9 +4299,12 @@ static void pose_acceleration_linear_vector_1(void)
         1.25,
         0.5,
     };
-    double s_ddot[7];
+    double s_ddot[7], s_ddot_batch[77];
     chasles_pose_acceleration_linear(e, phi[0], t, t_dot, s_ddot);
+    chasles_pose_acceleration_linear_batch(11, e, 0, phi, 0, t, 0, t_dot, 0, s_ddot_batch, 7);
     compare("chasles_pose_acceleration_linear, vector 1: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_acceleration_linear, vector 1, first of a batch: s_ddot", 7, s_ddot_batch, s_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_acceleration_linear, vector 1, last: s_ddot", 7, s_ddot_batch + 70, s_ddot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void pose_acceleration_linear_vector_2(void)
@@ -3621,9 +4322,12 @@ static void pose_acceleration_linear_vector_2(void)
         2.0,
         -1.5,
     };
-    double s_ddot[7];
+    double s_ddot[7], s_ddot_batch[77];
     chasles_pose_acceleration_linear(e, phi[0], t, t_dot, s_ddot);
+    chasles_pose_acceleration_linear_batch(11, e, 0, phi, 0, t, 0, t_dot, 0, s_ddot_batch, 7);
     compare("chasles_pose_acceleration_linear, vector 2: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_acceleration_linear, vector 2, first of a batch: s_ddot", 7, s_ddot_batch, s_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_acceleration_linear, vector 2, last: s_ddot", 7, s_ddot_batch + 70, s_ddot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void pose_acceleration_linear_vector_1f(void)
@@ -3641,9 +4345,12 @@ static void pose_acceleration_linear_vector_1f(void)
         1.25,
         0.5,
     };
-    float s_ddot[7];
+    float s_ddot[7], s_ddot_batch[77];
     chasles_pose_acceleration_linearf(e, phi[0], t, t_dot, s_ddot);
+    chasles_pose_acceleration_linear_batchf(11, e, 0, phi, 0, t, 0, t_dot, 0, s_ddot_batch, 7);
     comparef("chasles_pose_acceleration_linearf, vector 1: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_acceleration_linearf, vector 1, first of a batch: s_ddot", 7, s_ddot_batch, s_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_acceleration_linearf, vector 1, last: s_ddot", 7, s_ddot_batch + 70, s_ddot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void pose_acceleration_linear_vector_2f(void)
@@ -3661,9 +4368,12 @@ static void pose_acceleration_linear_vector_2f(void)
         2.0,
         -1.5,
     };
-    float s_ddot[7];
+    float s_ddot[7], s_ddot_batch[77];
     chasles_pose_acceleration_linearf(e, phi[0], t, t_dot, s_ddot);
+    chasles_pose_acceleration_linear_batchf(11, e, 0, phi, 0, t, 0, t_dot, 0, s_ddot_batch, 7);
     comparef("chasles_pose_acceleration_linearf, vector 2: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_acceleration_linearf, vector 2, first of a batch: s_ddot", 7, s_ddot_batch, s_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_acceleration_linearf, vector 2, last: s_ddot", 7, s_ddot_batch + 70, s_ddot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void pose_acceleration_euler_rodrigues_vector_1(void)
@@ -3681,9 +4391,12 @@ static void pose_acceleration_euler_rodrigues_vector_1(void)
         1.25,
         0.5,
     };
-    double s_ddot[7];
+    double s_ddot[7], s_ddot_batch[77];
     chasles_pose_acceleration_euler_rodrigues(e, phi[0], t, t_dot, s_ddot);
+    chasles_pose_acceleration_euler_rodrigues_batch(11, e, 0, phi, 0, t, 0, t_dot, 0, s_ddot_batch, 7);
     compare("chasles_pose_acceleration_euler_rodrigues, vector 1: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_acceleration_euler_rodrigues, vector 1, first of a batch: s_ddot", 7, s_ddot_batch, s_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_acceleration_euler_rodrigues, vector 1, last: s_ddot", 7, s_ddot_batch + 70, s_ddot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void pose_acceleration_euler_rodrigues_vector_2(void)
@@ -3701,9 +4414,12 @@ static void pose_acceleration_euler_rodrigues_vector_2(void)
         2.0,
         -1.5,
     };
-    double s_ddot[7];
+    double s_ddot[7], s_ddot_batch[77];
     chasles_pose_acceleration_euler_rodrigues(e, phi[0], t, t_dot, s_ddot);
+    chasles_pose_acceleration_euler_rodrigues_batch(11, e, 0, phi, 0, t, 0, t_dot, 0, s_ddot_batch, 7);
     compare("chasles_pose_acceleration_euler_rodrigues, vector 2: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_acceleration_euler_rodrigues, vector 2, first of a batch: s_ddot", 7, s_ddot_batch, s_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_pose_acceleration_euler_rodrigues, vector 2, last: s_ddot", 7, s_ddot_batch + 70, s_ddot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void pose_acceleration_euler_rodrigues_vector_1f(void)
@@ -3721,9 +4437,12 @@ static void pose_acceleration_euler_rodrigues_vector_1f(void)
         1.25,
         0.5,
     };
-    float s_ddot[7];
+    float s_ddot[7], s_ddot_batch[77];
     chasles_pose_acceleration_euler_rodriguesf(e, phi[0], t, t_dot, s_ddot);
+    chasles_pose_acceleration_euler_rodrigues_batchf(11, e, 0, phi, 0, t, 0, t_dot, 0, s_ddot_batch, 7);
     comparef("chasles_pose_acceleration_euler_rodriguesf, vector 1: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_acceleration_euler_rodriguesf, vector 1, first of a batch: s_ddot", 7, s_ddot_batch, s_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_acceleration_euler_rodriguesf, vector 1, last: s_ddot", 7, s_ddot_batch + 70, s_ddot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void pose_acceleration_euler_rodrigues_vector_2f(void)
@@ -3741,9 +4460,12 @@ static void pose_acceleration_euler_rodrigues_vector_2f(void)
         2.0,
         -1.5,
     };
-    float s_ddot[7];
+    float s_ddot[7], s_ddot_batch[77];
     chasles_pose_acceleration_euler_rodriguesf(e, phi[0], t, t_dot, s_ddot);
+    chasles_pose_acceleration_euler_rodrigues_batchf(11, e, 0, phi, 0, t, 0, t_dot, 0, s_ddot_batch, 7);
     comparef("chasles_pose_acceleration_euler_rodriguesf, vector 2: s_ddot", 7, s_ddot, s_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_acceleration_euler_rodriguesf, vector 2, first of a batch: s_ddot", 7, s_ddot_batch, s_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_pose_acceleration_euler_rodriguesf, vector 2, last: s_ddot", 7, s_ddot_batch + 70, s_ddot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void twist_rate_from_pose_natural_vector_1(void)
@@ -3760,9 +4482,12 @@ static void twist_rate_from_pose_natural_vector_1(void)
         -0.75,
         2.0,
     };
-    double t_dot[6];
+    double t_dot[6], t_dot_batch[66];
     chasles_twist_rate_from_pose_natural(e, phi[0], s_dot, s_ddot, t_dot);
+    chasles_twist_rate_from_pose_natural_batch(11, e, 0, phi, 0, s_dot, 0, s_ddot, 0, t_dot_batch, 6);
     compare("chasles_twist_rate_from_pose_natural, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_rate_from_pose_natural, vector 1, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_rate_from_pose_natural, vector 1, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void twist_rate_from_pose_natural_vector_2(void)
@@ -3779,9 +4504,12 @@ static void twist_rate_from_pose_natural_vector_2(void)
         0.25,
         1.75,
     };
-    double t_dot[6];
+    double t_dot[6], t_dot_batch[66];
     chasles_twist_rate_from_pose_natural(e, phi[0], s_dot, s_ddot, t_dot);
+    chasles_twist_rate_from_pose_natural_batch(11, e, 0, phi, 0, s_dot, 0, s_ddot, 0, t_dot_batch, 6);
     compare("chasles_twist_rate_from_pose_natural, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_rate_from_pose_natural, vector 2, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_rate_from_pose_natural, vector 2, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void twist_rate_from_pose_natural_vector_1f(void)
@@ -3798,9 +4526,12 @@ static void twist_rate_from_pose_natural_vector_1f(void)
         -0.75,
         2.0,
     };
-    float t_dot[6];
+    float t_dot[6], t_dot_batch[66];
     chasles_twist_rate_from_pose_naturalf(e, phi[0], s_dot, s_ddot, t_dot);
+    chasles_twist_rate_from_pose_natural_batchf(11, e, 0, phi, 0, s_dot, 0, s_ddot, 0, t_dot_batch, 6);
     comparef("chasles_twist_rate_from_pose_naturalf, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_rate_from_pose_naturalf, vector 1, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_rate_from_pose_naturalf, vector 1, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void twist_rate_from_pose_natural_vector_2f(void)
@@ -3817,9 +4548,12 @@ static void twist_rate_from_pose_natural_vector_2f(void)
         0.25,
         1.75,
     };
-    float t_dot[6];
+    float t_dot[6], t_dot_batch[66];
     chasles_twist_rate_from_pose_naturalf(e, phi[0], s_dot, s_ddot, t_dot);
+    chasles_twist_rate_from_pose_natural_batchf(11, e, 0, phi, 0, s_dot, 0, s_ddot, 0, t_dot_batch, 6);
     comparef("chasles_twist_rate_from_pose_naturalf, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_rate_from_pose_naturalf, vector 2, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_rate_from_pose_naturalf, vector 2, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void twist_rate_from_pose_linear_vector_1(void)
@@ -3836,9 +4570,12 @@ static void twist_rate_from_pose_linear_vector_1(void)
         -0.75,
         2.0,
     };
-    double t_dot[6];
+    double t_dot[6], t_dot_batch[66];
     chasles_twist_rate_from_pose_linear(e, phi[0], s_dot, s_ddot, t_dot);
+    chasles_twist_rate_from_pose_linear_batch(11, e, 0, phi, 0, s_dot, 0, s_ddot, 0, t_dot_batch, 6);
     compare("chasles_twist_rate_from_pose_linear, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_rate_from_pose_linear, vector 1, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_rate_from_pose_linear, vector 1, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void twist_rate_from_pose_linear_vector_2(void)
@@ -3855,9 +4592,12 @@ static void twist_rate_from_pose_linear_vector_2(void)
         0.25,
         1.75,
     };
-    double t_dot[6];
+    double t_dot[6], t_dot_batch[66];
     chasles_twist_rate_from_pose_linear(e, phi[0], s_dot, s_ddot, t_dot);
+    chasles_twist_rate_from_pose_linear_batch(11, e, 0, phi, 0, s_dot, 0, s_ddot, 0, t_dot_batch, 6);
     compare("chasles_twist_rate_from_pose_linear, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_rate_from_pose_linear, vector 2, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_rate_from_pose_linear, vector 2, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void twist_rate_from_pose_linear_vector_1f(void)
@@ -3874,9 +4614,12 @@ static void twist_rate_from_pose_linear_vector_1f(void)
         -0.75,
         2.0,
     };
-    float t_dot[6];
+    float t_dot[6], t_dot_batch[66];
     chasles_twist_rate_from_pose_linearf(e, phi[0], s_dot, s_ddot, t_dot);
+    chasles_twist_rate_from_pose_linear_batchf(11, e, 0, phi, 0, s_dot, 0, s_ddot, 0, t_dot_batch, 6);
     comparef("chasles_twist_rate_from_pose_linearf, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_rate_from_pose_linearf, vector 1, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_rate_from_pose_linearf, vector 1, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void twist_rate_from_pose_linear_vector_2f(void)
@@ -3893,9 +4636,12 @@ static void twist_rate_from_pose_linear_vector_2f(void)
         0.25,
         1.75,
     };
-    float t_dot[6];
+    float t_dot[6], t_dot_batch[66];
     chasles_twist_rate_from_pose_linearf(e, phi[0], s_dot, s_ddot, t_dot);
+    chasles_twist_rate_from_pose_linear_batchf(11, e, 0, phi, 0, s_dot, 0, s_ddot, 0, t_dot_batch, 6);
     comparef("chasles_twist_rate_from_pose_linearf, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_rate_from_pose_linearf, vector 2, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_rate_from_pose_linearf, vector 2, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void twist_rate_from_pose_euler_rodrigues_vector_1(void)
@@ -3912,9 +4658,18 @@ static void twist_rate_from_pose_euler_rodrigues_vector_1(void)
         -0.75,
         2.0,
     };
-    double t_dot[6];
+    double t_dot[6], t_dot_batch[66];
     chasles_twist_rate_from_pose_euler_rodrigues(e, phi[0], s_dot, s_ddot, t_dot);
+    chasles_twist_rate_from_pose_euler_rodrigues_batch(
+        11,
+        e, 0,
+        phi, 0,
+        s_dot, 0,
+        s_ddot, 0,
+        t_dot_batch, 6);
     compare("chasles_twist_rate_from_pose_euler_rodrigues, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_rate_from_pose_euler_rodrigues, vector 1, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_rate_from_pose_euler_rodrigues, vector 1, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void twist_rate_from_pose_euler_rodrigues_vector_2(void)
@@ -3931,9 +4686,18 @@ static void twist_rate_from_pose_euler_rodrigues_vector_2(void)
         0.25,
         1.75,
     };
-    double t_dot[6];
+    double t_dot[6], t_dot_batch[66];
     chasles_twist_rate_from_pose_euler_rodrigues(e, phi[0], s_dot, s_ddot, t_dot);
+    chasles_twist_rate_from_pose_euler_rodrigues_batch(
+        11,
+        e, 0,
+        phi, 0,
+        s_dot, 0,
+        s_ddot, 0,
+        t_dot_batch, 6);
     compare("chasles_twist_rate_from_pose_euler_rodrigues, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_rate_from_pose_euler_rodrigues, vector 2, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_twist_rate_from_pose_euler_rodrigues, vector 2, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void twist_rate_from_pose_euler_rodrigues_vector_1f(void)
@@ -3950,9 +4714,18 @@ static void twist_rate_from_pose_euler_rodrigues_vector_1f(void)
         -0.75,
         2.0,
     };
-    float t_dot[6];
+    float t_dot[6], t_dot_batch[66];
     chasles_twist_rate_from_pose_euler_rodriguesf(e, phi[0], s_dot, s_ddot, t_dot);
+    chasles_twist_rate_from_pose_euler_rodrigues_batchf(
+        11,
+        e, 0,
+        phi, 0,
+        s_dot, 0,
+        s_ddot, 0,
+        t_dot_batch, 6);
     comparef("chasles_twist_rate_from_pose_euler_rodriguesf, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_rate_from_pose_euler_rodriguesf, vector 1, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_rate_from_pose_euler_rodriguesf, vector 1, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void twist_rate_from_pose_euler_rodrigues_vector_2f(void)
@@ -3969,9 +4742,18 @@ static void twist_rate_from_pose_euler_rodrigues_vector_2f(void)
         0.25,
         1.75,
     };
-    float t_dot[6];
+    float t_dot[6], t_dot_batch[66];
     chasles_twist_rate_from_pose_euler_rodriguesf(e, phi[0], s_dot, s_ddot, t_dot);
+    chasles_twist_rate_from_pose_euler_rodrigues_batchf(
+        11,
+        e, 0,
+        phi, 0,
+        s_dot, 0,
+        s_ddot, 0,
+        t_dot_batch, 6);
     comparef("chasles_twist_rate_from_pose_euler_rodriguesf, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_rate_from_pose_euler_rodriguesf, vector 2, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_twist_rate_from_pose_euler_rodriguesf, vector 2, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void moving_frame_velocity_vector_1(void)
@@ -3982,9 +4764,19 @@ static void moving_frame_velocity_vector_1(void)
     const double rho[3] = {1.75, -0.5, 0.75};
     const double rho_dot[3] = {-1.25, 1.5, 1.25};
     const double p_dot_expected[3] = {-2.1, -0.7375, 4.875};
-    double p_dot[3];
+    double p_dot[3], p_dot_batch[33];
     chasles_moving_frame_velocity(o_dot, Q, omega, rho, rho_dot, p_dot);
+    chasles_moving_frame_velocity_batch(
+        11,
+        o_dot, 0,
+        Q, 0,
+        omega, 0,
+        rho, 0,
+        rho_dot, 0,
+        p_dot_batch, 3);
     compare("chasles_moving_frame_velocity, vector 1: p_dot", 3, p_dot, p_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_moving_frame_velocity, vector 1, first of a batch: p_dot", 3, p_dot_batch, p_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_moving_frame_velocity, vector 1, last: p_dot", 3, p_dot_batch + 30, p_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void moving_frame_velocity_vector_2(void)
@@ -4009,9 +4801,19 @@ static void moving_frame_velocity_vector_2(void)
         -6.6458333333333333333,
         0.22916666666666666667,
     };
-    double p_dot[3];
+    double p_dot[3], p_dot_batch[33];
     chasles_moving_frame_velocity(o_dot, Q, omega, rho, rho_dot, p_dot);
+    chasles_moving_frame_velocity_batch(
+        11,
+        o_dot, 0,
+        Q, 0,
+        omega, 0,
+        rho, 0,
+        rho_dot, 0,
+        p_dot_batch, 3);
     compare("chasles_moving_frame_velocity, vector 2: p_dot", 3, p_dot, p_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_moving_frame_velocity, vector 2, first of a batch: p_dot", 3, p_dot_batch, p_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_moving_frame_velocity, vector 2, last: p_dot", 3, p_dot_batch + 30, p_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void moving_frame_velocity_vector_1f(void)
@@ -4022,9 +4824,19 @@ static void moving_frame_velocity_vector_1f(void)
     const float rho[3] = {1.75f, -0.5f, 0.75f};
     const float rho_dot[3] = {-1.25f, 1.5f, 1.25f};
     const double p_dot_expected[3] = {-2.1, -0.7375, 4.875};
-    float p_dot[3];
+    float p_dot[3], p_dot_batch[33];
     chasles_moving_frame_velocityf(o_dot, Q, omega, rho, rho_dot, p_dot);
+    chasles_moving_frame_velocity_batchf(
+        11,
+        o_dot, 0,
+        Q, 0,
+        omega, 0,
+        rho, 0,
+        rho_dot, 0,
+        p_dot_batch, 3);
     comparef("chasles_moving_frame_velocityf, vector 1: p_dot", 3, p_dot, p_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_moving_frame_velocityf, vector 1, first of a batch: p_dot", 3, p_dot_batch, p_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_moving_frame_velocityf, vector 1, last: p_dot", 3, p_dot_batch + 30, p_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void moving_frame_velocity_vector_2f(void)
@@ -4049,9 +4861,19 @@ static void moving_frame_velocity_vector_2f(void)
         -6.6458333333333333333,
         0.22916666666666666667,
     };
-    float p_dot[3];
+    float p_dot[3], p_dot_batch[33];
     chasles_moving_frame_velocityf(o_dot, Q, omega, rho, rho_dot, p_dot);
+    chasles_moving_frame_velocity_batchf(
+        11,
+        o_dot, 0,
+        Q, 0,
+        omega, 0,
+        rho, 0,
+        rho_dot, 0,
+        p_dot_batch, 3);
     comparef("chasles_moving_frame_velocityf, vector 2: p_dot", 3, p_dot, p_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_moving_frame_velocityf, vector 2, first of a batch: p_dot", 3, p_dot_batch, p_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_moving_frame_velocityf, vector 2, last: p_dot", 3, p_dot_batch + 30, p_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void moving_frame_acceleration_vector_1(void)
@@ -4064,9 +4886,21 @@ static void moving_frame_acceleration_vector_1(void)
     const double rho_dot[3] = {0.5, -0.75, 2.0};
     const double rho_ddot[3] = {-1.5, 0.25, 1.75};
     const double p_ddot_expected[3] = {-0.940625, -5.9625, -6.4};
-    double p_ddot[3];
+    double p_ddot[3], p_ddot_batch[33];
     chasles_moving_frame_acceleration(o_ddot, Q, omega, omega_dot, rho, rho_dot, rho_ddot, p_ddot);
+    chasles_moving_frame_acceleration_batch(
+        11,
+        o_ddot, 0,
+        Q, 0,
+        omega, 0,
+        omega_dot, 0,
+        rho, 0,
+        rho_dot, 0,
+        rho_ddot, 0,
+        p_ddot_batch, 3);
     compare("chasles_moving_frame_acceleration, vector 1: p_ddot", 3, p_ddot, p_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_moving_frame_acceleration, vector 1, first of a batch: p_ddot", 3, p_ddot_batch, p_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_moving_frame_acceleration, vector 1, last: p_ddot", 3, p_ddot_batch + 30, p_ddot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void moving_frame_acceleration_vector_2(void)
@@ -4093,9 +4927,21 @@ static void moving_frame_acceleration_vector_2(void)
         -2.8854166666666666667,
         -6.0052083333333333333,
     };
-    double p_ddot[3];
+    double p_ddot[3], p_ddot_batch[33];
     chasles_moving_frame_acceleration(o_ddot, Q, omega, omega_dot, rho, rho_dot, rho_ddot, p_ddot);
+    chasles_moving_frame_acceleration_batch(
+        11,
+        o_ddot, 0,
+        Q, 0,
+        omega, 0,
+        omega_dot, 0,
+        rho, 0,
+        rho_dot, 0,
+        rho_ddot, 0,
+        p_ddot_batch, 3);
     compare("chasles_moving_frame_acceleration, vector 2: p_ddot", 3, p_ddot, p_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_moving_frame_acceleration, vector 2, first of a batch: p_ddot", 3, p_ddot_batch, p_ddot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_moving_frame_acceleration, vector 2, last: p_ddot", 3, p_ddot_batch + 30, p_ddot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void moving_frame_acceleration_vector_1f(void)
@@ -4108,9 +4954,21 @@ static void moving_frame_acceleration_vector_1f(void)
     const float rho_dot[3] = {0.5f, -0.75f, 2.0f};
     const float rho_ddot[3] = {-1.5f, 0.25f, 1.75f};
     const double p_ddot_expected[3] = {-0.940625, -5.9625, -6.4};
-    float p_ddot[3];
+    float p_ddot[3], p_ddot_batch[33];
     chasles_moving_frame_accelerationf(o_ddot, Q, omega, omega_dot, rho, rho_dot, rho_ddot, p_ddot);
+    chasles_moving_frame_acceleration_batchf(
+        11,
+        o_ddot, 0,
+        Q, 0,
+        omega, 0,
+        omega_dot, 0,
+        rho, 0,
+        rho_dot, 0,
+        rho_ddot, 0,
+        p_ddot_batch, 3);
     comparef("chasles_moving_frame_accelerationf, vector 1: p_ddot", 3, p_ddot, p_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_moving_frame_accelerationf, vector 1, first of a batch: p_ddot", 3, p_ddot_batch, p_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_moving_frame_accelerationf, vector 1, last: p_ddot", 3, p_ddot_batch + 30, p_ddot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void moving_frame_acceleration_vector_2f(void)
@@ -4137,9 +4995,21 @@ static void moving_frame_acceleration_vector_2f(void)
         -2.8854166666666666667,
         -6.0052083333333333333,
     };
-    float p_ddot[3];
+    float p_ddot[3], p_ddot_batch[33];
     chasles_moving_frame_accelerationf(o_ddot, Q, omega, omega_dot, rho, rho_dot, rho_ddot, p_ddot);
+    chasles_moving_frame_acceleration_batchf(
+        11,
+        o_ddot, 0,
+        Q, 0,
+        omega, 0,
+        omega_dot, 0,
+        rho, 0,
+        rho_dot, 0,
+        rho_ddot, 0,
+        p_ddot_batch, 3);
     comparef("chasles_moving_frame_accelerationf, vector 2: p_ddot", 3, p_ddot, p_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_moving_frame_accelerationf, vector 2, first of a batch: p_ddot", 3, p_ddot_batch, p_ddot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_moving_frame_accelerationf, vector 2, last: p_ddot", 3, p_ddot_batch + 30, p_ddot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void wrench_axis_vector_1(void)
@@ -4155,12 +5025,17 @@ static void wrench_axis_vector_1(void)
         0.27321502506233690638,
         1.4557238054102638293,
     };
-    double axis[6];
+    double axis[6], axis_batch[66];
     const double pitch_expected[1] = {0.65789473684210526316};
-    double pitch[1];
+    double pitch[1], pitch_batch[11];
     chasles_wrench_axis(f, n_A, a, axis, pitch);
+    chasles_wrench_axis_batch(11, f, 0, n_A, 0, a, 0, axis_batch, 6, pitch_batch, 1);
     compare("chasles_wrench_axis, vector 1: axis", 6, axis, axis_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_wrench_axis, vector 1, first of a batch: axis", 6, axis_batch, axis_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_wrench_axis, vector 1, last: axis", 6, axis_batch + 60, axis_expected, 8.0 * DBL_EPSILON);
     compare("chasles_wrench_axis, vector 1: pitch", 1, pitch, pitch_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_wrench_axis, vector 1, first of a batch: pitch", 1, pitch_batch, pitch_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_wrench_axis, vector 1, last: pitch", 1, pitch_batch + 10, pitch_expected, 8.0 * DBL_EPSILON);
 }
 
 static void wrench_axis_vector_2(void)
@@ -4176,12 +5051,17 @@ static void wrench_axis_vector_2(void)
         1.3400983544387502196,
         -0.21920373744725008187,
     };
-    double axis[6];
+    double axis[6], axis_batch[66];
     const double pitch_expected[1] = {0.7029702970297029703};
-    double pitch[1];
+    double pitch[1], pitch_batch[11];
     chasles_wrench_axis(f, n_A, a, axis, pitch);
+    chasles_wrench_axis_batch(11, f, 0, n_A, 0, a, 0, axis_batch, 6, pitch_batch, 1);
     compare("chasles_wrench_axis, vector 2: axis", 6, axis, axis_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_wrench_axis, vector 2, first of a batch: axis", 6, axis_batch, axis_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_wrench_axis, vector 2, last: axis", 6, axis_batch + 60, axis_expected, 8.0 * DBL_EPSILON);
     compare("chasles_wrench_axis, vector 2: pitch", 1, pitch, pitch_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_wrench_axis, vector 2, first of a batch: pitch", 1, pitch_batch, pitch_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_wrench_axis, vector 2, last: pitch", 1, pitch_batch + 10, pitch_expected, 8.0 * DBL_EPSILON);
 }
 
 static void wrench_axis_vector_3(void)
@@ -4190,12 +5070,17 @@ static void wrench_axis_vector_3(void)
     const double n_A[3] = {0.0, 0.0, 0.0};
     const double a[3] = {0.0, 0.0, 0.0};
     const double axis_expected[6] = {NAN, NAN, NAN, NAN, NAN, NAN};
-    double axis[6];
+    double axis[6], axis_batch[66];
     const double pitch_expected[1] = {NAN};
-    double pitch[1];
+    double pitch[1], pitch_batch[11];
     chasles_wrench_axis(f, n_A, a, axis, pitch);
+    chasles_wrench_axis_batch(11, f, 0, n_A, 0, a, 0, axis_batch, 6, pitch_batch, 1);
     compare("chasles_wrench_axis, vector 3: axis", 6, axis, axis_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_wrench_axis, vector 3, first of a batch: axis", 6, axis_batch, axis_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_wrench_axis, vector 3, last: axis", 6, axis_batch + 60, axis_expected, 8.0 * DBL_EPSILON);
     compare("chasles_wrench_axis, vector 3: pitch", 1, pitch, pitch_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_wrench_axis, vector 3, first of a batch: pitch", 1, pitch_batch, pitch_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_wrench_axis, vector 3, last: pitch", 1, pitch_batch + 10, pitch_expected, 8.0 * DBL_EPSILON);
 }
 
 static void wrench_axis_vector_1f(void)
@@ -4211,12 +5096,17 @@ static void wrench_axis_vector_1f(void)
         0.27321502506233690638,
         1.4557238054102638293,
     };
-    float axis[6];
+    float axis[6], axis_batch[66];
     const double pitch_expected[1] = {0.65789473684210526316};
-    float pitch[1];
+    float pitch[1], pitch_batch[11];
     chasles_wrench_axisf(f, n_A, a, axis, pitch);
+    chasles_wrench_axis_batchf(11, f, 0, n_A, 0, a, 0, axis_batch, 6, pitch_batch, 1);
     comparef("chasles_wrench_axisf, vector 1: axis", 6, axis, axis_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_wrench_axisf, vector 1, first of a batch: axis", 6, axis_batch, axis_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_wrench_axisf, vector 1, last: axis", 6, axis_batch + 60, axis_expected, 8.0 * FLT_EPSILON);
     comparef("chasles_wrench_axisf, vector 1: pitch", 1, pitch, pitch_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_wrench_axisf, vector 1, first of a batch: pitch", 1, pitch_batch, pitch_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_wrench_axisf, vector 1, last: pitch", 1, pitch_batch + 10, pitch_expected, 8.0 * FLT_EPSILON);
 }
 
 static void wrench_axis_vector_2f(void)
@@ -4232,12 +5122,17 @@ static void wrench_axis_vector_2f(void)
         1.3400983544387502196,
         -0.21920373744725008187,
     };
-    float axis[6];
+    float axis[6], axis_batch[66];
     const double pitch_expected[1] = {0.7029702970297029703};
-    float pitch[1];
+    float pitch[1], pitch_batch[11];
     chasles_wrench_axisf(f, n_A, a, axis, pitch);
+    chasles_wrench_axis_batchf(11, f, 0, n_A, 0, a, 0, axis_batch, 6, pitch_batch, 1);
     comparef("chasles_wrench_axisf, vector 2: axis", 6, axis, axis_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_wrench_axisf, vector 2, first of a batch: axis", 6, axis_batch, axis_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_wrench_axisf, vector 2, last: axis", 6, axis_batch + 60, axis_expected, 8.0 * FLT_EPSILON);
     comparef("chasles_wrench_axisf, vector 2: pitch", 1, pitch, pitch_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_wrench_axisf, vector 2, first of a batch: pitch", 1, pitch_batch, pitch_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_wrench_axisf, vector 2, last: pitch", 1, pitch_batch + 10, pitch_expected, 8.0 * FLT_EPSILON);
 }
 
 static void wrench_axis_vector_3f(void)
@@ -4246,12 +5141,17 @@ static void wrench_axis_vector_3f(void)
     const float n_A[3] = {0.0f, 0.0f, 0.0f};
     const float a[3] = {0.0f, 0.0f, 0.0f};
     const double axis_expected[6] = {NAN, NAN, NAN, NAN, NAN, NAN};
-    float axis[6];
+    float axis[6], axis_batch[66];
     const double pitch_expected[1] = {NAN};
-    float pitch[1];
+    float pitch[1], pitch_batch[11];
     chasles_wrench_axisf(f, n_A, a, axis, pitch);
+    chasles_wrench_axis_batchf(11, f, 0, n_A, 0, a, 0, axis_batch, 6, pitch_batch, 1);
     comparef("chasles_wrench_axisf, vector 3: axis", 6, axis, axis_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_wrench_axisf, vector 3, first of a batch: axis", 6, axis_batch, axis_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_wrench_axisf, vector 3, last: axis", 6, axis_batch + 60, axis_expected, 8.0 * FLT_EPSILON);
     comparef("chasles_wrench_axisf, vector 3: pitch", 1, pitch, pitch_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_wrench_axisf, vector 3, first of a batch: pitch", 1, pitch_batch, pitch_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_wrench_axisf, vector 3, last: pitch", 1, pitch_batch + 10, pitch_expected, 8.0 * FLT_EPSILON);
 }
 
 static void power_vector_1(void)
@@ -4259,9 +5159,12 @@ static void power_vector_1(void)
     const double t[6] = {1.25, 0.5, -0.75, 2.0, -1.5, 0.25};
     const double w[6] = {1.75, -0.5, 0.75, -1.25, 1.5, 1.25};
     const double Pi_expected[1] = {-3.0625};
-    double Pi[1];
+    double Pi[1], Pi_batch[11];
     chasles_power(t, w, Pi);
+    chasles_power_batch(11, t, 0, w, 0, Pi_batch, 1);
     compare("chasles_power, vector 1: Pi", 1, Pi, Pi_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_power, vector 1, first of a batch: Pi", 1, Pi_batch, Pi_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_power, vector 1, last: Pi", 1, Pi_batch + 10, Pi_expected, 8.0 * DBL_EPSILON);
 }
 
 static void power_vector_2(void)
@@ -4269,9 +5172,12 @@ static void power_vector_2(void)
     const double t[6] = {2.0, -1.5, 0.25, 1.75, -0.5, 0.75};
     const double w[6] = {-1.25, 1.5, 1.25, 0.5, -0.75, 2.0};
     const double Pi_expected[1] = {-1.6875};
-    double Pi[1];
+    double Pi[1], Pi_batch[11];
     chasles_power(t, w, Pi);
+    chasles_power_batch(11, t, 0, w, 0, Pi_batch, 1);
     compare("chasles_power, vector 2: Pi", 1, Pi, Pi_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_power, vector 2, first of a batch: Pi", 1, Pi_batch, Pi_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_power, vector 2, last: Pi", 1, Pi_batch + 10, Pi_expected, 8.0 * DBL_EPSILON);
 }
 
 static void power_vector_1f(void)
@@ -4279,9 +5185,12 @@ static void power_vector_1f(void)
     const float t[6] = {1.25f, 0.5f, -0.75f, 2.0f, -1.5f, 0.25f};
     const float w[6] = {1.75f, -0.5f, 0.75f, -1.25f, 1.5f, 1.25f};
     const double Pi_expected[1] = {-3.0625};
-    float Pi[1];
+    float Pi[1], Pi_batch[11];
     chasles_powerf(t, w, Pi);
+    chasles_power_batchf(11, t, 0, w, 0, Pi_batch, 1);
     comparef("chasles_powerf, vector 1: Pi", 1, Pi, Pi_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_powerf, vector 1, first of a batch: Pi", 1, Pi_batch, Pi_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_powerf, vector 1, last: Pi", 1, Pi_batch + 10, Pi_expected, 8.0 * FLT_EPSILON);
 }
 
 static void power_vector_2f(void)
@@ -4289,9 +5198,12 @@ static void power_vector_2f(void)
     const float t[6] = {2.0f, -1.5f, 0.25f, 1.75f, -0.5f, 0.75f};
     const float w[6] = {-1.25f, 1.5f, 1.25f, 0.5f, -0.75f, 2.0f};
     const double Pi_expected[1] = {-1.6875};
-    float Pi[1];
+    float Pi[1], Pi_batch[11];
     chasles_powerf(t, w, Pi);
+    chasles_power_batchf(11, t, 0, w, 0, Pi_batch, 1);
     comparef("chasles_powerf, vector 2: Pi", 1, Pi, Pi_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_powerf, vector 2, first of a batch: Pi", 1, Pi_batch, Pi_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_powerf, vector 2, last: Pi", 1, Pi_batch + 10, Pi_expected, 8.0 * FLT_EPSILON);
 }
 
 static void reciprocal_product_vector_1(void)
@@ -4299,9 +5211,12 @@ static void reciprocal_product_vector_1(void)
     const double s_w[6] = {1.25, 0.5, -0.75, 2.0, -1.5, 0.25};
     const double s_t[6] = {1.75, -0.5, 0.75, -1.25, 1.5, 1.25};
     const double product_expected[1] = {2.6875};
-    double product[1];
+    double product[1], product_batch[11];
     chasles_reciprocal_product(s_w, s_t, product);
+    chasles_reciprocal_product_batch(11, s_w, 0, s_t, 0, product_batch, 1);
     compare("chasles_reciprocal_product, vector 1: product", 1, product, product_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_reciprocal_product, vector 1, first of a batch: product", 1, product_batch, product_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_reciprocal_product, vector 1, last: product", 1, product_batch + 10, product_expected, 8.0 * DBL_EPSILON);
 }
 
 static void reciprocal_product_vector_2(void)
@@ -4309,9 +5224,12 @@ static void reciprocal_product_vector_2(void)
     const double s_w[6] = {2.0, -1.5, 0.25, 1.75, -0.5, 0.75};
     const double s_t[6] = {-1.25, 1.5, 1.25, 0.5, -0.75, 2.0};
     const double product_expected[1] = {0.625};
-    double product[1];
+    double product[1], product_batch[11];
     chasles_reciprocal_product(s_w, s_t, product);
+    chasles_reciprocal_product_batch(11, s_w, 0, s_t, 0, product_batch, 1);
     compare("chasles_reciprocal_product, vector 2: product", 1, product, product_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_reciprocal_product, vector 2, first of a batch: product", 1, product_batch, product_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_reciprocal_product, vector 2, last: product", 1, product_batch + 10, product_expected, 8.0 * DBL_EPSILON);
 }
 
 static void reciprocal_product_vector_1f(void)
@@ -4319,9 +5237,12 @@ static void reciprocal_product_vector_1f(void)
     const float s_w[6] = {1.25f, 0.5f, -0.75f, 2.0f, -1.5f, 0.25f};
     const float s_t[6] = {1.75f, -0.5f, 0.75f, -1.25f, 1.5f, 1.25f};
     const double product_expected[1] = {2.6875};
-    float product[1];
+    float product[1], product_batch[11];
     chasles_reciprocal_productf(s_w, s_t, product);
+    chasles_reciprocal_product_batchf(11, s_w, 0, s_t, 0, product_batch, 1);
     comparef("chasles_reciprocal_productf, vector 1: product", 1, product, product_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_reciprocal_productf, vector 1, first of a batch: product", 1, product_batch, product_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_reciprocal_productf, vector 1, last: product", 1, product_batch + 10, product_expected, 8.0 * FLT_EPSILON);
 }
 
 static void reciprocal_product_vector_2f(void)
@@ -4329,9 +5250,12 @@ static void reciprocal_product_vector_2f(void)
     const float s_w[6] = {2.0f, -1.5f, 0.25f, 1.75f, -0.5f, 0.75f};
     const float s_t[6] = {-1.25f, 1.5f, 1.25f, 0.5f, -0.75f, 2.0f};
     const double product_expected[1] = {0.625};
-    float product[1];
+    float product[1], product_batch[11];
     chasles_reciprocal_productf(s_w, s_t, product);
+    chasles_reciprocal_product_batchf(11, s_w, 0, s_t, 0, product_batch, 1);
     comparef("chasles_reciprocal_productf, vector 2: product", 1, product, product_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_reciprocal_productf, vector 2, first of a batch: product", 1, product_batch, product_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_reciprocal_productf, vector 2, last: product", 1, product_batch + 10, product_expected, 8.0 * FLT_EPSILON);
 }
 
 static void wrench_transfer_vector_1(void)
@@ -4340,9 +5264,12 @@ static void wrench_transfer_vector_1(void)
     const double a[3] = {1.75, -0.5, 0.75};
     const double p[3] = {-1.25, 1.5, 1.25};
     const double w_P_expected[6] = {0.0, -1.25, -1.25, 2.0, -1.5, 0.25};
-    double w_P[6];
+    double w_P[6], w_P_batch[66];
     chasles_wrench_transfer(w_A, a, p, w_P);
+    chasles_wrench_transfer_batch(11, w_A, 0, a, 0, p, 0, w_P_batch, 6);
     compare("chasles_wrench_transfer, vector 1: w_P", 6, w_P, w_P_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_wrench_transfer, vector 1, first of a batch: w_P", 6, w_P_batch, w_P_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_wrench_transfer, vector 1, last: w_P", 6, w_P_batch + 60, w_P_expected, 8.0 * DBL_EPSILON);
 }
 
 static void wrench_transfer_vector_2(void)
@@ -4351,9 +5278,12 @@ static void wrench_transfer_vector_2(void)
     const double a[3] = {-1.25, 1.5, 1.25};
     const double p[3] = {0.5, -0.75, 2.0};
     const double w_P_expected[6] = {3.3125, -1.5, -2.8125, 1.75, -0.5, 0.75};
-    double w_P[6];
+    double w_P[6], w_P_batch[66];
     chasles_wrench_transfer(w_A, a, p, w_P);
+    chasles_wrench_transfer_batch(11, w_A, 0, a, 0, p, 0, w_P_batch, 6);
     compare("chasles_wrench_transfer, vector 2: w_P", 6, w_P, w_P_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_wrench_transfer, vector 2, first of a batch: w_P", 6, w_P_batch, w_P_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_wrench_transfer, vector 2, last: w_P", 6, w_P_batch + 60, w_P_expected, 8.0 * DBL_EPSILON);
 }
 
 static void wrench_transfer_vector_1f(void)
@@ -4362,9 +5292,12 @@ static void wrench_transfer_vector_1f(void)
     const float a[3] = {1.75f, -0.5f, 0.75f};
     const float p[3] = {-1.25f, 1.5f, 1.25f};
     const double w_P_expected[6] = {0.0, -1.25, -1.25, 2.0, -1.5, 0.25};
-    float w_P[6];
+    float w_P[6], w_P_batch[66];
     chasles_wrench_transferf(w_A, a, p, w_P);
+    chasles_wrench_transfer_batchf(11, w_A, 0, a, 0, p, 0, w_P_batch, 6);
     comparef("chasles_wrench_transferf, vector 1: w_P", 6, w_P, w_P_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_wrench_transferf, vector 1, first of a batch: w_P", 6, w_P_batch, w_P_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_wrench_transferf, vector 1, last: w_P", 6, w_P_batch + 60, w_P_expected, 8.0 * FLT_EPSILON);
 }
 
 static void wrench_transfer_vector_2f(void)
@@ -4373,9 +5306,12 @@ static void wrench_transfer_vector_2f(void)
     const float a[3] = {-1.25f, 1.5f, 1.25f};
     const float p[3] = {0.5f, -0.75f, 2.0f};
     const double w_P_expected[6] = {3.3125, -1.5, -2.8125, 1.75, -0.5, 0.75};
-    float w_P[6];
+    float w_P[6], w_P_batch[66];
     chasles_wrench_transferf(w_A, a, p, w_P);
+    chasles_wrench_transfer_batchf(11, w_A, 0, a, 0, p, 0, w_P_batch, 6);
     comparef("chasles_wrench_transferf, vector 2: w_P", 6, w_P, w_P_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_wrench_transferf, vector 2, first of a batch: w_P", 6, w_P_batch, w_P_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_wrench_transferf, vector 2, last: w_P", 6, w_P_batch + 60, w_P_expected, 8.0 * FLT_EPSILON);
 }
 
 static void inertia_about_point_vector_1(void)
@@ -4405,9 +5341,12 @@ static void inertia_about_point_vector_1(void)
         0.97916666666666666667,
         6.9166666666666666667,
     };
-    double I_A[9];
+    double I_A[9], I_A_batch[99];
     chasles_inertia_about_point(I_C, m[0], c, a, I_A);
+    chasles_inertia_about_point_batch(11, I_C, 0, m, 0, c, 0, a, 0, I_A_batch, 9);
     compare("chasles_inertia_about_point, vector 1: I_A", 9, I_A, I_A_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_inertia_about_point, vector 1, first of a batch: I_A", 9, I_A_batch, I_A_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_inertia_about_point, vector 1, last: I_A", 9, I_A_batch + 90, I_A_expected, 8.0 * DBL_EPSILON);
 }
 
 static void inertia_about_point_vector_2(void)
@@ -4417,9 +5356,12 @@ static void inertia_about_point_vector_2(void)
     const double c[3] = {-1.5, 0.25, 1.75};
     const double a[3] = {-0.5, 0.75, -1.25};
     const double I_A_expected[9] = {19.1, -1.8, 6.0, -0.2, 20.6, 3.0, 6.0, 3.0, 3.5};
-    double I_A[9];
+    double I_A[9], I_A_batch[99];
     chasles_inertia_about_point(I_C, m[0], c, a, I_A);
+    chasles_inertia_about_point_batch(11, I_C, 0, m, 0, c, 0, a, 0, I_A_batch, 9);
     compare("chasles_inertia_about_point, vector 2: I_A", 9, I_A, I_A_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_inertia_about_point, vector 2, first of a batch: I_A", 9, I_A_batch, I_A_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_inertia_about_point, vector 2, last: I_A", 9, I_A_batch + 90, I_A_expected, 8.0 * DBL_EPSILON);
 }
 
 static void inertia_about_point_vector_1f(void)
@@ -4449,9 +5391,12 @@ static void inertia_about_point_vector_1f(void)
         0.97916666666666666667,
         6.9166666666666666667,
     };
-    float I_A[9];
+    float I_A[9], I_A_batch[99];
     chasles_inertia_about_pointf(I_C, m[0], c, a, I_A);
+    chasles_inertia_about_point_batchf(11, I_C, 0, m, 0, c, 0, a, 0, I_A_batch, 9);
     comparef("chasles_inertia_about_pointf, vector 1: I_A", 9, I_A, I_A_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_inertia_about_pointf, vector 1, first of a batch: I_A", 9, I_A_batch, I_A_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_inertia_about_pointf, vector 1, last: I_A", 9, I_A_batch + 90, I_A_expected, 8.0 * FLT_EPSILON);
 }
 
 static void inertia_about_point_vector_2f(void)
@@ -4461,9 +5406,12 @@ static void inertia_about_point_vector_2f(void)
     const float c[3] = {-1.5f, 0.25f, 1.75f};
     const float a[3] = {-0.5f, 0.75f, -1.25f};
     const double I_A_expected[9] = {19.1, -1.8, 6.0, -0.2, 20.6, 3.0, 6.0, 3.0, 3.5};
-    float I_A[9];
+    float I_A[9], I_A_batch[99];
     chasles_inertia_about_pointf(I_C, m[0], c, a, I_A);
+    chasles_inertia_about_point_batchf(11, I_C, 0, m, 0, c, 0, a, 0, I_A_batch, 9);
     comparef("chasles_inertia_about_pointf, vector 2: I_A", 9, I_A, I_A_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_inertia_about_pointf, vector 2, first of a batch: I_A", 9, I_A_batch, I_A_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_inertia_about_pointf, vector 2, last: I_A", 9, I_A_batch + 90, I_A_expected, 8.0 * FLT_EPSILON);
 }
 
 static void inertia_about_point_sym6_vector_1(void)
@@ -4473,9 +5421,12 @@ static void inertia_about_point_sym6_vector_1(void)
     const double c[3] = {-0.5, 0.75, -1.25};
     const double a[3] = {1.5, 1.25, 0.5};
     const double I_A_expected[6] = {7.046875, -1.25, -6.875, 14.359375, -3.03125, 7.6875};
-    double I_A[6];
+    double I_A[6], I_A_batch[66];
     chasles_inertia_about_point_sym6(I_C, m[0], c, a, I_A);
+    chasles_inertia_about_point_sym6_batch(11, I_C, 0, m, 0, c, 0, a, 0, I_A_batch, 6);
     compare("chasles_inertia_about_point_sym6, vector 1: I_A", 6, I_A, I_A_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_inertia_about_point_sym6, vector 1, first of a batch: I_A", 6, I_A_batch, I_A_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_inertia_about_point_sym6, vector 1, last: I_A", 6, I_A_batch + 60, I_A_expected, 8.0 * DBL_EPSILON);
 }
 
 static void inertia_about_point_sym6_vector_2(void)
@@ -4485,9 +5436,12 @@ static void inertia_about_point_sym6_vector_2(void)
     const double c[3] = {1.5, 1.25, 0.5};
     const double a[3] = {-0.75, 2.0, -1.5};
     const double I_A_expected[6] = {-3.703125, -3.609375, 5.875, -9.578125, -2.375, -6.28125};
-    double I_A[6];
+    double I_A[6], I_A_batch[66];
     chasles_inertia_about_point_sym6(I_C, m[0], c, a, I_A);
+    chasles_inertia_about_point_sym6_batch(11, I_C, 0, m, 0, c, 0, a, 0, I_A_batch, 6);
     compare("chasles_inertia_about_point_sym6, vector 2: I_A", 6, I_A, I_A_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_inertia_about_point_sym6, vector 2, first of a batch: I_A", 6, I_A_batch, I_A_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_inertia_about_point_sym6, vector 2, last: I_A", 6, I_A_batch + 60, I_A_expected, 8.0 * DBL_EPSILON);
 }
 
 static void inertia_about_point_sym6_vector_1f(void)
@@ -4497,9 +5451,12 @@ static void inertia_about_point_sym6_vector_1f(void)
     const float c[3] = {-0.5f, 0.75f, -1.25f};
     const float a[3] = {1.5f, 1.25f, 0.5f};
     const double I_A_expected[6] = {7.046875, -1.25, -6.875, 14.359375, -3.03125, 7.6875};
-    float I_A[6];
+    float I_A[6], I_A_batch[66];
     chasles_inertia_about_point_sym6f(I_C, m[0], c, a, I_A);
+    chasles_inertia_about_point_sym6_batchf(11, I_C, 0, m, 0, c, 0, a, 0, I_A_batch, 6);
     comparef("chasles_inertia_about_point_sym6f, vector 1: I_A", 6, I_A, I_A_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_inertia_about_point_sym6f, vector 1, first of a batch: I_A", 6, I_A_batch, I_A_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_inertia_about_point_sym6f, vector 1, last: I_A", 6, I_A_batch + 60, I_A_expected, 8.0 * FLT_EPSILON);
 }
 
 static void inertia_about_point_sym6_vector_2f(void)
@@ -4509,9 +5466,12 @@ static void inertia_about_point_sym6_vector_2f(void)
     const float c[3] = {1.5f, 1.25f, 0.5f};
     const float a[3] = {-0.75f, 2.0f, -1.5f};
     const double I_A_expected[6] = {-3.703125, -3.609375, 5.875, -9.578125, -2.375, -6.28125};
-    float I_A[6];
+    float I_A[6], I_A_batch[66];
     chasles_inertia_about_point_sym6f(I_C, m[0], c, a, I_A);
+    chasles_inertia_about_point_sym6_batchf(11, I_C, 0, m, 0, c, 0, a, 0, I_A_batch, 6);
     comparef("chasles_inertia_about_point_sym6f, vector 2: I_A", 6, I_A, I_A_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_inertia_about_point_sym6f, vector 2, first of a batch: I_A", 6, I_A_batch, I_A_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_inertia_about_point_sym6f, vector 2, last: I_A", 6, I_A_batch + 60, I_A_expected, 8.0 * FLT_EPSILON);
 }
 
 static void momentum_screw_vector_1(void)
@@ -4537,9 +5497,12 @@ static void momentum_screw_vector_1(void)
         0.3125,
         2.1875,
     };
-    double mu[6];
+    double mu[6], mu_batch[66];
     chasles_momentum_screw(I_C, m[0], t, mu);
+    chasles_momentum_screw_batch(11, I_C, 0, m, 0, t, 0, mu_batch, 6);
     compare("chasles_momentum_screw, vector 1: mu", 6, mu, mu_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_momentum_screw, vector 1, first of a batch: mu", 6, mu_batch, mu_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_momentum_screw, vector 1, last: mu", 6, mu_batch + 60, mu_expected, 8.0 * DBL_EPSILON);
 }
 
 static void momentum_screw_vector_2(void)
@@ -4548,9 +5511,12 @@ static void momentum_screw_vector_2(void)
     const double m[1] = {2.0};
     const double t[6] = {-1.5, 0.25, 1.75, -0.5, 0.75, -1.25};
     const double mu_expected[6] = {-1.1, -1.05, 1.75, -1.0, 1.5, -2.5};
-    double mu[6];
+    double mu[6], mu_batch[66];
     chasles_momentum_screw(I_C, m[0], t, mu);
+    chasles_momentum_screw_batch(11, I_C, 0, m, 0, t, 0, mu_batch, 6);
     compare("chasles_momentum_screw, vector 2: mu", 6, mu, mu_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_momentum_screw, vector 2, first of a batch: mu", 6, mu_batch, mu_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_momentum_screw, vector 2, last: mu", 6, mu_batch + 60, mu_expected, 8.0 * DBL_EPSILON);
 }
 
 static void momentum_screw_vector_1f(void)
@@ -4576,9 +5542,12 @@ static void momentum_screw_vector_1f(void)
         0.3125,
         2.1875,
     };
-    float mu[6];
+    float mu[6], mu_batch[66];
     chasles_momentum_screwf(I_C, m[0], t, mu);
+    chasles_momentum_screw_batchf(11, I_C, 0, m, 0, t, 0, mu_batch, 6);
     comparef("chasles_momentum_screwf, vector 1: mu", 6, mu, mu_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_momentum_screwf, vector 1, first of a batch: mu", 6, mu_batch, mu_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_momentum_screwf, vector 1, last: mu", 6, mu_batch + 60, mu_expected, 8.0 * FLT_EPSILON);
 }
 
 static void momentum_screw_vector_2f(void)
@@ -4587,9 +5556,12 @@ static void momentum_screw_vector_2f(void)
     const float m[1] = {2.0f};
     const float t[6] = {-1.5f, 0.25f, 1.75f, -0.5f, 0.75f, -1.25f};
     const double mu_expected[6] = {-1.1, -1.05, 1.75, -1.0, 1.5, -2.5};
-    float mu[6];
+    float mu[6], mu_batch[66];
     chasles_momentum_screwf(I_C, m[0], t, mu);
+    chasles_momentum_screw_batchf(11, I_C, 0, m, 0, t, 0, mu_batch, 6);
     comparef("chasles_momentum_screwf, vector 2: mu", 6, mu, mu_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_momentum_screwf, vector 2, first of a batch: mu", 6, mu_batch, mu_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_momentum_screwf, vector 2, last: mu", 6, mu_batch + 60, mu_expected, 8.0 * FLT_EPSILON);
 }
 
 static void momentum_screw_sym6_vector_1(void)
@@ -4598,9 +5570,12 @@ static void momentum_screw_sym6_vector_1(void)
     const double m[1] = {1.75};
     const double t[6] = {-0.5, 0.75, -1.25, 1.5, 1.25, 0.5};
     const double mu_expected[6] = {0.6875, 3.125, -1.0625, 2.625, 2.1875, 0.875};
-    double mu[6];
+    double mu[6], mu_batch[66];
     chasles_momentum_screw_sym6(I_C, m[0], t, mu);
+    chasles_momentum_screw_sym6_batch(11, I_C, 0, m, 0, t, 0, mu_batch, 6);
     compare("chasles_momentum_screw_sym6, vector 1: mu", 6, mu, mu_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_momentum_screw_sym6, vector 1, first of a batch: mu", 6, mu_batch, mu_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_momentum_screw_sym6, vector 1, last: mu", 6, mu_batch + 60, mu_expected, 8.0 * DBL_EPSILON);
 }
 
 static void momentum_screw_sym6_vector_2(void)
@@ -4609,9 +5584,12 @@ static void momentum_screw_sym6_vector_2(void)
     const double m[1] = {-1.25};
     const double t[6] = {1.5, 1.25, 0.5, -0.75, 2.0, -1.5};
     const double mu_expected[6] = {1.25, -0.3125, 0.125, 0.9375, -2.5, 1.875};
-    double mu[6];
+    double mu[6], mu_batch[66];
     chasles_momentum_screw_sym6(I_C, m[0], t, mu);
+    chasles_momentum_screw_sym6_batch(11, I_C, 0, m, 0, t, 0, mu_batch, 6);
     compare("chasles_momentum_screw_sym6, vector 2: mu", 6, mu, mu_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_momentum_screw_sym6, vector 2, first of a batch: mu", 6, mu_batch, mu_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_momentum_screw_sym6, vector 2, last: mu", 6, mu_batch + 60, mu_expected, 8.0 * DBL_EPSILON);
 }
 
 static void momentum_screw_sym6_vector_1f(void)
@@ -4620,9 +5598,12 @@ static void momentum_screw_sym6_vector_1f(void)
     const float m[1] = {1.75f};
     const float t[6] = {-0.5f, 0.75f, -1.25f, 1.5f, 1.25f, 0.5f};
     const double mu_expected[6] = {0.6875, 3.125, -1.0625, 2.625, 2.1875, 0.875};
-    float mu[6];
+    float mu[6], mu_batch[66];
     chasles_momentum_screw_sym6f(I_C, m[0], t, mu);
+    chasles_momentum_screw_sym6_batchf(11, I_C, 0, m, 0, t, 0, mu_batch, 6);
     comparef("chasles_momentum_screw_sym6f, vector 1: mu", 6, mu, mu_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_momentum_screw_sym6f, vector 1, first of a batch: mu", 6, mu_batch, mu_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_momentum_screw_sym6f, vector 1, last: mu", 6, mu_batch + 60, mu_expected, 8.0 * FLT_EPSILON);
 }
 
 static void momentum_screw_sym6_vector_2f(void)
@@ -4631,9 +5612,12 @@ static void momentum_screw_sym6_vector_2f(void)
     const float m[1] = {-1.25f};
     const float t[6] = {1.5f, 1.25f, 0.5f, -0.75f, 2.0f, -1.5f};
     const double mu_expected[6] = {1.25, -0.3125, 0.125, 0.9375, -2.5, 1.875};
-    float mu[6];
+    float mu[6], mu_batch[66];
     chasles_momentum_screw_sym6f(I_C, m[0], t, mu);
+    chasles_momentum_screw_sym6_batchf(11, I_C, 0, m, 0, t, 0, mu_batch, 6);
     comparef("chasles_momentum_screw_sym6f, vector 2: mu", 6, mu, mu_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_momentum_screw_sym6f, vector 2, first of a batch: mu", 6, mu_batch, mu_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_momentum_screw_sym6f, vector 2, last: mu", 6, mu_batch + 60, mu_expected, 8.0 * FLT_EPSILON);
 }
 
 static void kinetic_energy_vector_1(void)
@@ -4652,9 +5636,12 @@ static void kinetic_energy_vector_1(void)
     const double m[1] = {1.25};
     const double t[6] = {0.5, -0.75, 2.0, -1.5, 0.25, 1.75};
     const double T_expected[1] = {4.8177083333333333333};
-    double T[1];
+    double T[1], T_batch[11];
     chasles_kinetic_energy(I_C, m[0], t, T);
+    chasles_kinetic_energy_batch(11, I_C, 0, m, 0, t, 0, T_batch, 1);
     compare("chasles_kinetic_energy, vector 1: T", 1, T, T_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_kinetic_energy, vector 1, first of a batch: T", 1, T_batch, T_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_kinetic_energy, vector 1, last: T", 1, T_batch + 10, T_expected, 8.0 * DBL_EPSILON);
 }
 
 static void kinetic_energy_vector_2(void)
@@ -4663,9 +5650,12 @@ static void kinetic_energy_vector_2(void)
     const double m[1] = {2.0};
     const double t[6] = {-1.5, 0.25, 1.75, -0.5, 0.75, -1.25};
     const double T_expected[1] = {4.6};
-    double T[1];
+    double T[1], T_batch[11];
     chasles_kinetic_energy(I_C, m[0], t, T);
+    chasles_kinetic_energy_batch(11, I_C, 0, m, 0, t, 0, T_batch, 1);
     compare("chasles_kinetic_energy, vector 2: T", 1, T, T_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_kinetic_energy, vector 2, first of a batch: T", 1, T_batch, T_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_kinetic_energy, vector 2, last: T", 1, T_batch + 10, T_expected, 8.0 * DBL_EPSILON);
 }
 
 static void kinetic_energy_vector_1f(void)
@@ -4684,9 +5674,12 @@ static void kinetic_energy_vector_1f(void)
     const float m[1] = {1.25f};
     const float t[6] = {0.5f, -0.75f, 2.0f, -1.5f, 0.25f, 1.75f};
     const double T_expected[1] = {4.8177083333333333333};
-    float T[1];
+    float T[1], T_batch[11];
     chasles_kinetic_energyf(I_C, m[0], t, T);
+    chasles_kinetic_energy_batchf(11, I_C, 0, m, 0, t, 0, T_batch, 1);
     comparef("chasles_kinetic_energyf, vector 1: T", 1, T, T_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_kinetic_energyf, vector 1, first of a batch: T", 1, T_batch, T_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_kinetic_energyf, vector 1, last: T", 1, T_batch + 10, T_expected, 8.0 * FLT_EPSILON);
 }
 
 static void kinetic_energy_vector_2f(void)
@@ -4695,9 +5688,12 @@ static void kinetic_energy_vector_2f(void)
     const float m[1] = {2.0f};
     const float t[6] = {-1.5f, 0.25f, 1.75f, -0.5f, 0.75f, -1.25f};
     const double T_expected[1] = {4.6};
-    float T[1];
+    float T[1], T_batch[11];
     chasles_kinetic_energyf(I_C, m[0], t, T);
+    chasles_kinetic_energy_batchf(11, I_C, 0, m, 0, t, 0, T_batch, 1);
     comparef("chasles_kinetic_energyf, vector 2: T", 1, T, T_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_kinetic_energyf, vector 2, first of a batch: T", 1, T_batch, T_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_kinetic_energyf, vector 2, last: T", 1, T_batch + 10, T_expected, 8.0 * FLT_EPSILON);
 }
 
 static void kinetic_energy_sym6_vector_1(void)
@@ -4706,9 +5702,12 @@ static void kinetic_energy_sym6_vector_1(void)
     const double m[1] = {1.75};
     const double t[6] = {-0.5, 0.75, -1.25, 1.5, 1.25, 0.5};
     const double T_expected[1] = {5.21875};
-    double T[1];
+    double T[1], T_batch[11];
     chasles_kinetic_energy_sym6(I_C, m[0], t, T);
+    chasles_kinetic_energy_sym6_batch(11, I_C, 0, m, 0, t, 0, T_batch, 1);
     compare("chasles_kinetic_energy_sym6, vector 1: T", 1, T, T_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_kinetic_energy_sym6, vector 1, first of a batch: T", 1, T_batch, T_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_kinetic_energy_sym6, vector 1, last: T", 1, T_batch + 10, T_expected, 8.0 * DBL_EPSILON);
 }
 
 static void kinetic_energy_sym6_vector_2(void)
@@ -4717,9 +5716,12 @@ static void kinetic_energy_sym6_vector_2(void)
     const double m[1] = {-1.25};
     const double t[6] = {1.5, 1.25, 0.5, -0.75, 2.0, -1.5};
     const double T_expected[1] = {-3.484375};
-    double T[1];
+    double T[1], T_batch[11];
     chasles_kinetic_energy_sym6(I_C, m[0], t, T);
+    chasles_kinetic_energy_sym6_batch(11, I_C, 0, m, 0, t, 0, T_batch, 1);
     compare("chasles_kinetic_energy_sym6, vector 2: T", 1, T, T_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_kinetic_energy_sym6, vector 2, first of a batch: T", 1, T_batch, T_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_kinetic_energy_sym6, vector 2, last: T", 1, T_batch + 10, T_expected, 8.0 * DBL_EPSILON);
 }
 
 static void kinetic_energy_sym6_vector_1f(void)
@@ -4728,9 +5730,12 @@ static void kinetic_energy_sym6_vector_1f(void)
     const float m[1] = {1.75f};
     const float t[6] = {-0.5f, 0.75f, -1.25f, 1.5f, 1.25f, 0.5f};
     const double T_expected[1] = {5.21875};
-    float T[1];
+    float T[1], T_batch[11];
     chasles_kinetic_energy_sym6f(I_C, m[0], t, T);
+    chasles_kinetic_energy_sym6_batchf(11, I_C, 0, m, 0, t, 0, T_batch, 1);
     comparef("chasles_kinetic_energy_sym6f, vector 1: T", 1, T, T_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_kinetic_energy_sym6f, vector 1, first of a batch: T", 1, T_batch, T_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_kinetic_energy_sym6f, vector 1, last: T", 1, T_batch + 10, T_expected, 8.0 * FLT_EPSILON);
 }
 
 static void kinetic_energy_sym6_vector_2f(void)
@@ -4739,9 +5744,12 @@ static void kinetic_energy_sym6_vector_2f(void)
     const float m[1] = {-1.25f};
     const float t[6] = {1.5f, 1.25f, 0.5f, -0.75f, 2.0f, -1.5f};
     const double T_expected[1] = {-3.484375};
-    float T[1];
+    float T[1], T_batch[11];
     chasles_kinetic_energy_sym6f(I_C, m[0], t, T);
+    chasles_kinetic_energy_sym6_batchf(11, I_C, 0, m, 0, t, 0, T_batch, 1);
     comparef("chasles_kinetic_energy_sym6f, vector 2: T", 1, T, T_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_kinetic_energy_sym6f, vector 2, first of a batch: T", 1, T_batch, T_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_kinetic_energy_sym6f, vector 2, last: T", 1, T_batch + 10, T_expected, 8.0 * FLT_EPSILON);
 }
 
 static void newton_euler_wrench_vector_1(void)
@@ -4768,9 +5776,12 @@ static void newton_euler_wrench_vector_1(void)
         1.5625,
         0.625,
     };
-    double w[6];
+    double w[6], w_batch[66];
     chasles_newton_euler_wrench(I_C, m[0], t, t_dot, w);
+    chasles_newton_euler_wrench_batch(11, I_C, 0, m, 0, t, 0, t_dot, 0, w_batch, 6);
     compare("chasles_newton_euler_wrench, vector 1: w", 6, w, w_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_newton_euler_wrench, vector 1, first of a batch: w", 6, w_batch, w_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_newton_euler_wrench, vector 1, last: w", 6, w_batch + 60, w_expected, 8.0 * DBL_EPSILON);
 }
 
 static void newton_euler_wrench_vector_2(void)
@@ -4780,9 +5791,12 @@ static void newton_euler_wrench_vector_2(void)
     const double t[6] = {-1.5, 0.25, 1.75, -0.5, 0.75, -1.25};
     const double t_dot[6] = {1.5, 1.25, 0.5, -0.75, 2.0, -1.5};
     const double w_expected[6] = {2.175, 2.65, 2.35, -1.5, 4.0, -3.0};
-    double w[6];
+    double w[6], w_batch[66];
     chasles_newton_euler_wrench(I_C, m[0], t, t_dot, w);
+    chasles_newton_euler_wrench_batch(11, I_C, 0, m, 0, t, 0, t_dot, 0, w_batch, 6);
     compare("chasles_newton_euler_wrench, vector 2: w", 6, w, w_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_newton_euler_wrench, vector 2, first of a batch: w", 6, w_batch, w_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_newton_euler_wrench, vector 2, last: w", 6, w_batch + 60, w_expected, 8.0 * DBL_EPSILON);
 }
 
 static void newton_euler_wrench_vector_1f(void)
@@ -4809,9 +5823,12 @@ static void newton_euler_wrench_vector_1f(void)
         1.5625,
         0.625,
     };
-    float w[6];
+    float w[6], w_batch[66];
     chasles_newton_euler_wrenchf(I_C, m[0], t, t_dot, w);
+    chasles_newton_euler_wrench_batchf(11, I_C, 0, m, 0, t, 0, t_dot, 0, w_batch, 6);
     comparef("chasles_newton_euler_wrenchf, vector 1: w", 6, w, w_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_newton_euler_wrenchf, vector 1, first of a batch: w", 6, w_batch, w_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_newton_euler_wrenchf, vector 1, last: w", 6, w_batch + 60, w_expected, 8.0 * FLT_EPSILON);
 }
 
 static void newton_euler_wrench_vector_2f(void)
@@ -4821,9 +5838,12 @@ static void newton_euler_wrench_vector_2f(void)
     const float t[6] = {-1.5f, 0.25f, 1.75f, -0.5f, 0.75f, -1.25f};
     const float t_dot[6] = {1.5f, 1.25f, 0.5f, -0.75f, 2.0f, -1.5f};
     const double w_expected[6] = {2.175, 2.65, 2.35, -1.5, 4.0, -3.0};
-    float w[6];
+    float w[6], w_batch[66];
     chasles_newton_euler_wrenchf(I_C, m[0], t, t_dot, w);
+    chasles_newton_euler_wrench_batchf(11, I_C, 0, m, 0, t, 0, t_dot, 0, w_batch, 6);
     comparef("chasles_newton_euler_wrenchf, vector 2: w", 6, w, w_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_newton_euler_wrenchf, vector 2, first of a batch: w", 6, w_batch, w_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_newton_euler_wrenchf, vector 2, last: w", 6, w_batch + 60, w_expected, 8.0 * FLT_EPSILON);
 }
 
 static void newton_euler_wrench_sym6_vector_1(void)
@@ -4833,9 +5853,12 @@ static void newton_euler_wrench_sym6_vector_1(void)
     const double t[6] = {-0.5, 0.75, -1.25, 1.5, 1.25, 0.5};
     const double t_dot[6] = {-0.75, 2.0, -1.5, 0.25, 1.75, -0.5};
     const double w_expected[6] = {4.296875, 4.484375, -4.890625, 0.4375, 3.0625, -0.875};
-    double w[6];
+    double w[6], w_batch[66];
     chasles_newton_euler_wrench_sym6(I_C, m[0], t, t_dot, w);
+    chasles_newton_euler_wrench_sym6_batch(11, I_C, 0, m, 0, t, 0, t_dot, 0, w_batch, 6);
     compare("chasles_newton_euler_wrench_sym6, vector 1: w", 6, w, w_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_newton_euler_wrench_sym6, vector 1, first of a batch: w", 6, w_batch, w_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_newton_euler_wrench_sym6, vector 1, last: w", 6, w_batch + 60, w_expected, 8.0 * DBL_EPSILON);
 }
 
 static void newton_euler_wrench_sym6_vector_2(void)
@@ -4845,9 +5868,12 @@ static void newton_euler_wrench_sym6_vector_2(void)
     const double t[6] = {1.5, 1.25, 0.5, -0.75, 2.0, -1.5};
     const double t_dot[6] = {0.25, 1.75, -0.5, 0.75, -1.25, 1.5};
     const double w_expected[6] = {-1.9375, 3.375, -3.21875, -0.9375, 1.5625, -1.875};
-    double w[6];
+    double w[6], w_batch[66];
     chasles_newton_euler_wrench_sym6(I_C, m[0], t, t_dot, w);
+    chasles_newton_euler_wrench_sym6_batch(11, I_C, 0, m, 0, t, 0, t_dot, 0, w_batch, 6);
     compare("chasles_newton_euler_wrench_sym6, vector 2: w", 6, w, w_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_newton_euler_wrench_sym6, vector 2, first of a batch: w", 6, w_batch, w_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_newton_euler_wrench_sym6, vector 2, last: w", 6, w_batch + 60, w_expected, 8.0 * DBL_EPSILON);
 }
 
 static void newton_euler_wrench_sym6_vector_1f(void)
@@ -4857,9 +5883,12 @@ static void newton_euler_wrench_sym6_vector_1f(void)
     const float t[6] = {-0.5f, 0.75f, -1.25f, 1.5f, 1.25f, 0.5f};
     const float t_dot[6] = {-0.75f, 2.0f, -1.5f, 0.25f, 1.75f, -0.5f};
     const double w_expected[6] = {4.296875, 4.484375, -4.890625, 0.4375, 3.0625, -0.875};
-    float w[6];
+    float w[6], w_batch[66];
     chasles_newton_euler_wrench_sym6f(I_C, m[0], t, t_dot, w);
+    chasles_newton_euler_wrench_sym6_batchf(11, I_C, 0, m, 0, t, 0, t_dot, 0, w_batch, 6);
     comparef("chasles_newton_euler_wrench_sym6f, vector 1: w", 6, w, w_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_newton_euler_wrench_sym6f, vector 1, first of a batch: w", 6, w_batch, w_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_newton_euler_wrench_sym6f, vector 1, last: w", 6, w_batch + 60, w_expected, 8.0 * FLT_EPSILON);
 }
 
 static void newton_euler_wrench_sym6_vector_2f(void)
@@ -4869,9 +5898,12 @@ static void newton_euler_wrench_sym6_vector_2f(void)
     const float t[6] = {1.5f, 1.25f, 0.5f, -0.75f, 2.0f, -1.5f};
     const float t_dot[6] = {0.25f, 1.75f, -0.5f, 0.75f, -1.25f, 1.5f};
     const double w_expected[6] = {-1.9375, 3.375, -3.21875, -0.9375, 1.5625, -1.875};
-    float w[6];
+    float w[6], w_batch[66];
     chasles_newton_euler_wrench_sym6f(I_C, m[0], t, t_dot, w);
+    chasles_newton_euler_wrench_sym6_batchf(11, I_C, 0, m, 0, t, 0, t_dot, 0, w_batch, 6);
     comparef("chasles_newton_euler_wrench_sym6f, vector 2: w", 6, w, w_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_newton_euler_wrench_sym6f, vector 2, first of a batch: w", 6, w_batch, w_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_newton_euler_wrench_sym6f, vector 2, last: w", 6, w_batch + 60, w_expected, 8.0 * FLT_EPSILON);
 }
 
 static void newton_euler_twist_rate_vector_1(void)
@@ -4898,9 +5930,12 @@ static void newton_euler_twist_rate_vector_1(void)
         1.0,
         0.4,
     };
-    double t_dot[6];
+    double t_dot[6], t_dot_batch[66];
     chasles_newton_euler_twist_rate(I_C, m[0], t, w, t_dot);
+    chasles_newton_euler_twist_rate_batch(11, I_C, 0, m, 0, t, 0, w, 0, t_dot_batch, 6);
     compare("chasles_newton_euler_twist_rate, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_newton_euler_twist_rate, vector 1, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_newton_euler_twist_rate, vector 1, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void newton_euler_twist_rate_vector_2(void)
@@ -4910,9 +5945,12 @@ static void newton_euler_twist_rate_vector_2(void)
     const double t[6] = {-1.5, 0.25, 1.75, -0.5, 0.75, -1.25};
     const double w[6] = {1.5, 1.25, 0.5, -0.75, 2.0, -1.5};
     const double t_dot_expected[6] = {-0.025, 0.95, -1.35, -0.375, 1.0, -0.75};
-    double t_dot[6];
+    double t_dot[6], t_dot_batch[66];
     chasles_newton_euler_twist_rate(I_C, m[0], t, w, t_dot);
+    chasles_newton_euler_twist_rate_batch(11, I_C, 0, m, 0, t, 0, w, 0, t_dot_batch, 6);
     compare("chasles_newton_euler_twist_rate, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_newton_euler_twist_rate, vector 2, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_newton_euler_twist_rate, vector 2, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void newton_euler_twist_rate_vector_3(void)
@@ -4932,9 +5970,12 @@ static void newton_euler_twist_rate_vector_3(void)
     const double t[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     const double w[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     const double t_dot_expected[6] = {0.0, 0.0, 0.0, NAN, NAN, NAN};
-    double t_dot[6];
+    double t_dot[6], t_dot_batch[66];
     chasles_newton_euler_twist_rate(I_C, m[0], t, w, t_dot);
+    chasles_newton_euler_twist_rate_batch(11, I_C, 0, m, 0, t, 0, w, 0, t_dot_batch, 6);
     compare("chasles_newton_euler_twist_rate, vector 3: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_newton_euler_twist_rate, vector 3, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_newton_euler_twist_rate, vector 3, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void newton_euler_twist_rate_vector_1f(void)
@@ -4961,9 +6002,12 @@ static void newton_euler_twist_rate_vector_1f(void)
         1.0,
         0.4,
     };
-    float t_dot[6];
+    float t_dot[6], t_dot_batch[66];
     chasles_newton_euler_twist_ratef(I_C, m[0], t, w, t_dot);
+    chasles_newton_euler_twist_rate_batchf(11, I_C, 0, m, 0, t, 0, w, 0, t_dot_batch, 6);
     comparef("chasles_newton_euler_twist_ratef, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_newton_euler_twist_ratef, vector 1, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_newton_euler_twist_ratef, vector 1, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void newton_euler_twist_rate_vector_2f(void)
@@ -4973,9 +6017,12 @@ static void newton_euler_twist_rate_vector_2f(void)
     const float t[6] = {-1.5f, 0.25f, 1.75f, -0.5f, 0.75f, -1.25f};
     const float w[6] = {1.5f, 1.25f, 0.5f, -0.75f, 2.0f, -1.5f};
     const double t_dot_expected[6] = {-0.025, 0.95, -1.35, -0.375, 1.0, -0.75};
-    float t_dot[6];
+    float t_dot[6], t_dot_batch[66];
     chasles_newton_euler_twist_ratef(I_C, m[0], t, w, t_dot);
+    chasles_newton_euler_twist_rate_batchf(11, I_C, 0, m, 0, t, 0, w, 0, t_dot_batch, 6);
     comparef("chasles_newton_euler_twist_ratef, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_newton_euler_twist_ratef, vector 2, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_newton_euler_twist_ratef, vector 2, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void newton_euler_twist_rate_vector_3f(void)
@@ -4995,9 +6042,12 @@ static void newton_euler_twist_rate_vector_3f(void)
     const float t[6] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
     const float w[6] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
     const double t_dot_expected[6] = {0.0, 0.0, 0.0, NAN, NAN, NAN};
-    float t_dot[6];
+    float t_dot[6], t_dot_batch[66];
     chasles_newton_euler_twist_ratef(I_C, m[0], t, w, t_dot);
+    chasles_newton_euler_twist_rate_batchf(11, I_C, 0, m, 0, t, 0, w, 0, t_dot_batch, 6);
     comparef("chasles_newton_euler_twist_ratef, vector 3: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_newton_euler_twist_ratef, vector 3, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_newton_euler_twist_ratef, vector 3, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void newton_euler_twist_rate_sym6_vector_1(void)
@@ -5014,9 +6064,12 @@ static void newton_euler_twist_rate_sym6_vector_1(void)
         1.0,
         -0.28571428571428571429,
     };
-    double t_dot[6];
+    double t_dot[6], t_dot_batch[66];
     chasles_newton_euler_twist_rate_sym6(I_C, m[0], t, w, t_dot);
+    chasles_newton_euler_twist_rate_sym6_batch(11, I_C, 0, m, 0, t, 0, w, 0, t_dot_batch, 6);
     compare("chasles_newton_euler_twist_rate_sym6, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_newton_euler_twist_rate_sym6, vector 1, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_newton_euler_twist_rate_sym6, vector 1, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void newton_euler_twist_rate_sym6_vector_2(void)
@@ -5033,9 +6086,12 @@ static void newton_euler_twist_rate_sym6_vector_2(void)
         1.0,
         -1.2,
     };
-    double t_dot[6];
+    double t_dot[6], t_dot_batch[66];
     chasles_newton_euler_twist_rate_sym6(I_C, m[0], t, w, t_dot);
+    chasles_newton_euler_twist_rate_sym6_batch(11, I_C, 0, m, 0, t, 0, w, 0, t_dot_batch, 6);
     compare("chasles_newton_euler_twist_rate_sym6, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_newton_euler_twist_rate_sym6, vector 2, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_newton_euler_twist_rate_sym6, vector 2, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void newton_euler_twist_rate_sym6_vector_3(void)
@@ -5045,9 +6101,12 @@ static void newton_euler_twist_rate_sym6_vector_3(void)
     const double t[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     const double w[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     const double t_dot_expected[6] = {NAN, NAN, NAN, NAN, NAN, NAN};
-    double t_dot[6];
+    double t_dot[6], t_dot_batch[66];
     chasles_newton_euler_twist_rate_sym6(I_C, m[0], t, w, t_dot);
+    chasles_newton_euler_twist_rate_sym6_batch(11, I_C, 0, m, 0, t, 0, w, 0, t_dot_batch, 6);
     compare("chasles_newton_euler_twist_rate_sym6, vector 3: t_dot", 6, t_dot, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_newton_euler_twist_rate_sym6, vector 3, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_newton_euler_twist_rate_sym6, vector 3, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void newton_euler_twist_rate_sym6_vector_1f(void)
@@ -5064,9 +6123,12 @@ static void newton_euler_twist_rate_sym6_vector_1f(void)
         1.0,
         -0.28571428571428571429,
     };
-    float t_dot[6];
+    float t_dot[6], t_dot_batch[66];
     chasles_newton_euler_twist_rate_sym6f(I_C, m[0], t, w, t_dot);
+    chasles_newton_euler_twist_rate_sym6_batchf(11, I_C, 0, m, 0, t, 0, w, 0, t_dot_batch, 6);
     comparef("chasles_newton_euler_twist_rate_sym6f, vector 1: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_newton_euler_twist_rate_sym6f, vector 1, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_newton_euler_twist_rate_sym6f, vector 1, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void newton_euler_twist_rate_sym6_vector_2f(void)
@@ -5083,9 +6145,12 @@ static void newton_euler_twist_rate_sym6_vector_2f(void)
         1.0,
         -1.2,
     };
-    float t_dot[6];
+    float t_dot[6], t_dot_batch[66];
     chasles_newton_euler_twist_rate_sym6f(I_C, m[0], t, w, t_dot);
+    chasles_newton_euler_twist_rate_sym6_batchf(11, I_C, 0, m, 0, t, 0, w, 0, t_dot_batch, 6);
     comparef("chasles_newton_euler_twist_rate_sym6f, vector 2: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_newton_euler_twist_rate_sym6f, vector 2, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_newton_euler_twist_rate_sym6f, vector 2, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void newton_euler_twist_rate_sym6_vector_3f(void)
@@ -5095,9 +6160,12 @@ static void newton_euler_twist_rate_sym6_vector_3f(void)
     const float t[6] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
     const float w[6] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
     const double t_dot_expected[6] = {NAN, NAN, NAN, NAN, NAN, NAN};
-    float t_dot[6];
+    float t_dot[6], t_dot_batch[66];
     chasles_newton_euler_twist_rate_sym6f(I_C, m[0], t, w, t_dot);
+    chasles_newton_euler_twist_rate_sym6_batchf(11, I_C, 0, m, 0, t, 0, w, 0, t_dot_batch, 6);
     comparef("chasles_newton_euler_twist_rate_sym6f, vector 3: t_dot", 6, t_dot, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_newton_euler_twist_rate_sym6f, vector 3, first of a batch: t_dot", 6, t_dot_batch, t_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_newton_euler_twist_rate_sym6f, vector 3, last: t_dot", 6, t_dot_batch + 60, t_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void inertia_dyad_vector_1(void)
@@ -5154,9 +6222,12 @@ static void inertia_dyad_vector_1(void)
         0.0,
         1.25,
     };
-    double M_A[36];
+    double M_A[36], M_A_batch[396];
     chasles_inertia_dyad(I_C, m[0], c, a, M_A);
+    chasles_inertia_dyad_batch(11, I_C, 0, m, 0, c, 0, a, 0, M_A_batch, 36);
     compare("chasles_inertia_dyad, vector 1: M_A", 36, M_A, M_A_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_inertia_dyad, vector 1, first of a batch: M_A", 36, M_A_batch, M_A_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_inertia_dyad, vector 1, last: M_A", 36, M_A_batch + 360, M_A_expected, 8.0 * DBL_EPSILON);
 }
 
 static void inertia_dyad_vector_2(void)
@@ -5203,9 +6274,12 @@ static void inertia_dyad_vector_2(void)
         0.0,
         2.0,
     };
-    double M_A[36];
+    double M_A[36], M_A_batch[396];
     chasles_inertia_dyad(I_C, m[0], c, a, M_A);
+    chasles_inertia_dyad_batch(11, I_C, 0, m, 0, c, 0, a, 0, M_A_batch, 36);
     compare("chasles_inertia_dyad, vector 2: M_A", 36, M_A, M_A_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_inertia_dyad, vector 2, first of a batch: M_A", 36, M_A_batch, M_A_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_inertia_dyad, vector 2, last: M_A", 36, M_A_batch + 360, M_A_expected, 8.0 * DBL_EPSILON);
 }
 
 static void inertia_dyad_vector_1f(void)
@@ -5262,9 +6336,12 @@ static void inertia_dyad_vector_1f(void)
         0.0,
         1.25,
     };
-    float M_A[36];
+    float M_A[36], M_A_batch[396];
     chasles_inertia_dyadf(I_C, m[0], c, a, M_A);
+    chasles_inertia_dyad_batchf(11, I_C, 0, m, 0, c, 0, a, 0, M_A_batch, 36);
     comparef("chasles_inertia_dyadf, vector 1: M_A", 36, M_A, M_A_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_inertia_dyadf, vector 1, first of a batch: M_A", 36, M_A_batch, M_A_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_inertia_dyadf, vector 1, last: M_A", 36, M_A_batch + 360, M_A_expected, 8.0 * FLT_EPSILON);
 }
 
 static void inertia_dyad_vector_2f(void)
@@ -5311,9 +6388,12 @@ static void inertia_dyad_vector_2f(void)
         0.0,
         2.0,
     };
-    float M_A[36];
+    float M_A[36], M_A_batch[396];
     chasles_inertia_dyadf(I_C, m[0], c, a, M_A);
+    chasles_inertia_dyad_batchf(11, I_C, 0, m, 0, c, 0, a, 0, M_A_batch, 36);
     comparef("chasles_inertia_dyadf, vector 2: M_A", 36, M_A, M_A_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_inertia_dyadf, vector 2, first of a batch: M_A", 36, M_A_batch, M_A_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_inertia_dyadf, vector 2, last: M_A", 36, M_A_batch + 360, M_A_expected, 8.0 * FLT_EPSILON);
 }
 
 static void inertia_dyad_sym6_vector_1(void)
@@ -5360,9 +6440,12 @@ static void inertia_dyad_sym6_vector_1(void)
         0.0,
         1.75,
     };
-    double M_A[36];
+    double M_A[36], M_A_batch[396];
     chasles_inertia_dyad_sym6(I_C, m[0], c, a, M_A);
+    chasles_inertia_dyad_sym6_batch(11, I_C, 0, m, 0, c, 0, a, 0, M_A_batch, 36);
     compare("chasles_inertia_dyad_sym6, vector 1: M_A", 36, M_A, M_A_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_inertia_dyad_sym6, vector 1, first of a batch: M_A", 36, M_A_batch, M_A_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_inertia_dyad_sym6, vector 1, last: M_A", 36, M_A_batch + 360, M_A_expected, 8.0 * DBL_EPSILON);
 }
 
 static void inertia_dyad_sym6_vector_2(void)
@@ -5409,9 +6492,12 @@ static void inertia_dyad_sym6_vector_2(void)
         0.0,
         -1.25,
     };
-    double M_A[36];
+    double M_A[36], M_A_batch[396];
     chasles_inertia_dyad_sym6(I_C, m[0], c, a, M_A);
+    chasles_inertia_dyad_sym6_batch(11, I_C, 0, m, 0, c, 0, a, 0, M_A_batch, 36);
     compare("chasles_inertia_dyad_sym6, vector 2: M_A", 36, M_A, M_A_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_inertia_dyad_sym6, vector 2, first of a batch: M_A", 36, M_A_batch, M_A_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_inertia_dyad_sym6, vector 2, last: M_A", 36, M_A_batch + 360, M_A_expected, 8.0 * DBL_EPSILON);
 }
 
 static void inertia_dyad_sym6_vector_1f(void)
@@ -5458,9 +6544,12 @@ static void inertia_dyad_sym6_vector_1f(void)
         0.0,
         1.75,
     };
-    float M_A[36];
+    float M_A[36], M_A_batch[396];
     chasles_inertia_dyad_sym6f(I_C, m[0], c, a, M_A);
+    chasles_inertia_dyad_sym6_batchf(11, I_C, 0, m, 0, c, 0, a, 0, M_A_batch, 36);
     comparef("chasles_inertia_dyad_sym6f, vector 1: M_A", 36, M_A, M_A_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_inertia_dyad_sym6f, vector 1, first of a batch: M_A", 36, M_A_batch, M_A_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_inertia_dyad_sym6f, vector 1, last: M_A", 36, M_A_batch + 360, M_A_expected, 8.0 * FLT_EPSILON);
 }
 
 static void inertia_dyad_sym6_vector_2f(void)
@@ -5507,9 +6596,12 @@ static void inertia_dyad_sym6_vector_2f(void)
         0.0,
         -1.25,
     };
-    float M_A[36];
+    float M_A[36], M_A_batch[396];
     chasles_inertia_dyad_sym6f(I_C, m[0], c, a, M_A);
+    chasles_inertia_dyad_sym6_batchf(11, I_C, 0, m, 0, c, 0, a, 0, M_A_batch, 36);
     comparef("chasles_inertia_dyad_sym6f, vector 2: M_A", 36, M_A, M_A_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_inertia_dyad_sym6f, vector 2, first of a batch: M_A", 36, M_A_batch, M_A_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_inertia_dyad_sym6f, vector 2, last: M_A", 36, M_A_batch + 360, M_A_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_xyx_vector_1(void)
@@ -5526,9 +6618,12 @@ static void rotation_from_euler_xyx_vector_1(void)
         0.50573744623991374325,
         0.84933867221598477972,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_xyx(angles, Q);
+    chasles_rotation_from_euler_xyx_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_xyx, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_xyx, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_xyx, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_xyx_vector_2(void)
@@ -5545,9 +6640,12 @@ static void rotation_from_euler_xyx_vector_2(void)
         0.87374672602007303051,
         -0.25348571924553381714,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_xyx(angles, Q);
+    chasles_rotation_from_euler_xyx_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_xyx, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_xyx, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_xyx, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_xyx_vector_1f(void)
@@ -5564,9 +6662,12 @@ static void rotation_from_euler_xyx_vector_1f(void)
         0.50573744623991374325,
         0.84933867221598477972,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_xyxf(angles, Q);
+    chasles_rotation_from_euler_xyx_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_xyxf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_xyxf, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_xyxf, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_xyx_vector_2f(void)
@@ -5583,9 +6684,12 @@ static void rotation_from_euler_xyx_vector_2f(void)
         0.87374672602007303051,
         -0.25348571924553381714,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_xyxf(angles, Q);
+    chasles_rotation_from_euler_xyx_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_xyxf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_xyxf, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_xyxf, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_xyx_vector_1(void)
@@ -5602,9 +6706,12 @@ static void euler_rate_matrix_xyx_vector_1(void)
         0.94898461935558621435,
         -0.151173593425301366,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_xyx(angles, W);
+    chasles_euler_rate_matrix_xyx_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_xyx, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_xyx, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_xyx, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_xyx_vector_2(void)
@@ -5621,9 +6728,12 @@ static void euler_rate_matrix_xyx_vector_2(void)
         0.9092974268256816954,
         -0.4151043831469114242,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_xyx(angles, W);
+    chasles_euler_rate_matrix_xyx_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_xyx, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_xyx, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_xyx, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_xyx_vector_1f(void)
@@ -5640,9 +6750,12 @@ static void euler_rate_matrix_xyx_vector_1f(void)
         0.94898461935558621435,
         -0.151173593425301366,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_xyxf(angles, W);
+    chasles_euler_rate_matrix_xyx_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_xyxf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_xyxf, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_xyxf, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_xyx_vector_2f(void)
@@ -5659,9 +6772,12 @@ static void euler_rate_matrix_xyx_vector_2f(void)
         0.9092974268256816954,
         -0.4151043831469114242,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_xyxf(angles, W);
+    chasles_euler_rate_matrix_xyx_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_xyxf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_xyxf, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_xyxf, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_xyx_vector_1(void)
@@ -5678,9 +6794,12 @@ static void euler_rate_matrix_body_xyx_vector_1(void)
         0.68163876002333416673,
         0.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_xyx(angles, W_body);
+    chasles_euler_rate_matrix_body_xyx_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_xyx, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_xyx, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_xyx, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_xyx_vector_2(void)
@@ -5697,9 +6816,12 @@ static void euler_rate_matrix_body_xyx_vector_2(void)
         -0.2474039592545229296,
         0.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_xyx(angles, W_body);
+    chasles_euler_rate_matrix_body_xyx_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_xyx, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_xyx, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_xyx, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_xyx_vector_1f(void)
@@ -5716,9 +6838,12 @@ static void euler_rate_matrix_body_xyx_vector_1f(void)
         0.68163876002333416673,
         0.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_xyxf(angles, W_body);
+    chasles_euler_rate_matrix_body_xyx_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_xyxf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_xyxf, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_xyxf, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_xyx_vector_2f(void)
@@ -5735,9 +6860,12 @@ static void euler_rate_matrix_body_xyx_vector_2f(void)
         -0.2474039592545229296,
         0.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_xyxf(angles, W_body);
+    chasles_euler_rate_matrix_body_xyx_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_xyxf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_xyxf, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_xyxf, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_xyx_vector_1(void)
@@ -5749,9 +6877,12 @@ static void euler_rates_xyx_vector_1(void)
         -0.23573738875400644458,
         -3.133557557250718693,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_xyx(angles, omega, theta_dot);
+    chasles_euler_rates_xyx_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_xyx, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_xyx, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_xyx, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_xyx_vector_2(void)
@@ -5763,9 +6894,12 @@ static void euler_rates_xyx_vector_2(void)
         0.89004648839283246505,
         0.14289654375883425947,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_xyx(angles, omega, theta_dot);
+    chasles_euler_rates_xyx_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_xyx, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_xyx, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_xyx, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_xyx_vector_3(void)
@@ -5773,9 +6907,12 @@ static void euler_rates_xyx_vector_3(void)
     const double angles[3] = {0.0, 0.0, 0.0};
     const double omega[3] = {0.0, 0.0, 0.0};
     const double theta_dot_expected[3] = {NAN, 0.0, NAN};
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_xyx(angles, omega, theta_dot);
+    chasles_euler_rates_xyx_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_xyx, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_xyx, vector 3, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_xyx, vector 3, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_xyx_vector_1f(void)
@@ -5787,9 +6924,12 @@ static void euler_rates_xyx_vector_1f(void)
         -0.23573738875400644458,
         -3.133557557250718693,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_xyxf(angles, omega, theta_dot);
+    chasles_euler_rates_xyx_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_xyxf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_xyxf, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_xyxf, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_xyx_vector_2f(void)
@@ -5801,9 +6941,12 @@ static void euler_rates_xyx_vector_2f(void)
         0.89004648839283246505,
         0.14289654375883425947,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_xyxf(angles, omega, theta_dot);
+    chasles_euler_rates_xyx_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_xyxf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_xyxf, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_xyxf, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_xyx_vector_3f(void)
@@ -5811,9 +6954,12 @@ static void euler_rates_xyx_vector_3f(void)
     const float angles[3] = {0.0f, 0.0f, 0.0f};
     const float omega[3] = {0.0f, 0.0f, 0.0f};
     const double theta_dot_expected[3] = {NAN, 0.0, NAN};
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_xyxf(angles, omega, theta_dot);
+    chasles_euler_rates_xyx_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_xyxf, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_xyxf, vector 3, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_xyxf, vector 3, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_xyz_vector_1(void)
@@ -5830,9 +6976,12 @@ static void rotation_from_euler_xyz_vector_1(void)
         0.59131570194424826225,
         0.27672140661216439796,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_xyz(angles, Q);
+    chasles_rotation_from_euler_xyz_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_xyz, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_xyz, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_xyz, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_xyz_vector_2(void)
@@ -5849,9 +6998,12 @@ static void rotation_from_euler_xyz_vector_2(void)
         0.98372803977538141873,
         -0.029437062700211810791,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_xyz(angles, Q);
+    chasles_rotation_from_euler_xyz_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_xyz, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_xyz, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_xyz, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_xyz_vector_1f(void)
@@ -5868,9 +7020,12 @@ static void rotation_from_euler_xyz_vector_1f(void)
         0.59131570194424826225,
         0.27672140661216439796,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_xyzf(angles, Q);
+    chasles_rotation_from_euler_xyz_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_xyzf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_xyzf, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_xyzf, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_xyz_vector_2f(void)
@@ -5887,9 +7042,12 @@ static void rotation_from_euler_xyz_vector_2f(void)
         0.98372803977538141873,
         -0.029437062700211810791,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_xyzf(angles, Q);
+    chasles_rotation_from_euler_xyz_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_xyzf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_xyzf, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_xyzf, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_xyz_vector_1(void)
@@ -5906,9 +7064,12 @@ static void euler_rate_matrix_xyz_vector_1(void)
         0.94898461935558621435,
         0.27672140661216439796,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_xyz(angles, W);
+    chasles_euler_rate_matrix_xyz_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_xyz, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_xyz, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_xyz, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_xyz_vector_2(void)
@@ -5925,9 +7086,12 @@ static void euler_rate_matrix_xyz_vector_2(void)
         0.9092974268256816954,
         -0.029437062700211810791,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_xyz(angles, W);
+    chasles_euler_rate_matrix_xyz_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_xyz, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_xyz, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_xyz, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_xyz_vector_1f(void)
@@ -5944,9 +7108,12 @@ static void euler_rate_matrix_xyz_vector_1f(void)
         0.94898461935558621435,
         0.27672140661216439796,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_xyzf(angles, W);
+    chasles_euler_rate_matrix_xyz_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_xyzf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_xyzf, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_xyzf, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_xyz_vector_2f(void)
@@ -5963,9 +7130,12 @@ static void euler_rate_matrix_xyz_vector_2f(void)
         0.9092974268256816954,
         -0.029437062700211810791,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_xyzf(angles, W);
+    chasles_euler_rate_matrix_xyz_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_xyzf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_xyzf, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_xyzf, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_xyz_vector_1(void)
@@ -5982,9 +7152,12 @@ static void euler_rate_matrix_body_xyz_vector_1(void)
         0.0,
         1.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_xyz(angles, W_body);
+    chasles_euler_rate_matrix_body_xyz_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_xyz, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_xyz, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_xyz, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_xyz_vector_2(void)
@@ -6001,9 +7174,12 @@ static void euler_rate_matrix_body_xyz_vector_2(void)
         0.0,
         1.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_xyz(angles, W_body);
+    chasles_euler_rate_matrix_body_xyz_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_xyz, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_xyz, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_xyz, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_xyz_vector_1f(void)
@@ -6020,9 +7196,12 @@ static void euler_rate_matrix_body_xyz_vector_1f(void)
         0.0,
         1.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_xyzf(angles, W_body);
+    chasles_euler_rate_matrix_body_xyz_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_xyzf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_xyzf, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_xyzf, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_xyz_vector_2f(void)
@@ -6039,9 +7218,12 @@ static void euler_rate_matrix_body_xyz_vector_2f(void)
         0.0,
         1.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_xyzf(angles, W_body);
+    chasles_euler_rate_matrix_body_xyz_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_xyzf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_xyzf, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_xyzf, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_xyz_vector_1(void)
@@ -6053,9 +7235,12 @@ static void euler_rates_xyz_vector_1(void)
         -0.23573738875400644458,
         1.7118702955948937586,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_xyz(angles, omega, theta_dot);
+    chasles_euler_rates_xyz_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_xyz, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_xyz, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_xyz, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_xyz_vector_2(void)
@@ -6067,9 +7252,12 @@ static void euler_rates_xyz_vector_2(void)
         0.89004648839283246505,
         2.0150441725427218909,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_xyz(angles, omega, theta_dot);
+    chasles_euler_rates_xyz_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_xyz, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_xyz, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_xyz, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_xyz_vector_1f(void)
@@ -6081,9 +7269,12 @@ static void euler_rates_xyz_vector_1f(void)
         -0.23573738875400644458,
         1.7118702955948937586,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_xyzf(angles, omega, theta_dot);
+    chasles_euler_rates_xyz_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_xyzf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_xyzf, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_xyzf, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_xyz_vector_2f(void)
@@ -6095,9 +7286,12 @@ static void euler_rates_xyz_vector_2f(void)
         0.89004648839283246505,
         2.0150441725427218909,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_xyzf(angles, omega, theta_dot);
+    chasles_euler_rates_xyz_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_xyzf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_xyzf, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_xyzf, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_xzx_vector_1(void)
@@ -6114,9 +7308,12 @@ static void rotation_from_euler_xzx_vector_1(void)
         0.39442358476823751035,
         0.7983950426084577951,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_xzx(angles, Q);
+    chasles_rotation_from_euler_xzx_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_xzx, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_xzx, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_xzx, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_xzx_vector_2(void)
@@ -6133,9 +7330,12 @@ static void rotation_from_euler_xzx_vector_2(void)
         -0.040634808491656591945,
         -0.41912314771007518991,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_xzx(angles, Q);
+    chasles_rotation_from_euler_xzx_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_xzx, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_xzx, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_xzx, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_xzx_vector_1f(void)
@@ -6152,9 +7352,12 @@ static void rotation_from_euler_xzx_vector_1f(void)
         0.39442358476823751035,
         0.7983950426084577951,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_xzxf(angles, Q);
+    chasles_rotation_from_euler_xzx_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_xzxf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_xzxf, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_xzxf, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_xzx_vector_2f(void)
@@ -6171,9 +7374,12 @@ static void rotation_from_euler_xzx_vector_2f(void)
         -0.040634808491656591945,
         -0.41912314771007518991,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_xzxf(angles, Q);
+    chasles_rotation_from_euler_xzx_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_xzxf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_xzxf, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_xzxf, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_xzx_vector_1(void)
@@ -6190,9 +7396,12 @@ static void euler_rate_matrix_xzx_vector_1(void)
         0.31532236239526866545,
         0.45496746226165648835,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_xzx(angles, W);
+    chasles_euler_rate_matrix_xzx_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_xzx, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_xzx, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_xzx, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_xzx_vector_2(void)
@@ -6209,9 +7418,12 @@ static void euler_rate_matrix_xzx_vector_2(void)
         -0.416146836547142387,
         -0.90701962459058452691,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_xzx(angles, W);
+    chasles_euler_rate_matrix_xzx_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_xzx, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_xzx, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_xzx, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_xzx_vector_1f(void)
@@ -6228,9 +7440,12 @@ static void euler_rate_matrix_xzx_vector_1f(void)
         0.31532236239526866545,
         0.45496746226165648835,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_xzxf(angles, W);
+    chasles_euler_rate_matrix_xzx_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_xzxf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_xzxf, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_xzxf, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_xzx_vector_2f(void)
@@ -6247,9 +7462,12 @@ static void euler_rate_matrix_xzx_vector_2f(void)
         -0.416146836547142387,
         -0.90701962459058452691,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_xzxf(angles, W);
+    chasles_euler_rate_matrix_xzx_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_xzxf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_xzxf, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_xzxf, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_xzx_vector_1(void)
@@ -6266,9 +7484,12 @@ static void euler_rate_matrix_body_xzx_vector_1(void)
         0.73168886887382088631,
         0.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_xzx(angles, W_body);
+    chasles_euler_rate_matrix_body_xzx_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_xzx, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_xzx, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_xzx, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_xzx_vector_2(void)
@@ -6285,9 +7506,12 @@ static void euler_rate_matrix_body_xzx_vector_2(void)
         0.96891242171064478414,
         0.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_xzx(angles, W_body);
+    chasles_euler_rate_matrix_body_xzx_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_xzx, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_xzx, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_xzx, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_xzx_vector_1f(void)
@@ -6304,9 +7528,12 @@ static void euler_rate_matrix_body_xzx_vector_1f(void)
         0.73168886887382088631,
         0.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_xzxf(angles, W_body);
+    chasles_euler_rate_matrix_body_xzx_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_xzxf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_xzxf, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_xzxf, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_xzx_vector_2f(void)
@@ -6323,9 +7550,12 @@ static void euler_rate_matrix_body_xzx_vector_2f(void)
         0.96891242171064478414,
         0.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_xzxf(angles, W_body);
+    chasles_euler_rate_matrix_body_xzx_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_xzxf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_xzxf, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_xzxf, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_xzx_vector_1(void)
@@ -6337,9 +7567,12 @@ static void euler_rates_xzx_vector_1(void)
         1.5023075196321964879,
         -0.49170803341084215572,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_xzx(angles, omega, theta_dot);
+    chasles_euler_rates_xzx_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_xzx, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_xzx, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_xzx, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_xzx_vector_2(void)
@@ -6351,9 +7584,12 @@ static void euler_rates_xzx_vector_2(void)
         0.14253858600248405745,
         -0.89228166591891597849,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_xzx(angles, omega, theta_dot);
+    chasles_euler_rates_xzx_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_xzx, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_xzx, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_xzx, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_xzx_vector_3(void)
@@ -6361,9 +7597,12 @@ static void euler_rates_xzx_vector_3(void)
     const double angles[3] = {0.0, 0.0, 0.0};
     const double omega[3] = {0.0, 0.0, 0.0};
     const double theta_dot_expected[3] = {NAN, 0.0, NAN};
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_xzx(angles, omega, theta_dot);
+    chasles_euler_rates_xzx_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_xzx, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_xzx, vector 3, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_xzx, vector 3, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_xzx_vector_1f(void)
@@ -6375,9 +7614,12 @@ static void euler_rates_xzx_vector_1f(void)
         1.5023075196321964879,
         -0.49170803341084215572,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_xzxf(angles, omega, theta_dot);
+    chasles_euler_rates_xzx_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_xzxf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_xzxf, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_xzxf, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_xzx_vector_2f(void)
@@ -6389,9 +7631,12 @@ static void euler_rates_xzx_vector_2f(void)
         0.14253858600248405745,
         -0.89228166591891597849,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_xzxf(angles, omega, theta_dot);
+    chasles_euler_rates_xzx_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_xzxf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_xzxf, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_xzxf, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_xzx_vector_3f(void)
@@ -6399,9 +7644,12 @@ static void euler_rates_xzx_vector_3f(void)
     const float angles[3] = {0.0f, 0.0f, 0.0f};
     const float omega[3] = {0.0f, 0.0f, 0.0f};
     const double theta_dot_expected[3] = {NAN, 0.0, NAN};
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_xzxf(angles, omega, theta_dot);
+    chasles_euler_rates_xzx_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_xzxf, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_xzxf, vector 3, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_xzxf, vector 3, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_xzy_vector_1(void)
@@ -6418,9 +7666,12 @@ static void rotation_from_euler_xzy_vector_1(void)
         0.83281235344863553273,
         -0.079405594155383446326,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_xzy(angles, Q);
+    chasles_rotation_from_euler_xzy_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_xzy, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_xzy, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_xzy, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_xzy_vector_2(void)
@@ -6437,9 +7688,12 @@ static void rotation_from_euler_xzy_vector_2(void)
         0.064321155457291576076,
         -0.62761008543137724778,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_xzy(angles, Q);
+    chasles_rotation_from_euler_xzy_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_xzy, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_xzy, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_xzy, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_xzy_vector_1f(void)
@@ -6456,9 +7710,12 @@ static void rotation_from_euler_xzy_vector_1f(void)
         0.83281235344863553273,
         -0.079405594155383446326,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_xzyf(angles, Q);
+    chasles_rotation_from_euler_xzy_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_xzyf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_xzyf, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_xzyf, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_xzy_vector_2f(void)
@@ -6475,9 +7732,12 @@ static void rotation_from_euler_xzy_vector_2f(void)
         0.064321155457291576076,
         -0.62761008543137724778,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_xzyf(angles, Q);
+    chasles_rotation_from_euler_xzy_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_xzyf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_xzyf, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_xzyf, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_xzy_vector_1(void)
@@ -6494,9 +7754,12 @@ static void euler_rate_matrix_xzy_vector_1(void)
         0.31532236239526866545,
         0.83281235344863553273,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_xzy(angles, W);
+    chasles_euler_rate_matrix_xzy_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_xzy, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_xzy, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_xzy, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_xzy_vector_2(void)
@@ -6513,9 +7776,12 @@ static void euler_rate_matrix_xzy_vector_2(void)
         -0.416146836547142387,
         0.064321155457291576076,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_xzy(angles, W);
+    chasles_euler_rate_matrix_xzy_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_xzy, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_xzy, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_xzy, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_xzy_vector_1f(void)
@@ -6532,9 +7798,12 @@ static void euler_rate_matrix_xzy_vector_1f(void)
         0.31532236239526866545,
         0.83281235344863553273,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_xzyf(angles, W);
+    chasles_euler_rate_matrix_xzy_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_xzyf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_xzyf, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_xzyf, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_xzy_vector_2f(void)
@@ -6551,9 +7820,12 @@ static void euler_rate_matrix_xzy_vector_2f(void)
         -0.416146836547142387,
         0.064321155457291576076,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_xzyf(angles, W);
+    chasles_euler_rate_matrix_xzy_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_xzyf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_xzyf, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_xzyf, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_xzy_vector_1(void)
@@ -6570,9 +7842,12 @@ static void euler_rate_matrix_body_xzy_vector_1(void)
         0.73168886887382088631,
         0.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_xzy(angles, W_body);
+    chasles_euler_rate_matrix_body_xzy_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_xzy, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_xzy, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_xzy, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_xzy_vector_2(void)
@@ -6589,9 +7864,12 @@ static void euler_rate_matrix_body_xzy_vector_2(void)
         0.96891242171064478414,
         0.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_xzy(angles, W_body);
+    chasles_euler_rate_matrix_body_xzy_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_xzy, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_xzy, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_xzy, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_xzy_vector_1f(void)
@@ -6608,9 +7886,12 @@ static void euler_rate_matrix_body_xzy_vector_1f(void)
         0.73168886887382088631,
         0.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_xzyf(angles, W_body);
+    chasles_euler_rate_matrix_body_xzy_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_xzyf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_xzyf, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_xzyf, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_xzy_vector_2f(void)
@@ -6627,9 +7908,12 @@ static void euler_rate_matrix_body_xzy_vector_2f(void)
         0.96891242171064478414,
         0.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_xzyf(angles, W_body);
+    chasles_euler_rate_matrix_body_xzy_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_xzyf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_xzyf, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_xzyf, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_xzy_vector_1(void)
@@ -6641,9 +7925,12 @@ static void euler_rates_xzy_vector_1(void)
         1.5023075196321964879,
         -0.26862132292853680314,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_xzy(angles, omega, theta_dot);
+    chasles_euler_rates_xzy_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_xzy, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_xzy, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_xzy, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_xzy_vector_2(void)
@@ -6655,9 +7942,12 @@ static void euler_rates_xzy_vector_2(void)
         0.14253858600248405745,
         12.582438482284613925,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_xzy(angles, omega, theta_dot);
+    chasles_euler_rates_xzy_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_xzy, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_xzy, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_xzy, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_xzy_vector_1f(void)
@@ -6669,9 +7959,12 @@ static void euler_rates_xzy_vector_1f(void)
         1.5023075196321964879,
         -0.26862132292853680314,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_xzyf(angles, omega, theta_dot);
+    chasles_euler_rates_xzy_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_xzyf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_xzyf, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_xzyf, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_xzy_vector_2f(void)
@@ -6683,9 +7976,12 @@ static void euler_rates_xzy_vector_2f(void)
         0.14253858600248405745,
         12.582438482284613925,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_xzyf(angles, omega, theta_dot);
+    chasles_euler_rates_xzy_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_xzyf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_xzyf, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_xzyf, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_yxy_vector_1(void)
@@ -6702,9 +7998,12 @@ static void rotation_from_euler_yxy_vector_1(void)
         0.151173593425301366,
         0.84933867221598477972,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_yxy(angles, Q);
+    chasles_rotation_from_euler_yxy_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_yxy, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_yxy, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_yxy, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_yxy_vector_2(void)
@@ -6721,9 +8020,12 @@ static void rotation_from_euler_yxy_vector_2(void)
         0.4151043831469114242,
         -0.25348571924553381714,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_yxy(angles, Q);
+    chasles_rotation_from_euler_yxy_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_yxy, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_yxy, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_yxy, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_yxy_vector_1f(void)
@@ -6740,9 +8042,12 @@ static void rotation_from_euler_yxy_vector_1f(void)
         0.151173593425301366,
         0.84933867221598477972,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_yxyf(angles, Q);
+    chasles_rotation_from_euler_yxy_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_yxyf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_yxyf, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_yxyf, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_yxy_vector_2f(void)
@@ -6759,9 +8064,12 @@ static void rotation_from_euler_yxy_vector_2f(void)
         0.4151043831469114242,
         -0.25348571924553381714,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_yxyf(angles, Q);
+    chasles_rotation_from_euler_yxy_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_yxyf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_yxyf, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_yxyf, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_yxy_vector_1(void)
@@ -6778,9 +8086,12 @@ static void euler_rate_matrix_yxy_vector_1(void)
         -0.94898461935558621435,
         0.151173593425301366,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_yxy(angles, W);
+    chasles_euler_rate_matrix_yxy_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_yxy, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_yxy, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_yxy, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_yxy_vector_2(void)
@@ -6797,9 +8108,12 @@ static void euler_rate_matrix_yxy_vector_2(void)
         -0.9092974268256816954,
         0.4151043831469114242,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_yxy(angles, W);
+    chasles_euler_rate_matrix_yxy_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_yxy, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_yxy, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_yxy, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_yxy_vector_1f(void)
@@ -6816,9 +8130,12 @@ static void euler_rate_matrix_yxy_vector_1f(void)
         -0.94898461935558621435,
         0.151173593425301366,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_yxyf(angles, W);
+    chasles_euler_rate_matrix_yxy_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_yxyf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_yxyf, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_yxyf, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_yxy_vector_2f(void)
@@ -6835,9 +8152,12 @@ static void euler_rate_matrix_yxy_vector_2f(void)
         -0.9092974268256816954,
         0.4151043831469114242,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_yxyf(angles, W);
+    chasles_euler_rate_matrix_yxy_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_yxyf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_yxyf, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_yxyf, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_yxy_vector_1(void)
@@ -6854,9 +8174,12 @@ static void euler_rate_matrix_body_yxy_vector_1(void)
         -0.68163876002333416673,
         0.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_yxy(angles, W_body);
+    chasles_euler_rate_matrix_body_yxy_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_yxy, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_yxy, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_yxy, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_yxy_vector_2(void)
@@ -6873,9 +8196,12 @@ static void euler_rate_matrix_body_yxy_vector_2(void)
         0.2474039592545229296,
         0.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_yxy(angles, W_body);
+    chasles_euler_rate_matrix_body_yxy_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_yxy, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_yxy, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_yxy, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_yxy_vector_1f(void)
@@ -6892,9 +8218,12 @@ static void euler_rate_matrix_body_yxy_vector_1f(void)
         -0.68163876002333416673,
         0.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_yxyf(angles, W_body);
+    chasles_euler_rate_matrix_body_yxy_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_yxyf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_yxyf, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_yxyf, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_yxy_vector_2f(void)
@@ -6911,9 +8240,12 @@ static void euler_rate_matrix_body_yxy_vector_2f(void)
         0.2474039592545229296,
         0.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_yxyf(angles, W_body);
+    chasles_euler_rate_matrix_body_yxy_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_yxyf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_yxyf, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_yxyf, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_yxy_vector_1(void)
@@ -6925,9 +8257,12 @@ static void euler_rates_yxy_vector_1(void)
         0.39339856995164077731,
         4.1232676821206359904,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_yxy(angles, omega, theta_dot);
+    chasles_euler_rates_yxy_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_yxy, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_yxy, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_yxy, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_yxy_vector_2(void)
@@ -6939,9 +8274,12 @@ static void euler_rates_yxy_vector_2(void)
         -1.4102300340767604488,
         -1.2823727304028405881,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_yxy(angles, omega, theta_dot);
+    chasles_euler_rates_yxy_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_yxy, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_yxy, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_yxy, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_yxy_vector_3(void)
@@ -6949,9 +8287,12 @@ static void euler_rates_yxy_vector_3(void)
     const double angles[3] = {0.0, 0.0, 0.0};
     const double omega[3] = {0.0, 0.0, 0.0};
     const double theta_dot_expected[3] = {NAN, 0.0, NAN};
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_yxy(angles, omega, theta_dot);
+    chasles_euler_rates_yxy_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_yxy, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_yxy, vector 3, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_yxy, vector 3, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_yxy_vector_1f(void)
@@ -6963,9 +8304,12 @@ static void euler_rates_yxy_vector_1f(void)
         0.39339856995164077731,
         4.1232676821206359904,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_yxyf(angles, omega, theta_dot);
+    chasles_euler_rates_yxy_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_yxyf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_yxyf, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_yxyf, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_yxy_vector_2f(void)
@@ -6977,9 +8321,12 @@ static void euler_rates_yxy_vector_2f(void)
         -1.4102300340767604488,
         -1.2823727304028405881,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_yxyf(angles, omega, theta_dot);
+    chasles_euler_rates_yxy_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_yxyf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_yxyf, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_yxyf, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_yxy_vector_3f(void)
@@ -6987,9 +8334,12 @@ static void euler_rates_yxy_vector_3f(void)
     const float angles[3] = {0.0f, 0.0f, 0.0f};
     const float omega[3] = {0.0f, 0.0f, 0.0f};
     const double theta_dot_expected[3] = {NAN, 0.0, NAN};
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_yxyf(angles, omega, theta_dot);
+    chasles_euler_rates_yxy_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_yxyf, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_yxyf, vector 3, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_yxyf, vector 3, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_yxz_vector_1(void)
@@ -7006,9 +8356,12 @@ static void rotation_from_euler_yxz_vector_1(void)
         -0.53625266364180790912,
         0.27672140661216439796,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_yxz(angles, Q);
+    chasles_rotation_from_euler_yxz_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_yxz, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_yxz, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_yxz, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_yxz_vector_2(void)
@@ -7025,9 +8378,12 @@ static void rotation_from_euler_yxz_vector_2(void)
         0.62716357667420081072,
         -0.029437062700211810791,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_yxz(angles, Q);
+    chasles_rotation_from_euler_yxz_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_yxz, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_yxz, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_yxz, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_yxz_vector_1f(void)
@@ -7044,9 +8400,12 @@ static void rotation_from_euler_yxz_vector_1f(void)
         -0.53625266364180790912,
         0.27672140661216439796,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_yxzf(angles, Q);
+    chasles_rotation_from_euler_yxz_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_yxzf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_yxzf, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_yxzf, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_yxz_vector_2f(void)
@@ -7063,9 +8422,12 @@ static void rotation_from_euler_yxz_vector_2f(void)
         0.62716357667420081072,
         -0.029437062700211810791,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_yxzf(angles, Q);
+    chasles_rotation_from_euler_yxz_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_yxzf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_yxzf, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_yxzf, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_yxz_vector_1(void)
@@ -7082,9 +8444,12 @@ static void euler_rate_matrix_yxz_vector_1(void)
         -0.94898461935558621435,
         0.27672140661216439796,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_yxz(angles, W);
+    chasles_euler_rate_matrix_yxz_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_yxz, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_yxz, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_yxz, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_yxz_vector_2(void)
@@ -7101,9 +8466,12 @@ static void euler_rate_matrix_yxz_vector_2(void)
         -0.9092974268256816954,
         -0.029437062700211810791,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_yxz(angles, W);
+    chasles_euler_rate_matrix_yxz_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_yxz, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_yxz, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_yxz, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_yxz_vector_1f(void)
@@ -7120,9 +8488,12 @@ static void euler_rate_matrix_yxz_vector_1f(void)
         -0.94898461935558621435,
         0.27672140661216439796,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_yxzf(angles, W);
+    chasles_euler_rate_matrix_yxz_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_yxzf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_yxzf, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_yxzf, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_yxz_vector_2f(void)
@@ -7139,9 +8510,12 @@ static void euler_rate_matrix_yxz_vector_2f(void)
         -0.9092974268256816954,
         -0.029437062700211810791,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_yxzf(angles, W);
+    chasles_euler_rate_matrix_yxz_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_yxzf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_yxzf, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_yxzf, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_yxz_vector_1(void)
@@ -7158,9 +8532,12 @@ static void euler_rate_matrix_body_yxz_vector_1(void)
         0.0,
         1.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_yxz(angles, W_body);
+    chasles_euler_rate_matrix_body_yxz_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_yxz, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_yxz, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_yxz, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_yxz_vector_2(void)
@@ -7177,9 +8554,12 @@ static void euler_rate_matrix_body_yxz_vector_2(void)
         0.0,
         1.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_yxz(angles, W_body);
+    chasles_euler_rate_matrix_body_yxz_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_yxz, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_yxz, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_yxz, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_yxz_vector_1f(void)
@@ -7196,9 +8576,12 @@ static void euler_rate_matrix_body_yxz_vector_1f(void)
         0.0,
         1.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_yxzf(angles, W_body);
+    chasles_euler_rate_matrix_body_yxz_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_yxzf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_yxzf, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_yxzf, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_yxz_vector_2f(void)
@@ -7215,9 +8598,12 @@ static void euler_rate_matrix_body_yxz_vector_2f(void)
         0.0,
         1.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_yxzf(angles, W_body);
+    chasles_euler_rate_matrix_body_yxz_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_yxzf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_yxzf, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_yxzf, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_yxz_vector_1(void)
@@ -7229,9 +8615,12 @@ static void euler_rates_yxz_vector_1(void)
         0.39339856995164077731,
         2.2525514010349383936,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_yxz(angles, omega, theta_dot);
+    chasles_euler_rates_yxz_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_yxz, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_yxz, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_yxz, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_yxz_vector_2(void)
@@ -7243,9 +8632,12 @@ static void euler_rates_yxz_vector_2(void)
         -1.4102300340767604488,
         18.083276400211677874,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_yxz(angles, omega, theta_dot);
+    chasles_euler_rates_yxz_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_yxz, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_yxz, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_yxz, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_yxz_vector_1f(void)
@@ -7257,9 +8649,12 @@ static void euler_rates_yxz_vector_1f(void)
         0.39339856995164077731,
         2.2525514010349383936,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_yxzf(angles, omega, theta_dot);
+    chasles_euler_rates_yxz_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_yxzf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_yxzf, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_yxzf, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_yxz_vector_2f(void)
@@ -7271,9 +8666,12 @@ static void euler_rates_yxz_vector_2f(void)
         -1.4102300340767604488,
         18.083276400211677874,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_yxzf(angles, omega, theta_dot);
+    chasles_euler_rates_yxz_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_yxzf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_yxzf, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_yxzf, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_yzx_vector_1(void)
@@ -7290,9 +8688,12 @@ static void rotation_from_euler_yzx_vector_1(void)
         0.11795868372588487932,
         0.54084131949861377544,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_yzx(angles, Q);
+    chasles_rotation_from_euler_yzx_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_yzx, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_yzx, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_yzx, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_yzx_vector_2(void)
@@ -7309,9 +8710,12 @@ static void rotation_from_euler_yzx_vector_2(void)
         -0.98177895599415098176,
         -0.17880959294085393151,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_yzx(angles, Q);
+    chasles_rotation_from_euler_yzx_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_yzx, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_yzx, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_yzx, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_yzx_vector_1f(void)
@@ -7328,9 +8732,12 @@ static void rotation_from_euler_yzx_vector_1f(void)
         0.11795868372588487932,
         0.54084131949861377544,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_yzxf(angles, Q);
+    chasles_rotation_from_euler_yzx_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_yzxf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_yzxf, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_yzxf, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_yzx_vector_2f(void)
@@ -7347,9 +8754,12 @@ static void rotation_from_euler_yzx_vector_2f(void)
         -0.98177895599415098176,
         -0.17880959294085393151,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_yzxf(angles, Q);
+    chasles_rotation_from_euler_yzx_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_yzxf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_yzxf, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_yzxf, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_yzx_vector_1(void)
@@ -7366,9 +8776,12 @@ static void euler_rate_matrix_yzx_vector_1(void)
         0.31532236239526866545,
         -0.83281235344863553273,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_yzx(angles, W);
+    chasles_euler_rate_matrix_yzx_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_yzx, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_yzx, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_yzx, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_yzx_vector_2(void)
@@ -7385,9 +8798,12 @@ static void euler_rate_matrix_yzx_vector_2(void)
         -0.416146836547142387,
         -0.064321155457291576076,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_yzx(angles, W);
+    chasles_euler_rate_matrix_yzx_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_yzx, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_yzx, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_yzx, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_yzx_vector_1f(void)
@@ -7404,9 +8820,12 @@ static void euler_rate_matrix_yzx_vector_1f(void)
         0.31532236239526866545,
         -0.83281235344863553273,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_yzxf(angles, W);
+    chasles_euler_rate_matrix_yzx_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_yzxf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_yzxf, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_yzxf, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_yzx_vector_2f(void)
@@ -7423,9 +8842,12 @@ static void euler_rate_matrix_yzx_vector_2f(void)
         -0.416146836547142387,
         -0.064321155457291576076,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_yzxf(angles, W);
+    chasles_euler_rate_matrix_yzx_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_yzxf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_yzxf, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_yzxf, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_yzx_vector_1(void)
@@ -7442,9 +8864,12 @@ static void euler_rate_matrix_body_yzx_vector_1(void)
         0.73168886887382088631,
         0.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_yzx(angles, W_body);
+    chasles_euler_rate_matrix_body_yzx_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_yzx, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_yzx, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_yzx, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_yzx_vector_2(void)
@@ -7461,9 +8886,12 @@ static void euler_rate_matrix_body_yzx_vector_2(void)
         0.96891242171064478414,
         0.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_yzx(angles, W_body);
+    chasles_euler_rate_matrix_body_yzx_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_yzx, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_yzx, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_yzx, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_yzx_vector_1f(void)
@@ -7480,9 +8908,12 @@ static void euler_rate_matrix_body_yzx_vector_1f(void)
         0.73168886887382088631,
         0.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_yzxf(angles, W_body);
+    chasles_euler_rate_matrix_body_yzx_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_yzxf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_yzxf, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_yzxf, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_yzx_vector_2f(void)
@@ -7499,9 +8930,12 @@ static void euler_rate_matrix_body_yzx_vector_2f(void)
         0.96891242171064478414,
         0.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_yzxf(angles, W_body);
+    chasles_euler_rate_matrix_body_yzx_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_yzxf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_yzxf, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_yzxf, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_yzx_vector_1(void)
@@ -7513,9 +8947,12 @@ static void euler_rates_yzx_vector_1(void)
         1.9767998293099895951,
         0.44827528147805651003,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_yzx(angles, omega, theta_dot);
+    chasles_euler_rates_yzx_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_yzx, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_yzx, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_yzx, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_yzx_vector_2(void)
@@ -7527,9 +8964,12 @@ static void euler_rates_yzx_vector_2(void)
         1.2791603695345861767,
         -19.936186346492714762,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_yzx(angles, omega, theta_dot);
+    chasles_euler_rates_yzx_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_yzx, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_yzx, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_yzx, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_yzx_vector_1f(void)
@@ -7541,9 +8981,12 @@ static void euler_rates_yzx_vector_1f(void)
         1.9767998293099895951,
         0.44827528147805651003,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_yzxf(angles, omega, theta_dot);
+    chasles_euler_rates_yzx_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_yzxf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_yzxf, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_yzxf, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_yzx_vector_2f(void)
@@ -7555,9 +8998,12 @@ static void euler_rates_yzx_vector_2f(void)
         1.2791603695345861767,
         -19.936186346492714762,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_yzxf(angles, omega, theta_dot);
+    chasles_euler_rates_yzx_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_yzxf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_yzxf, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_yzxf, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_yzy_vector_1(void)
@@ -7574,9 +9020,12 @@ static void rotation_from_euler_yzy_vector_1(void)
         0.45496746226165648835,
         0.7983950426084577951,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_yzy(angles, Q);
+    chasles_rotation_from_euler_yzy_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_yzy, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_yzy, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_yzy, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_yzy_vector_2(void)
@@ -7593,9 +9042,12 @@ static void rotation_from_euler_yzy_vector_2(void)
         -0.90701962459058452691,
         -0.41912314771007518991,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_yzy(angles, Q);
+    chasles_rotation_from_euler_yzy_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_yzy, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_yzy, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_yzy, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_yzy_vector_1f(void)
@@ -7612,9 +9064,12 @@ static void rotation_from_euler_yzy_vector_1f(void)
         0.45496746226165648835,
         0.7983950426084577951,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_yzyf(angles, Q);
+    chasles_rotation_from_euler_yzy_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_yzyf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_yzyf, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_yzyf, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_yzy_vector_2f(void)
@@ -7631,9 +9086,12 @@ static void rotation_from_euler_yzy_vector_2f(void)
         -0.90701962459058452691,
         -0.41912314771007518991,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_yzyf(angles, Q);
+    chasles_rotation_from_euler_yzy_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_yzyf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_yzyf, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_yzyf, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_yzy_vector_1(void)
@@ -7650,9 +9108,12 @@ static void euler_rate_matrix_yzy_vector_1(void)
         0.31532236239526866545,
         0.45496746226165648835,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_yzy(angles, W);
+    chasles_euler_rate_matrix_yzy_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_yzy, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_yzy, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_yzy, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_yzy_vector_2(void)
@@ -7669,9 +9130,12 @@ static void euler_rate_matrix_yzy_vector_2(void)
         -0.416146836547142387,
         -0.90701962459058452691,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_yzy(angles, W);
+    chasles_euler_rate_matrix_yzy_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_yzy, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_yzy, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_yzy, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_yzy_vector_1f(void)
@@ -7688,9 +9152,12 @@ static void euler_rate_matrix_yzy_vector_1f(void)
         0.31532236239526866545,
         0.45496746226165648835,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_yzyf(angles, W);
+    chasles_euler_rate_matrix_yzy_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_yzyf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_yzyf, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_yzyf, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_yzy_vector_2f(void)
@@ -7707,9 +9174,12 @@ static void euler_rate_matrix_yzy_vector_2f(void)
         -0.416146836547142387,
         -0.90701962459058452691,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_yzyf(angles, W);
+    chasles_euler_rate_matrix_yzy_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_yzyf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_yzyf, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_yzyf, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_yzy_vector_1(void)
@@ -7726,9 +9196,12 @@ static void euler_rate_matrix_body_yzy_vector_1(void)
         0.73168886887382088631,
         0.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_yzy(angles, W_body);
+    chasles_euler_rate_matrix_body_yzy_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_yzy, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_yzy, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_yzy, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_yzy_vector_2(void)
@@ -7745,9 +9218,12 @@ static void euler_rate_matrix_body_yzy_vector_2(void)
         0.96891242171064478414,
         0.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_yzy(angles, W_body);
+    chasles_euler_rate_matrix_body_yzy_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_yzy, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_yzy, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_yzy, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_yzy_vector_1f(void)
@@ -7764,9 +9240,12 @@ static void euler_rate_matrix_body_yzy_vector_1f(void)
         0.73168886887382088631,
         0.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_yzyf(angles, W_body);
+    chasles_euler_rate_matrix_body_yzy_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_yzyf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_yzyf, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_yzyf, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_yzy_vector_2f(void)
@@ -7783,9 +9262,12 @@ static void euler_rate_matrix_body_yzy_vector_2f(void)
         0.96891242171064478414,
         0.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_yzyf(angles, W_body);
+    chasles_euler_rate_matrix_body_yzy_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_yzyf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_yzyf, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_yzyf, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_yzy_vector_1(void)
@@ -7797,9 +9279,12 @@ static void euler_rates_yzy_vector_1(void)
         1.9767998293099895951,
         -0.82056239869277575719,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_yzy(angles, omega, theta_dot);
+    chasles_euler_rates_yzy_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_yzy, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_yzy, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_yzy, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_yzy_vector_2(void)
@@ -7811,9 +9296,12 @@ static void euler_rates_yzy_vector_2(void)
         1.2791603695345861767,
         -1.4137715507501964318,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_yzy(angles, omega, theta_dot);
+    chasles_euler_rates_yzy_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_yzy, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_yzy, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_yzy, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_yzy_vector_3(void)
@@ -7821,9 +9309,12 @@ static void euler_rates_yzy_vector_3(void)
     const double angles[3] = {0.0, 0.0, 0.0};
     const double omega[3] = {0.0, 0.0, 0.0};
     const double theta_dot_expected[3] = {NAN, 0.0, NAN};
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_yzy(angles, omega, theta_dot);
+    chasles_euler_rates_yzy_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_yzy, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_yzy, vector 3, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_yzy, vector 3, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_yzy_vector_1f(void)
@@ -7835,9 +9326,12 @@ static void euler_rates_yzy_vector_1f(void)
         1.9767998293099895951,
         -0.82056239869277575719,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_yzyf(angles, omega, theta_dot);
+    chasles_euler_rates_yzy_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_yzyf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_yzyf, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_yzyf, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_yzy_vector_2f(void)
@@ -7849,9 +9343,12 @@ static void euler_rates_yzy_vector_2f(void)
         1.2791603695345861767,
         -1.4137715507501964318,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_yzyf(angles, omega, theta_dot);
+    chasles_euler_rates_yzy_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_yzyf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_yzyf, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_yzyf, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_yzy_vector_3f(void)
@@ -7859,9 +9356,12 @@ static void euler_rates_yzy_vector_3f(void)
     const float angles[3] = {0.0f, 0.0f, 0.0f};
     const float omega[3] = {0.0f, 0.0f, 0.0f};
     const double theta_dot_expected[3] = {NAN, 0.0, NAN};
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_yzyf(angles, omega, theta_dot);
+    chasles_euler_rates_yzy_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_yzyf, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_yzyf, vector 3, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_yzyf, vector 3, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_zxy_vector_1(void)
@@ -7878,9 +9378,12 @@ static void rotation_from_euler_zxy_vector_1(void)
         0.47942553860420300027,
         0.6421173920529567248,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_zxy(angles, Q);
+    chasles_rotation_from_euler_zxy_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_zxy, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_zxy, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_zxy, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_zxy_vector_2(void)
@@ -7897,9 +9400,12 @@ static void rotation_from_euler_zxy_vector_2(void)
         -0.99749498660405443094,
         0.068538153372888287532,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_zxy(angles, Q);
+    chasles_rotation_from_euler_zxy_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_zxy, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_zxy, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_zxy, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_zxy_vector_1f(void)
@@ -7916,9 +9422,12 @@ static void rotation_from_euler_zxy_vector_1f(void)
         0.47942553860420300027,
         0.6421173920529567248,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_zxyf(angles, Q);
+    chasles_rotation_from_euler_zxy_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_zxyf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_zxyf, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_zxyf, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_zxy_vector_2f(void)
@@ -7935,9 +9444,12 @@ static void rotation_from_euler_zxy_vector_2f(void)
         -0.99749498660405443094,
         0.068538153372888287532,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_zxyf(angles, Q);
+    chasles_rotation_from_euler_zxy_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_zxyf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_zxyf, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_zxyf, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_zxy_vector_1(void)
@@ -7954,9 +9466,12 @@ static void euler_rate_matrix_zxy_vector_1(void)
         0.0,
         0.47942553860420300027,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_zxy(angles, W);
+    chasles_euler_rate_matrix_zxy_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_zxy, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_zxy, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_zxy, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_zxy_vector_2(void)
@@ -7973,9 +9488,12 @@ static void euler_rate_matrix_zxy_vector_2(void)
         0.0,
         -0.99749498660405443094,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_zxy(angles, W);
+    chasles_euler_rate_matrix_zxy_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_zxy, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_zxy, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_zxy, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_zxy_vector_1f(void)
@@ -7992,9 +9510,12 @@ static void euler_rate_matrix_zxy_vector_1f(void)
         0.0,
         0.47942553860420300027,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_zxyf(angles, W);
+    chasles_euler_rate_matrix_zxy_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_zxyf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_zxyf, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_zxyf, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_zxy_vector_2f(void)
@@ -8011,9 +9532,12 @@ static void euler_rate_matrix_zxy_vector_2f(void)
         0.0,
         -0.99749498660405443094,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_zxyf(angles, W);
+    chasles_euler_rate_matrix_zxy_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_zxyf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_zxyf, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_zxyf, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_zxy_vector_1(void)
@@ -8030,9 +9554,12 @@ static void euler_rate_matrix_body_zxy_vector_1(void)
         -0.68163876002333416673,
         0.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_zxy(angles, W_body);
+    chasles_euler_rate_matrix_body_zxy_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_zxy, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_zxy, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_zxy, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_zxy_vector_2(void)
@@ -8049,9 +9576,12 @@ static void euler_rate_matrix_body_zxy_vector_2(void)
         0.2474039592545229296,
         0.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_zxy(angles, W_body);
+    chasles_euler_rate_matrix_body_zxy_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_zxy, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_zxy, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_zxy, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_zxy_vector_1f(void)
@@ -8068,9 +9598,12 @@ static void euler_rate_matrix_body_zxy_vector_1f(void)
         -0.68163876002333416673,
         0.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_zxyf(angles, W_body);
+    chasles_euler_rate_matrix_body_zxy_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_zxyf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_zxyf, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_zxyf, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_zxy_vector_2f(void)
@@ -8087,9 +9620,12 @@ static void euler_rate_matrix_body_zxy_vector_2f(void)
         0.2474039592545229296,
         0.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_zxyf(angles, W_body);
+    chasles_euler_rate_matrix_body_zxy_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_zxyf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_zxyf, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_zxyf, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_zxy_vector_1(void)
@@ -8101,9 +9637,12 @@ static void euler_rates_zxy_vector_1(void)
         -0.79283220424284199063,
         -2.7016862974087376608,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_zxy(angles, omega, theta_dot);
+    chasles_euler_rates_zxy_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_zxy, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_zxy, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_zxy, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_zxy_vector_2(void)
@@ -8115,9 +9654,12 @@ static void euler_rates_zxy_vector_2(void)
         -1.1829056773703400249,
         -19.554025973053298042,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_zxy(angles, omega, theta_dot);
+    chasles_euler_rates_zxy_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_zxy, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_zxy, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_zxy, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_zxy_vector_1f(void)
@@ -8129,9 +9671,12 @@ static void euler_rates_zxy_vector_1f(void)
         -0.79283220424284199063,
         -2.7016862974087376608,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_zxyf(angles, omega, theta_dot);
+    chasles_euler_rates_zxy_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_zxyf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_zxyf, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_zxyf, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_zxy_vector_2f(void)
@@ -8143,9 +9688,12 @@ static void euler_rates_zxy_vector_2f(void)
         -1.1829056773703400249,
         -19.554025973053298042,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_zxyf(angles, omega, theta_dot);
+    chasles_euler_rates_zxy_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_zxyf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_zxyf, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_zxyf, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_zxz_vector_1(void)
@@ -8162,9 +9710,12 @@ static void rotation_from_euler_zxz_vector_1(void)
         0.35079033005053164238,
         0.87758256189037271612,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_zxz(angles, Q);
+    chasles_rotation_from_euler_zxz_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_zxz, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_zxz, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_zxz, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_zxz_vector_2(void)
@@ -8181,9 +9732,12 @@ static void rotation_from_euler_zxz_vector_2(void)
         -0.96648528311476155654,
         0.070737201667702910088,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_zxz(angles, Q);
+    chasles_rotation_from_euler_zxz_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_zxz, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_zxz, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_zxz, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_zxz_vector_1f(void)
@@ -8200,9 +9754,12 @@ static void rotation_from_euler_zxz_vector_1f(void)
         0.35079033005053164238,
         0.87758256189037271612,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_zxzf(angles, Q);
+    chasles_rotation_from_euler_zxz_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_zxzf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_zxzf, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_zxzf, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_zxz_vector_2f(void)
@@ -8219,9 +9776,12 @@ static void rotation_from_euler_zxz_vector_2f(void)
         -0.96648528311476155654,
         0.070737201667702910088,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_zxzf(angles, Q);
+    chasles_rotation_from_euler_zxz_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_zxzf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_zxzf, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_zxzf, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_zxz_vector_1(void)
@@ -8238,9 +9798,12 @@ static void euler_rate_matrix_zxz_vector_1(void)
         0.0,
         0.87758256189037271612,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_zxz(angles, W);
+    chasles_euler_rate_matrix_zxz_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_zxz, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_zxz, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_zxz, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_zxz_vector_2(void)
@@ -8257,9 +9820,12 @@ static void euler_rate_matrix_zxz_vector_2(void)
         0.0,
         0.070737201667702910088,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_zxz(angles, W);
+    chasles_euler_rate_matrix_zxz_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_zxz, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_zxz, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_zxz, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_zxz_vector_1f(void)
@@ -8276,9 +9842,12 @@ static void euler_rate_matrix_zxz_vector_1f(void)
         0.0,
         0.87758256189037271612,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_zxzf(angles, W);
+    chasles_euler_rate_matrix_zxz_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_zxzf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_zxzf, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_zxzf, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_zxz_vector_2f(void)
@@ -8295,9 +9864,12 @@ static void euler_rate_matrix_zxz_vector_2f(void)
         0.0,
         0.070737201667702910088,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_zxzf(angles, W);
+    chasles_euler_rate_matrix_zxz_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_zxzf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_zxzf, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_zxzf, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_zxz_vector_1(void)
@@ -8314,9 +9886,12 @@ static void euler_rate_matrix_body_zxz_vector_1(void)
         0.0,
         1.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_zxz(angles, W_body);
+    chasles_euler_rate_matrix_body_zxz_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_zxz, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_zxz, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_zxz, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_zxz_vector_2(void)
@@ -8333,9 +9908,12 @@ static void euler_rate_matrix_body_zxz_vector_2(void)
         0.0,
         1.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_zxz(angles, W_body);
+    chasles_euler_rate_matrix_body_zxz_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_zxz, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_zxz, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_zxz, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_zxz_vector_1f(void)
@@ -8352,9 +9930,12 @@ static void euler_rate_matrix_body_zxz_vector_1f(void)
         0.0,
         1.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_zxzf(angles, W_body);
+    chasles_euler_rate_matrix_body_zxz_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_zxzf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_zxzf, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_zxzf, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_zxz_vector_2f(void)
@@ -8371,9 +9952,12 @@ static void euler_rate_matrix_body_zxz_vector_2f(void)
         0.0,
         1.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_zxzf(angles, W_body);
+    chasles_euler_rate_matrix_body_zxz_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_zxzf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_zxzf, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_zxzf, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_zxz_vector_1(void)
@@ -8385,9 +9969,12 @@ static void euler_rates_zxz_vector_1(void)
         -0.79283220424284199063,
         4.9454035953254699941,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_zxz(angles, omega, theta_dot);
+    chasles_euler_rates_zxz_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_zxz, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_zxz, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_zxz, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_zxz_vector_2(void)
@@ -8399,9 +9986,12 @@ static void euler_rates_zxz_vector_2(void)
         -1.1829056773703400249,
         -1.3866707073690966787,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_zxz(angles, omega, theta_dot);
+    chasles_euler_rates_zxz_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_zxz, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_zxz, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_zxz, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_zxz_vector_3(void)
@@ -8409,9 +9999,12 @@ static void euler_rates_zxz_vector_3(void)
     const double angles[3] = {0.0, 0.0, 0.0};
     const double omega[3] = {0.0, 0.0, 0.0};
     const double theta_dot_expected[3] = {NAN, 0.0, NAN};
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_zxz(angles, omega, theta_dot);
+    chasles_euler_rates_zxz_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_zxz, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_zxz, vector 3, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_zxz, vector 3, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_zxz_vector_1f(void)
@@ -8423,9 +10016,12 @@ static void euler_rates_zxz_vector_1f(void)
         -0.79283220424284199063,
         4.9454035953254699941,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_zxzf(angles, omega, theta_dot);
+    chasles_euler_rates_zxz_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_zxzf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_zxzf, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_zxzf, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_zxz_vector_2f(void)
@@ -8437,9 +10033,12 @@ static void euler_rates_zxz_vector_2f(void)
         -1.1829056773703400249,
         -1.3866707073690966787,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_zxzf(angles, omega, theta_dot);
+    chasles_euler_rates_zxz_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_zxzf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_zxzf, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_zxzf, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_zxz_vector_3f(void)
@@ -8447,9 +10046,12 @@ static void euler_rates_zxz_vector_3f(void)
     const float angles[3] = {0.0f, 0.0f, 0.0f};
     const float omega[3] = {0.0f, 0.0f, 0.0f};
     const double theta_dot_expected[3] = {NAN, 0.0, NAN};
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_zxzf(angles, omega, theta_dot);
+    chasles_euler_rates_zxz_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_zxzf, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_zxzf, vector 3, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_zxzf, vector 3, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_zyx_vector_1(void)
@@ -8466,9 +10068,12 @@ static void rotation_from_euler_zyx_vector_1(void)
         -0.59819428930505457197,
         0.6421173920529567248,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_zyx(angles, Q);
+    chasles_rotation_from_euler_zyx_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_zyx, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_zyx, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_zyx, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_zyx_vector_2(void)
@@ -8485,9 +10090,12 @@ static void rotation_from_euler_zyx_vector_2(void)
         0.017500663759175342192,
         0.068538153372888287532,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_zyx(angles, Q);
+    chasles_rotation_from_euler_zyx_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_zyx, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_zyx, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_zyx, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_zyx_vector_1f(void)
@@ -8504,9 +10112,12 @@ static void rotation_from_euler_zyx_vector_1f(void)
         -0.59819428930505457197,
         0.6421173920529567248,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_zyxf(angles, Q);
+    chasles_rotation_from_euler_zyx_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_zyxf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_zyxf, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_zyxf, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_zyx_vector_2f(void)
@@ -8523,9 +10134,12 @@ static void rotation_from_euler_zyx_vector_2f(void)
         0.017500663759175342192,
         0.068538153372888287532,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_zyxf(angles, Q);
+    chasles_rotation_from_euler_zyx_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_zyxf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_zyxf, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_zyxf, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_zyx_vector_1(void)
@@ -8542,9 +10156,12 @@ static void euler_rate_matrix_zyx_vector_1(void)
         0.0,
         -0.47942553860420300027,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_zyx(angles, W);
+    chasles_euler_rate_matrix_zyx_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_zyx, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_zyx, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_zyx, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_zyx_vector_2(void)
@@ -8561,9 +10178,12 @@ static void euler_rate_matrix_zyx_vector_2(void)
         0.0,
         0.99749498660405443094,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_zyx(angles, W);
+    chasles_euler_rate_matrix_zyx_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_zyx, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_zyx, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_zyx, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_zyx_vector_1f(void)
@@ -8580,9 +10200,12 @@ static void euler_rate_matrix_zyx_vector_1f(void)
         0.0,
         -0.47942553860420300027,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_zyxf(angles, W);
+    chasles_euler_rate_matrix_zyx_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_zyxf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_zyxf, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_zyxf, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_zyx_vector_2f(void)
@@ -8599,9 +10222,12 @@ static void euler_rate_matrix_zyx_vector_2f(void)
         0.0,
         0.99749498660405443094,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_zyxf(angles, W);
+    chasles_euler_rate_matrix_zyx_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_zyxf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_zyxf, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_zyxf, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_zyx_vector_1(void)
@@ -8618,9 +10244,12 @@ static void euler_rate_matrix_body_zyx_vector_1(void)
         0.68163876002333416673,
         0.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_zyx(angles, W_body);
+    chasles_euler_rate_matrix_body_zyx_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_zyx, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_zyx, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_zyx, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_zyx_vector_2(void)
@@ -8637,9 +10266,12 @@ static void euler_rate_matrix_body_zyx_vector_2(void)
         -0.2474039592545229296,
         0.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_zyx(angles, W_body);
+    chasles_euler_rate_matrix_body_zyx_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_zyx, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_zyx, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_zyx, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_zyx_vector_1f(void)
@@ -8656,9 +10288,12 @@ static void euler_rate_matrix_body_zyx_vector_1f(void)
         0.68163876002333416673,
         0.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_zyxf(angles, W_body);
+    chasles_euler_rate_matrix_body_zyx_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_zyxf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_zyxf, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_zyxf, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_zyx_vector_2f(void)
@@ -8675,9 +10310,12 @@ static void euler_rate_matrix_body_zyx_vector_2f(void)
         -0.2474039592545229296,
         0.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_zyxf(angles, W_body);
+    chasles_euler_rate_matrix_body_zyx_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_zyxf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_zyxf, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_zyxf, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_zyx_vector_1(void)
@@ -8689,9 +10327,12 @@ static void euler_rates_zyx_vector_1(void)
         -2.3709527823040754269,
         -0.90342748212205507757,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_zyx(angles, omega, theta_dot);
+    chasles_euler_rates_zyx_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_zyx, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_zyx, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_zyx, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_zyx_vector_2(void)
@@ -8703,9 +10344,12 @@ static void euler_rates_zyx_vector_2(void)
         -1.3831970786713717734,
         -16.722539900958923566,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_zyx(angles, omega, theta_dot);
+    chasles_euler_rates_zyx_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_zyx, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_zyx, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_zyx, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_zyx_vector_1f(void)
@@ -8717,9 +10361,12 @@ static void euler_rates_zyx_vector_1f(void)
         -2.3709527823040754269,
         -0.90342748212205507757,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_zyxf(angles, omega, theta_dot);
+    chasles_euler_rates_zyx_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_zyxf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_zyxf, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_zyxf, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_zyx_vector_2f(void)
@@ -8731,9 +10378,12 @@ static void euler_rates_zyx_vector_2f(void)
         -1.3831970786713717734,
         -16.722539900958923566,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_zyxf(angles, omega, theta_dot);
+    chasles_euler_rates_zyx_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_zyxf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_zyxf, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_zyxf, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_zyz_vector_1(void)
@@ -8750,9 +10400,12 @@ static void rotation_from_euler_zyz_vector_1(void)
         -0.32679502965768805935,
         0.87758256189037271612,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_zyz(angles, Q);
+    chasles_rotation_from_euler_zyz_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_zyz, vector 1: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_zyz, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_zyz, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_zyz_vector_2(void)
@@ -8769,9 +10422,12 @@ static void rotation_from_euler_zyz_vector_2(void)
         -0.24678420902238037792,
         0.070737201667702910088,
     };
-    double Q[9];
+    double Q[9], Q_batch[99];
     chasles_rotation_from_euler_zyz(angles, Q);
+    chasles_rotation_from_euler_zyz_batch(11, angles, 0, Q_batch, 9);
     compare("chasles_rotation_from_euler_zyz, vector 2: Q", 9, Q, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_zyz, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_rotation_from_euler_zyz, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * DBL_EPSILON);
 }
 
 static void rotation_from_euler_zyz_vector_1f(void)
@@ -8788,9 +10444,12 @@ static void rotation_from_euler_zyz_vector_1f(void)
         -0.32679502965768805935,
         0.87758256189037271612,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_zyzf(angles, Q);
+    chasles_rotation_from_euler_zyz_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_zyzf, vector 1: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_zyzf, vector 1, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_zyzf, vector 1, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void rotation_from_euler_zyz_vector_2f(void)
@@ -8807,9 +10466,12 @@ static void rotation_from_euler_zyz_vector_2f(void)
         -0.24678420902238037792,
         0.070737201667702910088,
     };
-    float Q[9];
+    float Q[9], Q_batch[99];
     chasles_rotation_from_euler_zyzf(angles, Q);
+    chasles_rotation_from_euler_zyz_batchf(11, angles, 0, Q_batch, 9);
     comparef("chasles_rotation_from_euler_zyzf, vector 2: Q", 9, Q, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_zyzf, vector 2, first of a batch: Q", 9, Q_batch, Q_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_rotation_from_euler_zyzf, vector 2, last: Q", 9, Q_batch + 90, Q_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_zyz_vector_1(void)
@@ -8826,9 +10488,12 @@ static void euler_rate_matrix_zyz_vector_1(void)
         0.0,
         0.87758256189037271612,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_zyz(angles, W);
+    chasles_euler_rate_matrix_zyz_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_zyz, vector 1: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_zyz, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_zyz, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_zyz_vector_2(void)
@@ -8845,9 +10510,12 @@ static void euler_rate_matrix_zyz_vector_2(void)
         0.0,
         0.070737201667702910088,
     };
-    double W[9];
+    double W[9], W_batch[99];
     chasles_euler_rate_matrix_zyz(angles, W);
+    chasles_euler_rate_matrix_zyz_batch(11, angles, 0, W_batch, 9);
     compare("chasles_euler_rate_matrix_zyz, vector 2: W", 9, W, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_zyz, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_zyz, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_zyz_vector_1f(void)
@@ -8864,9 +10532,12 @@ static void euler_rate_matrix_zyz_vector_1f(void)
         0.0,
         0.87758256189037271612,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_zyzf(angles, W);
+    chasles_euler_rate_matrix_zyz_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_zyzf, vector 1: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_zyzf, vector 1, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_zyzf, vector 1, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_zyz_vector_2f(void)
@@ -8883,9 +10554,12 @@ static void euler_rate_matrix_zyz_vector_2f(void)
         0.0,
         0.070737201667702910088,
     };
-    float W[9];
+    float W[9], W_batch[99];
     chasles_euler_rate_matrix_zyzf(angles, W);
+    chasles_euler_rate_matrix_zyz_batchf(11, angles, 0, W_batch, 9);
     comparef("chasles_euler_rate_matrix_zyzf, vector 2: W", 9, W, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_zyzf, vector 2, first of a batch: W", 9, W_batch, W_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_zyzf, vector 2, last: W", 9, W_batch + 90, W_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_zyz_vector_1(void)
@@ -8902,9 +10576,12 @@ static void euler_rate_matrix_body_zyz_vector_1(void)
         0.0,
         1.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_zyz(angles, W_body);
+    chasles_euler_rate_matrix_body_zyz_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_zyz, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_zyz, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_zyz, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_zyz_vector_2(void)
@@ -8921,9 +10598,12 @@ static void euler_rate_matrix_body_zyz_vector_2(void)
         0.0,
         1.0,
     };
-    double W_body[9];
+    double W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_zyz(angles, W_body);
+    chasles_euler_rate_matrix_body_zyz_batch(11, angles, 0, W_body_batch, 9);
     compare("chasles_euler_rate_matrix_body_zyz, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_zyz, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rate_matrix_body_zyz, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rate_matrix_body_zyz_vector_1f(void)
@@ -8940,9 +10620,12 @@ static void euler_rate_matrix_body_zyz_vector_1f(void)
         0.0,
         1.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_zyzf(angles, W_body);
+    chasles_euler_rate_matrix_body_zyz_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_zyzf, vector 1: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_zyzf, vector 1, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_zyzf, vector 1, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rate_matrix_body_zyz_vector_2f(void)
@@ -8959,9 +10642,12 @@ static void euler_rate_matrix_body_zyz_vector_2f(void)
         0.0,
         1.0,
     };
-    float W_body[9];
+    float W_body[9], W_body_batch[99];
     chasles_euler_rate_matrix_body_zyzf(angles, W_body);
+    chasles_euler_rate_matrix_body_zyz_batchf(11, angles, 0, W_body_batch, 9);
     comparef("chasles_euler_rate_matrix_body_zyzf, vector 2: W_body", 9, W_body, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_zyzf, vector 2, first of a batch: W_body", 9, W_body_batch, W_body_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rate_matrix_body_zyzf, vector 2, last: W_body", 9, W_body_batch + 90, W_body_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_zyz_vector_1(void)
@@ -8973,9 +10659,12 @@ static void euler_rates_zyz_vector_1(void)
         -2.3709527823040754269,
         -1.6537129134820174863,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_zyz(angles, omega, theta_dot);
+    chasles_euler_rates_zyz_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_zyz, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_zyz, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_zyz, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_zyz_vector_2(void)
@@ -8987,9 +10676,12 @@ static void euler_rates_zyz_vector_2(void)
         -1.3831970786713717734,
         1.1858763134213951661,
     };
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_zyz(angles, omega, theta_dot);
+    chasles_euler_rates_zyz_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_zyz, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_zyz, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_zyz, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_zyz_vector_3(void)
@@ -8997,9 +10689,12 @@ static void euler_rates_zyz_vector_3(void)
     const double angles[3] = {0.0, 0.0, 0.0};
     const double omega[3] = {0.0, 0.0, 0.0};
     const double theta_dot_expected[3] = {NAN, 0.0, NAN};
-    double theta_dot[3];
+    double theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_zyz(angles, omega, theta_dot);
+    chasles_euler_rates_zyz_batch(11, angles, 0, omega, 0, theta_dot_batch, 3);
     compare("chasles_euler_rates_zyz, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_zyz, vector 3, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * DBL_EPSILON);
+    compare("chasles_euler_rates_zyz, vector 3, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * DBL_EPSILON);
 }
 
 static void euler_rates_zyz_vector_1f(void)
@@ -9011,9 +10706,12 @@ static void euler_rates_zyz_vector_1f(void)
         -2.3709527823040754269,
         -1.6537129134820174863,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_zyzf(angles, omega, theta_dot);
+    chasles_euler_rates_zyz_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_zyzf, vector 1: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_zyzf, vector 1, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_zyzf, vector 1, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_zyz_vector_2f(void)
@@ -9025,9 +10723,12 @@ static void euler_rates_zyz_vector_2f(void)
         -1.3831970786713717734,
         1.1858763134213951661,
     };
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_zyzf(angles, omega, theta_dot);
+    chasles_euler_rates_zyz_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_zyzf, vector 2: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_zyzf, vector 2, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_zyzf, vector 2, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 static void euler_rates_zyz_vector_3f(void)
@@ -9035,9 +10736,12 @@ static void euler_rates_zyz_vector_3f(void)
     const float angles[3] = {0.0f, 0.0f, 0.0f};
     const float omega[3] = {0.0f, 0.0f, 0.0f};
     const double theta_dot_expected[3] = {NAN, 0.0, NAN};
-    float theta_dot[3];
+    float theta_dot[3], theta_dot_batch[33];
     chasles_euler_rates_zyzf(angles, omega, theta_dot);
+    chasles_euler_rates_zyz_batchf(11, angles, 0, omega, 0, theta_dot_batch, 3);
     comparef("chasles_euler_rates_zyzf, vector 3: theta_dot", 3, theta_dot, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_zyzf, vector 3, first of a batch: theta_dot", 3, theta_dot_batch, theta_dot_expected, 8.0 * FLT_EPSILON);
+    comparef("chasles_euler_rates_zyzf, vector 3, last: theta_dot", 3, theta_dot_batch + 30, theta_dot_expected, 8.0 * FLT_EPSILON);
 }
 
 int main(void)

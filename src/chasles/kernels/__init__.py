@@ -2,11 +2,15 @@
 
 ``chasles.kernels.NAME`` broadcasts over leading batch axes; shapes, units and the source equation stand in each
 docstring. ``NAME_sym6`` takes and gives a symmetric matrix as (xx, xy, xz, yy, yz, zz), where ``NAME`` reads all nine
-numbers. Inputs are not tested; ``chasles.checked`` does that.
+numbers. Inputs are not tested; ``chasles.checked`` does that. ``chasles.kernels.one.NAME`` is the same for one element
+or a C-contiguous batch of one shape, all of one precision, for a fraction of a call's time. Compiled loops release the
+global lock; sub-interpreters are not supported.
 
 ``chasles.kernels.backend`` is ``"c"`` or ``"numpy"``. The environment variable ``CHASLES_BACKEND``, read once at
 import, chooses: ``numpy`` takes the NumPy kernels, ``c`` insists on the compiled ones; unset or empty takes the
-compiled ones where they load.
+compiled ones where they load. ``chasles.kernels.instructions`` says for which instructions the compiled loops that run
+were built; ``CHASLES_INSTRUCTIONS``, read once at import too, insists on ``baseline`` or ``x86-64-v3``. Where no angle
+comes in all builds give the same bits.
 
 Raises:
     ImportError: ``CHASLES_BACKEND`` holds another word, asks for compiled kernels that are not there, or no kernels
@@ -55,6 +59,8 @@ def _choose(wanted: str) -> tuple[str, ModuleType]:
 
 
 backend, _module = _choose(environ.get("CHASLES_BACKEND", ""))
+instructions: str = getattr(_module, "instructions", "")
+one: Any = getattr(_module, "one", _module)
 _names = frozenset(name for name in getattr(_module, "__all__", dir(_module)) if not name.startswith("_"))
 
 
@@ -65,4 +71,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return ["backend", *sorted(_names)]
+    return ["backend", "instructions", "one", *sorted(_names)]

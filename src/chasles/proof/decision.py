@@ -11,9 +11,11 @@ from chasles.statements import Inverse, Statement, Theorem
 from chasles.statements.problem import default_sides
 from chasles.statements.statement import Equation
 
-__all__ = ["Correction", "Decision", "Sentence", "Used", "key_of"]
+__all__ = ["HOW", "Correction", "Decision", "Sentence", "Used", "key_of"]
 
 Sentence = Statement | Theorem | Inverse
+HOW = {"printed": "as printed", "reading": "as read", "repair": "as repaired", "corrected": "as corrected"}
+"""A form of a statement in words."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from chasles.proof.judge import Correction, Decision
+from chasles.proof.decision import HOW, Correction, Decision
 from chasles.proof.verdict import Counterexample, Fails, Verdict
 from chasles.report.equations import in_latex, in_words, signature_in_words, standing_in
 from chasles.report.records import certificate_hash
@@ -28,7 +28,6 @@ __all__ = [
 ]
 
 Lines = Iterator[tuple[str, str]]
-HOW = {"reading": "as read", "repair": "as repaired", "corrected": "as corrected"}
 
 
 def number_in_words(number: str, part: int = 1) -> str:
@@ -54,7 +53,7 @@ def rests_on(entry: Entry, decision: Decision) -> Lines:
     """What is given and assumed, and which function is asked for."""
     for given in entry.statement.given:
         used = decision.given.get(f"{given.number}/{given.part}")
-        how = f" ({HOW[used.form]})" if used is not None and used.form in HOW else ""
+        how = f" ({HOW[used.form]})" if used is not None and used.form != "printed" else ""
         yield "given", f"{number_in_words(given.number, given.part)} {given.says}{how}"
     for hypothesis in entry.statement.assuming:
         yield "assuming", hypothesis.text

@@ -8,7 +8,7 @@ from importlib import import_module
 from chasles.statements.chapter import DeclarationError
 from chasles.statements.derivation import Derivation
 
-__all__ = ["roads"]
+__all__ = ["roads", "roads_in"]
 
 
 def roads(package: str = "chasles.derivations.roads") -> dict[str, Derivation]:
@@ -23,6 +23,11 @@ def roads(package: str = "chasles.derivations.roads") -> dict[str, Derivation]:
             if found.setdefault(name, road) is not road:
                 raise DeclarationError(f"two roads are called {name}: give one another name")
     return found
+
+
+def roads_in(module: str, package: str = "chasles.derivations.roads") -> dict[str, Derivation]:
+    """The derivations of one module of a package, by name; no other module is imported."""
+    return dict(_declared(f"{package}.{module}"))
 
 
 def _declared(module: str) -> Iterator[tuple[str, Derivation]]:

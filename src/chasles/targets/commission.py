@@ -8,7 +8,7 @@ from chasles.lowering.lower import program_of
 from chasles.lowering.offered import counterexample, in_words
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Request
-from chasles.proof.judge import Decision
+from chasles.proof.decision import HOW, Decision
 from chasles.proof.verdict import HoldsUnder, Verdict
 from chasles.statements import Entry
 from chasles.statements import Kernel as Asked
@@ -56,8 +56,7 @@ def _heading(entry: Entry, decision: Decision, request: Request, asked: Asked) -
     standing, said = decision.verdict, _word(decision.verdict)
     if not standing.true and decision.correction is not None:
         standing = decision.correction.verdict
-        how = {"reading": "as read", "repair": "as repaired", "corrected": "as corrected"}[decision.correction.form]
-        said = f"{said} as printed, {_word(standing)} {how}"
+        said = f"{said} as printed, {_word(standing)} {HOW[decision.correction.form]}"
     needs = standing.needs if isinstance(standing, HoldsUnder) else _assumed(standing, request)
     section = f"section_{entry.section.number.replace('.', '_')}"
     derivation, form = fingerprint(entry.statement), "offered" if request.form else "stated"

@@ -6,7 +6,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from chasles.lowering.program import Argument, Result
+from chasles.lowering.passes.prune import pruned
+from chasles.lowering.program import Argument, Op, Result
 from chasles.targets.c.language import DIALECTS, RESERVED
 from chasles.targets.constants import DOUBLE, SINGLE, Precision
 from chasles.targets.contract import contract, summary
@@ -53,27 +54,29 @@ def single(kernel: Kernel, precision: Precision) -> Function:
         comment = contract(kernel, given, returned)
     else:
         comment = summary(kernel, f"{public_name(kernel, DOUBLE)} in single precision.")
-    return Function(name, _comment(comment), _prototype(name, [*inputs, *outputs]), (*text.lines, *stores))
+    read = {step.argument for step in pruned(program).steps if step.op is Op.INPUT}
+    unread = [f"(void){word};" for place, word in enumerate(text.arguments) if place not in read]
+    return Function(name, _comment(comment), _prototype(name, [*inputs, *outputs]), (*unread, *text.lines, *stores))
 
 
 def batch(kernel: Kernel, precision: Precision) -> Function:
     """The function that computes `count` items, each input and output with a step of its own."""
     program = kernel.program
-    names = Names(RESERVED)
+    names = Names(RESERVED | {"loop", "size"})
     words = [names.take(item.name) for item in program.parameters]
-    count, index = names.take("count"), names.take("i")
+    count, at, moves = names.take("count"), names.take("at"), names.take("moves")
     steps = [names.take(f"{word}_step") for word in words]
-    parameters, places = [f"size_t {count}"], []
+    parameters = [f"size_t {count}"]
     for position, (word, step) in enumerate(zip(words, steps, strict=True)):
         is_input = position < len(program.arguments)
         parameters.append(f"{'const ' if is_input else ''}{precision.name} *{word}, ptrdiff_t {step}")
-        by_value = is_input and not program.arguments[position].shape
-        places.append(f"{word}[{index} * {step}]" if by_value else f"{word} + {index} * {step}")
     name = public_name(kernel, precision, "_batch")
     lines = (
-        f"for (ptrdiff_t {index} = 0; {index} < (ptrdiff_t){count}; {index}++) {{",
-        *(f"    {line}" for line in listed(f"{public_name(kernel, precision)}(", places, ");")),
-        "}",
+        *listed(f"char *const {at}[] = {{", [f"(char *){word}" for word in words], "};"),
+        f"const ptrdiff_t size = (ptrdiff_t)sizeof({precision.name});",
+        *listed(f"const ptrdiff_t {moves}[] = {{", [f"{step} * size" for step in steps], "};"),
+        f"const chasles_loop *loop = &{public_name(kernel, precision, '_loop')};",
+        f"chasles_run(loop, chasles_best_level(), (ptrdiff_t){count}, {at}, {moves}, NULL);",
     )
     comment = _comment(summary(kernel, f"{public_name(kernel, precision)} for a batch."))
     return Function(name, comment, _prototype(name, parameters), lines)

@@ -1,4 +1,4 @@
-"""What does the C self-test compare? Every exact vector of a kernel, in both precisions."""
+"""What does the C self-test compare? Every exact vector of a kernel, in both precisions, alone and in a batch."""
 
 from __future__ import annotations
 
@@ -15,6 +15,8 @@ from chasles.targets.names import Names
 
 __all__ = ["Comparison", "Vector", "vectors"]
 
+_BATCH = 11
+"""How many times a vector stands in its batch: whole groups and a rest, in either precision at every level."""
 _EPSILON = {"double": "DBL_EPSILON", "float": "FLT_EPSILON"}
 
 
@@ -32,7 +34,7 @@ class Comparison:
 
 @dataclass(frozen=True, slots=True)
 class Vector:
-    """A C function that calls a kernel once and compares what it gives."""
+    """A C function that calls a kernel, for one item and for a batch of them, and compares what it gives."""
 
     function: str
     lines: tuple[str, ...]
@@ -49,22 +51,26 @@ def vectors(kernel: Kernel) -> Iterator[Vector]:
 def _vector(kernel: Kernel, check: Check, precision: Precision, number: int) -> Vector:
     program, names = kernel.program, Names(RESERVED)
     lines: list[str] = []
-    passed, comparisons = [], []
+    passed, steps, comparisons = [], [], []
     for argument, entries in zip(program.arguments, check.inputs, strict=True):
         word = names.take(argument.name)
         passed.append(word if argument.shape else f"{word}[0]")
+        steps.append(f"{word}, 0")
         lines += _array(precision, word, entries)
     function = public_name(kernel, precision)
     for result, entries in zip(program.results, check.outputs, strict=True):
         word = names.take(result.name)
-        expected = names.take(f"{word}_expected")
+        expected, all_, size = names.take(f"{word}_expected"), names.take(f"{word}_batch"), len(entries)
         passed.append(word)
-        lines += [*_array(DOUBLE, expected, entries), f"{precision.name} {word}[{len(entries)}];"]
-        what = f'"{function}, vector {number}: {result.name}"'
+        steps.append(f"{all_}, {size}")
+        lines += [*_array(DOUBLE, expected, entries), f"{precision.name} {word}[{size}], {all_}[{_BATCH * size}];"]
         tolerance = f"{check.tolerance}.0 * {_EPSILON[precision.name]}"
         compare = f"compare{precision.suffix}"
-        comparisons.append(Comparison(what, compare, len(entries), word, expected, tolerance))
+        for said, got in (("", word), (", first of a batch", all_), (", last", f"{all_} + {(_BATCH - 1) * size}")):
+            what = f'"{function}, vector {number}{said}: {result.name}"'
+            comparisons.append(Comparison(what, compare, size, got, expected, tolerance))
     lines.append(f"{function}({', '.join(passed)});")
+    lines += listed(f"{public_name(kernel, precision, '_batch')}(", [str(_BATCH), *steps], ");")
     return Vector(f"{kernel.name}_vector_{number}{precision.suffix}", tuple(lines), tuple(comparisons))
 
 

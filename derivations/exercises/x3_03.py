@@ -1,0 +1,164 @@
+"""Exercise 3.3: the surface swept by all lines that meet three given lines."""
+
+from chasles.derivations.notation import p
+
+from chasles.exact.data import DataError
+from chasles.exact.draw import Draw
+from chasles.exact.evaluate import Value
+from chasles.exact.numbers import is_zero, sign
+from chasles.exact.picture import Curve, Line, Picture, Point
+from chasles.exact.quadrics import PARAMETER, kind_of, signature_of, transversal
+from chasles.exact.sheet import Sheet
+from chasles.statements import Claim, Definition
+from chasles.statements.exercise import Datum, Exercise, ListOf, Tuple, vector_shape
+from chasles.vocabulary import (
+    LENGTH,
+    Node,
+    cross,
+    det,
+    dot,
+    inverse,
+    matrix,
+    number,
+    over,
+    paren,
+    row,
+    scalar,
+    square,
+    vector,
+)
+
+p1, p2, p3 = (vector(f"p_{k}", f"p_{k}", f"position of a point of line {k}", LENGTH) for k in (1, 2, 3))
+e1, e2, e3 = (vector(f"e_{k}", f"e_{k}", f"direction of line {k}, of any length") for k in (1, 2, 3))
+n1, n2, n3 = (vector(f"n_{k}", f"n_{k}", f"moment of line {k} about the origin", LENGTH) for k in (1, 2, 3))
+m1, m2, m3 = (vector(f"m_{k}", f"m_{k}", f"moment of line {k} about P", LENGTH) for k in (1, 2, 3))
+mu_12, mu_23, mu_31 = (scalar(f"mu_{k}", rf"\mu_{{{k}}}", f"moment of lines {k}", LENGTH) for k in (12, 23, 31))
+M = square("M", "M", "matrix of the quadric", LENGTH)
+g = vector("g", "g", "linear part of the quadric", LENGTH**2)
+h = scalar("h", "h", "constant of the quadric", LENGTH**3)
+triple = det(row(e1, e2, e3))
+whole = matrix((M, over(1, 2) * g), (over(1, 2) * g.T, h))
+
+
+def _symmetric(n: Node, c: Node) -> Node:
+    return n @ c.T + c @ n.T
+
+
+moments = tuple(
+    Definition("Ex 3.3", n, cross(a, e), part=k, says=f"The moment of line {k} about the origin.")
+    for k, (n, a, e) in enumerate(((n1, p1, e1), (n2, p2, e2), (n3, p3, e3)), 1)
+)
+moments_about_p = tuple(
+    Definition("Ex 3.3", m, cross(a - p, e), part=k, says=f"The moment of line {k} about P.")
+    for k, (m, a, e) in enumerate(((m1, p1, e1), (m2, p2, e2), (m3, p3, e3)), 4)
+)
+mutual_moments = tuple(
+    Definition("Ex 3.3", mu, dot(cross(a - b, d), e), part=k, says="The moment of one line about another.")
+    for k, (mu, a, b, d, e) in enumerate(((mu_12, p1, p2, e1, e2), (mu_23, p2, p3, e2, e3), (mu_31, p3, p1, e3, e1)), 7)
+)
+c23, c31, c12 = cross(e2, e3), cross(e3, e1), cross(e1, e2)
+quadratic_part = Definition(
+    "Ex 3.3", M, over(1, 2) * paren(_symmetric(n1, c23) + _symmetric(n2, c31) + _symmetric(n3, c12)), part=10,
+    says="The matrix of the quadric.",
+)  # fmt: skip
+linear_part = Definition(
+    "Ex 3.3", g, -cross(e1, cross(n2, n3)) - cross(e2, cross(n3, n1)) - cross(e3, cross(n1, n2)), part=11,
+    says="Its linear part.",
+)  # fmt: skip
+constant_part = Definition("Ex 3.3", h, dot(n1, cross(n2, n3)), part=12, says="Its constant.")
+_parts = (*moments, quadratic_part, linear_part, constant_part)
+
+locus_is_a_quadric = Claim(
+    "Ex 3.3", dot(m1, cross(m2, m3)), p.T @ M @ p + g.T @ p + h, part=13, given=(*_parts, *moments_about_p),
+    says="A line through P meets all three lines if their moments about P are normal to it, hence lie in one plane.",
+)  # fmt: skip
+determinant_of_M = Claim(
+    "Ex 3.3", det(M), over(1, 4) * triple * mu_12 * mu_23 * mu_31, part=14, given=(*_parts, *mutual_moments),
+    says="det M vanishes if two of the lines are in one plane, or all three are parallel to one; and not else.",
+)  # fmt: skip
+determinant_of_quadric = Claim(
+    "Ex 3.3", det(whole), over(1, 16) * paren(mu_12 * mu_23 * mu_31) ** 2, part=15, given=(*_parts, *mutual_moments),
+    says="The quadric is degenerate if two of the lines are in one plane, and not else.",
+)  # fmt: skip
+
+
+def solve(sheet: Sheet) -> str:
+    """The three claims hold for all lines; then numbers."""
+    for k, (point, way, (a, e)) in enumerate(zip((p1, p2, p3), (e1, e2, e3), sheet["lines"], strict=True), 1):
+        if not any(e):
+            raise DataError(f"lines[{k}], direction: expected a vector other than zero")
+        sheet.given({point: a, way: e}, f"Line {k}.")
+    sheet.step(locus_is_a_quadric.says, cites=(locus_is_a_quadric,))
+    for part in (*moments, quadratic_part, linear_part, constant_part, *mutual_moments):
+        sheet.compute(part)
+    turn = sheet.show(triple, "The triple product of the directions.")
+    det_M = sheet.compute(determinant_of_M)
+    det_M4 = sheet.compute(determinant_of_quadric)
+    kind, signature = kind_of(sheet.value(whole)), signature_of(sheet.value(M))
+    sheet.step("The ranks tell the kind of the surface.", ("kind", kind), ("signs of the eigenvalues", signature))
+    centre, f_centre = None, None
+    surface = locus_is_a_quadric.right
+    if not is_zero(det_M):
+        centre = sheet.show(-over(1, 2) * inverse(M) @ g, "Its centre, where the gradient vanishes.", named="centre")
+        f_centre = sheet.show(surface, "There f has the value", at={p: centre})
+    wording = {
+        "h > 0": sign(sheet.value(h)) > 0,
+        "det(M) is not zero": not is_zero(det_M),
+        "M is singular, as the hint says": is_zero(det_M),
+        "det(M) < 0": sign(det_M) < 0,
+        "M has two positive and one negative eigenvalues": signature == (2, 1),
+    }
+    sheet.step(
+        "What the exercise says of such surfaces. It cannot hold for all: -f describes the same surface as f, with -M "
+        "for M and -h for h, and det(-M) = -det(M); nor does h > 0 choose between them, as h changes with the origin.",
+        *wording.items(),
+        cites=(determinant_of_M,),
+    )
+    zero = sheet.value(number(0))
+    for k, (a, e) in enumerate(sheet["lines"], 1):
+        sheet.check((sheet.value(surface, {p: a + PARAMETER * e}), zero), f"Every point of line {k} satisfies f = 0.")
+    sheet.check((sheet.value(det(whole)), det_M4), "The determinant of the 4 x 4 matrix, directly.")
+    mu = {f"mu{k}": sheet.value(m) for k, m in ((12, mu_12), (23, mu_23), (31, mu_31))}
+    sheet.answer(M=sheet.value(M), g=sheet.value(g), h=sheet.value(h), det_M=det_M, det_M4=det_M4, triple=turn, **mu)
+    sheet.answer(signature_M=[zero + s for s in signature], kind=kind, centre=centre, f_centre=f_centre)
+    sheet.answer(wording=wording)
+    sheet.picture = picture(sheet["lines"])
+    return "degenerate" if is_zero(det_M4) else "quadric"
+
+
+def picture(lines: list[tuple[Value, Value]]) -> Picture:
+    """The three lines, and some that meet them all."""
+    drawn = [Curve((a - 2 * e, a + 2 * e), f"line {k}") for k, (a, e) in enumerate(lines, 1)]
+    (a, e), *others = lines
+    starts = [a + quarter * e / 4 for quarter in range(-8, 9)]
+    swept = [Line(start, way) for start in starts if any(way := transversal(start, others))]
+    marks = [Point(a, f"P{k}") for k, (a, _) in enumerate(lines, 1)]
+    return Picture("Lines that meet three lines", (*swept, *drawn, *marks))
+
+
+def instance(draw: Draw) -> dict[str, Value]:
+    """Three lines, anyhow."""
+    return {"lines": [[*draw.written(a=draw.vector(), e=draw.vector()).values()] for _ in range(3)]}
+
+
+exercise = Exercise(
+    "3.3",
+    "All lines that meet three lines",
+    asked=(
+        "Show that the lines that meet three given lines sweep a quadric, and find it.",
+        "Show when its matrix M is not singular, and what kind of surface it is.",
+    ),
+    data=(
+        Datum(
+            "lines",
+            ListOf(Tuple((("point", vector_shape()), ("direction", vector_shape()))), 3, 3),
+            [[[1, 0, 0], [0, 1, 1]], [[0, 1, 0], [-1, 0, 1]], [[-1, 0, 0], [0, -1, 1]]],
+            "three lines: a point of each and its direction",
+        ),
+    ),
+    statuses=("quadric", "degenerate"),
+    assumptions=("Directions are used as they are given, of whatever length.",),
+    stand_ins={"lines": "The book gives no lines; three rulings of the hyperboloid X^2 + Y^2 - Z^2 = 1 stand in."},
+    solve=solve,
+    instance=instance,
+)

@@ -1,0 +1,120 @@
+"""Exercise 3.11: the centroid and the centroidal moment of inertia of a hexagonal prism."""
+
+from chasles.derivations.notation import I_A, I_C, a, c, m, one, rho, zero
+from chasles.derivations.s08_dynamics import (
+    center_of_mass,
+    first_moment,
+    inertia,
+    inertia_about_point,
+    mass,
+)
+
+from chasles.exact.bodies import Body, regular_hexagon, whole_prism
+from chasles.exact.draw import Draw
+from chasles.exact.evaluate import Value
+from chasles.exact.outlines import prism_edges
+from chasles.exact.picture import Arrow, Picture, Point
+from chasles.exact.picture import Body as Drawn
+from chasles.exact.principal_axes import CHOICE_OF_AXES, columns_of, in_axes, principal_axes
+from chasles.exact.sheet import Sheet
+from chasles.exact.spectra import diagonal, each_eigenvalue, eigenvalues
+from chasles.statements.exercise import Datum, Exercise, Scalar
+
+UNIT_DENSITY = "The density is one: a mass stands for a volume, and a moment of inertia is per unit of density."
+
+
+def mass_properties(sheet: Sheet, body: Body, whose: str) -> None:
+    """Bind mass, center of mass and centroidal moment of inertia of a body, whose integrals are known.
+
+    The integral about the center of mass and the one about the origin are found apart; Steiner's theorem relates them.
+    """
+    integrals = {rho: 1, mass.right: body.mass, first_moment.right: body.first}
+    sheet.given(integrals, f"The integrals over {whose}, exact: sums over tetrahedra, or over points.")
+    sheet.compute(mass, f"The mass of {whose}.")
+    sheet.compute(first_moment)
+    sheet.compute(center_of_mass, f"The center of mass of {whose}.")
+    sheet.given({inertia.right: body.centroidal_inertia}, "The integral about the center of mass.")
+    sheet.compute(inertia, f"The centroidal moment of inertia of {whose}.")
+    about_origin = {a: sheet.value(zero), I_A: body.inertia}
+    sheet.check(
+        inertia_about_point,
+        f"Steiner's theorem leads to the moment of inertia of {whose} at the origin.",
+        at=about_origin,
+    )
+
+
+def principal(sheet: Sheet, whose: str) -> tuple[Value, Value, Value]:
+    """Principal moments (ascending), squares of the radii of gyration, and axes (rows), of what is bound."""
+    matrix, total = sheet.values[I_C], sheet.values[m]
+    moments, radii = each_eigenvalue(matrix), each_eigenvalue(sheet.value(I_C / m))
+    axes = principal_axes(matrix)
+    distinct = len(eigenvalues(matrix))
+    freedom = {
+        1: " All are equal: every axis is principal.",
+        2: " Two are equal: every axis in their plane is principal.",
+        3: "",
+    }
+    sheet.step(
+        f"Principal moments of inertia of {whose}, their axes as rows, and the squares of the radii of gyration."
+        f"{freedom[distinct]}",
+        ("moments", moments),
+        ("axes", axes),
+        ("k^2", radii),
+    )
+    sheet.check((in_axes(matrix, axes), diagonal(moments)), f"In its axes, the matrix of {whose} is diagonal.")
+    sheet.check((in_axes(sheet.value(one), axes), sheet.value(one)), f"The axes of {whose} are orthonormal.")
+    sheet.check((diagonal(radii), diagonal(moments) / total), "The radii of gyration belong to these moments.")
+    return moments, radii, axes
+
+
+def drawn_axes(
+    sheet: Sheet, axes: Value, size: Value, name: str = "C", labelled: bool = True
+) -> tuple[Arrow | Point, ...]:
+    """The principal axes, from the center of mass that is bound."""
+    center, rows = sheet.values[c], columns_of(axes)
+    arrows = tuple(Arrow(center, size * axis, f"axis {k}" if labelled else "") for k, axis in enumerate(rows, 1))
+    return (Point(center, name), *arrows)
+
+
+def solve(sheet: Sheet) -> str:
+    """The integrals are those of a prism; the rest is Section 3.8."""
+    side, height = sheet["side"], sheet["height"]
+    corners = regular_hexagon(side)
+    mass_properties(sheet, whole_prism(corners, height), "the prism")
+    _, radii, axes = principal(sheet, "the prism")
+    sheet.answer(V=sheet.values[m], centroid=sheet.values[c], I_C_over_rho=sheet.values[I_C], k2=radii)
+    items = (Drawn(prism_edges(corners, height)), *drawn_axes(sheet, axes, side))
+    sheet.picture = Picture("The prism and its principal axes", items)
+    return "ok"
+
+
+def instance(draw: Draw) -> dict[str, Value]:
+    """A prism of whole numbers."""
+    return {"side": draw.integer(1, 9), "height": draw.integer(1, 20)}
+
+
+exercise = Exercise(
+    "3.11",
+    "The moment of inertia of a hexagonal prism",
+    asked=(
+        "Find the center of mass of a homogeneous prism over a regular hexagon.",
+        "Find its centroidal principal moments and axes of inertia.",
+    ),
+    data=(
+        Datum(
+            "side",
+            Scalar(positive=True),
+            25,
+            "side of the hexagon, in any unit of length (the book: mm)",
+            from_book=True,
+        ),
+        Datum("height", Scalar(positive=True), 150, "height of the prism, in the same unit", from_book=True),
+    ),
+    assumptions=(
+        UNIT_DENSITY,
+        "The base lies in the plane Z = 0 with its center at the origin and two opposite corners on the X axis.",
+        CHOICE_OF_AXES,
+    ),
+    solve=solve,
+    instance=instance,
+)

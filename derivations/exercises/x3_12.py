@@ -1,0 +1,131 @@
+"""Exercise 3.12: the hexagonal prism of Exercise 3.11, cut in two by a plane through an edge of its base."""
+
+from chasles.derivations.exercises.x3_11 import UNIT_DENSITY, drawn_axes, mass_properties, principal
+from chasles.derivations.notation import I_C, a, c, m, zero
+from chasles.derivations.s08_dynamics import inertia_about_point
+
+from chasles.exact.bodies import (
+    Body,
+    cotangent_of_degrees,
+    cut_prism,
+    joined,
+    regular_hexagon,
+    tangent_of_double_angle,
+    whole_prism,
+)
+from chasles.exact.data import DataError
+from chasles.exact.evaluate import Value, column_of
+from chasles.exact.numbers import compare, normal
+from chasles.exact.outlines import prism_edges, section_of
+from chasles.exact.picture import Arrow, Curve, Picture, Point
+from chasles.exact.picture import Body as Drawn
+from chasles.exact.principal_axes import CHOICE_OF_AXES
+from chasles.exact.sheet import Sheet
+from chasles.statements.exercise import Datum, Exercise, Scalar
+
+
+def solve(sheet: Sheet) -> str:
+    """Both parts by the same integrals; together they are the prism."""
+    side, height = sheet["side"], sheet["height"]
+    slope, upward, offset = cutting_plane(sheet)
+    corners = regular_hexagon(side)
+    whole, (wedge, rest) = whole_prism(corners, height), cut_prism(corners, height, upward, offset)
+    through_top = compare(2 * slope * corners[1][1], height) > 0
+    sheet.step(
+        f"The plane leaves the prism through {'its top' if through_top else 'the far side'}: its height there, "
+        "at Y = (sqrt(3)/2) side, is",
+        ("Z", normal(2 * slope * corners[1][1])),
+    )
+    edges = prism_edges(corners, height)
+    # Four colours take turns: with the section between the two sets of axes, like axes are alike.
+    drawn = (
+        Drawn(edges),
+        *part(sheet, "wedge", wedge, side),
+        Curve(section_of(edges, upward, offset), "section"),
+        *part(sheet, "rest", rest, side),
+    )
+    together(sheet, whole, wedge, rest)
+    sheet.picture = Picture("The two parts of the prism, with their principal axes", drawn)
+    return "ok"
+
+
+def cutting_plane(sheet: Sheet) -> tuple[Value, Value, Value]:
+    """The slope dZ/dY of the plane, its upward normal, and its offset along that."""
+    angle = sheet["angle_deg"]
+    if compare(angle, 0) <= 0 or compare(angle, 90) >= 0:
+        raise DataError(
+            f"angle_deg: expected an angle between 0 and 90, and got {angle}: the plane would not cut the prism"
+        )
+    slope = cotangent_of_degrees(angle)
+    edge = regular_hexagon(sheet["side"])[4]
+    upward = column_of(0, -slope, 1)
+    offset = normal(-slope * edge[1])
+    says = "The plane: it holds the edge of the base at Y = -(sqrt(3)/2) side, and rises by the cotangent of the angle."
+    sheet.step(says, ("dZ/dY", slope), ("normal", upward), ("normal . p", offset))
+    return slope, upward, offset
+
+
+def part(sheet: Sheet, name: str, body: Body, size: Value) -> tuple[Arrow | Point, ...]:
+    """The answers for one part; what is drawn of it."""
+    whose = f"the {name}"
+    mass_properties(sheet, body, whose)
+    moments, radii, axes = principal(sheet, whose)
+    tangent = tangent_of_double_angle(sheet.values[I_C])
+    sheet.step(
+        f"The axes of {whose} in the YZ plane: tan(2 theta) = 2 I_yz / (I_yy - I_zz).", ("tan(2 theta)", tangent)
+    )
+    found = {
+        "V": sheet.values[m],
+        "centroid": sheet.values[c],
+        "I_C_over_rho": sheet.values[I_C],
+        "moments_over_rho": moments,
+        "k2": radii,
+        "axes": axes,
+        "tan_2theta": tangent,
+    }
+    sheet.answer(**{f"{name}.{key}": value for key, value in found.items()})
+    return drawn_axes(sheet, axes, size, f"C of {whose}", labelled=name == "wedge")
+
+
+def together(sheet: Sheet, whole: Body, wedge: Body, rest: Body) -> None:
+    """The parts add up to the prism: masses, first moments, and moments of inertia about its center of mass."""
+    both = joined(wedge, rest)
+    sheet.check((both.mass, whole.mass), "The volumes of the parts add up to that of the prism.")
+    sheet.check((both.first, whole.first), "So do their first moments.")
+    about_origin = []
+    for name, body in (("wedge", wedge), ("rest", rest)):
+        bound = {m: body.mass, c: sheet.answers[f"{name}.centroid"], I_C: sheet.answers[f"{name}.I_C_over_rho"]}
+        says = f"The moment of inertia of the {name} about the origin, by Steiner's theorem."
+        about_origin.append(sheet.compute(inertia_about_point, says, at={**bound, a: sheet.value(zero)}))
+    sheet.check(
+        (about_origin[0] + about_origin[1], whole.inertia),
+        "Moved to the origin, the moments of inertia of the parts add up to the prism's.",
+    )
+
+
+exercise = Exercise(
+    "3.12",
+    "A hexagonal prism cut in two",
+    asked=(
+        "A plane through an edge of the base cuts the prism of Exercise 3.11, at a given angle with its axis.",
+        "Find the centroidal principal moments and axes of inertia of each part.",
+    ),
+    data=(
+        Datum(
+            "side",
+            Scalar(positive=True),
+            25,
+            "side of the hexagon, in any unit of length (the book: mm)",
+            from_book=True,
+        ),
+        Datum("height", Scalar(positive=True), 150, "height of the prism, in the same unit", from_book=True),
+        Datum("angle_deg", Scalar(), 45, "angle between the plane and the axis, in degrees", from_book=True),
+    ),
+    assumptions=(
+        UNIT_DENSITY,
+        "The base lies in the plane Z = 0 with its center at the origin and two opposite corners on the X axis.",
+        "The plane holds the edge of the base at Y = -(sqrt(3)/2) side and rises towards +Y; the wedge is below it.",
+        CHOICE_OF_AXES,
+    ),
+    solve=solve,
+)

@@ -1,0 +1,282 @@
+/* The blocks of section_3_2_1, for batches. Made by `chasles emit`; not to be edited by hand.
+ *
+ * Compiled once for each level. A block first computes the sines and cosines of all its items, then, register by
+ * register, all else.
+ */
+
+#include <math.h>
+#include <stddef.h>
+
+#include "batches.h"
+#include "chasles.h"
+#include "vectors.h"
+
+#if CHASLES_VECTORS
+
+void CHASLES_LEVELED(chasles_normal_matrix_inverse_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    doubles angles[1][GROUPS];
+    doubles sines[1][GROUPS];
+    doubles cosines[1][GROUPS];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles phi;
+        const char *const item1 = at1 + g * LANES * step1;
+        load_1(item1, step1, &phi);
+        angles[0][g] = 0.5 * phi;
+    }
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles e[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, e);
+        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        const doubles sin_half_phi = sines[0][g];
+        const doubles t1 = choose(equal(sin_half_phi, spread(0.0)), spread(0.0), spread(0.5));
+        const doubles t2 = t1 / sin_half_phi;
+        const doubles t3 = t2 * t2;
+        const doubles t4 = 1.0 - t3;
+        const doubles t5 = e[0] * t4;
+        const doubles t6 = e[1] * t4;
+        const doubles result1 = e[1] * t5;
+        const doubles result2 = e[2] * t5;
+        const doubles result5 = e[2] * t6;
+        const doubles result0 = t3 + e[0] * t5;
+        const doubles result4 = t3 + e[1] * t6;
+        const doubles result8 = t3 + e[2] * (e[2] * t4);
+        char *const item2 = at2 + g * LANES * step2;
+        store_4(item2, step2, result0, result1, result2, result1);
+        store_4(item2 + 4 * sizeof(double), step2, result4, result5, result2, result5);
+        store_1(item2 + 8 * sizeof(double), step2, result8);
+    }
+}
+
+void CHASLES_LEVELED(chasles_normal_matrix_inverse_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    floats angles[1][GROUPSF];
+    floats sines[1][GROUPSF];
+    floats cosines[1][GROUPSF];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats phi;
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_1f(item1, step1, &phi);
+        angles[0][g] = 0.5f * phi;
+    }
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats e[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, e);
+        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        const floats sin_half_phi = sines[0][g];
+        const truthsf t1 = equalf(sin_half_phi, spreadf(0.0f));
+        const floats t2 = choosef(t1, spreadf(0.0f), spreadf(0.5f)) / sin_half_phi;
+        const floats t3 = t2 * t2;
+        const floats t4 = 1.0f - t3;
+        const floats t5 = e[0] * t4;
+        const floats t6 = e[1] * t4;
+        const floats result1 = e[1] * t5;
+        const floats result2 = e[2] * t5;
+        const floats result5 = e[2] * t6;
+        const floats result0 = t3 + e[0] * t5;
+        const floats result4 = t3 + e[1] * t6;
+        const floats result8 = t3 + e[2] * (e[2] * t4);
+        char *const item2 = at2 + g * LANESF * step2;
+        store_4f(item2, step2, result0, result1, result2, result1);
+        store_4f(item2 + 4 * sizeof(float), step2, result4, result5, result2, result5);
+        store_1f(item2 + 8 * sizeof(float), step2, result8);
+    }
+}
+
+void CHASLES_LEVELED(chasles_screw_axis_point_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    char *const at4 = at[4];
+    const ptrdiff_t step4 = steps[4];
+    doubles angles[1][GROUPS];
+    doubles sines[1][GROUPS];
+    doubles cosines[1][GROUPS];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles phi;
+        const char *const item1 = at1 + g * LANES * step1;
+        load_1(item1, step1, &phi);
+        angles[0][g] = 0.5 * phi;
+    }
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles e[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, e);
+        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        doubles a[3];
+        const char *const item2 = at2 + g * LANES * step2;
+        load_2(item2, step2, a);
+        load_1(item2 + 2 * sizeof(double), step2, &a[2]);
+        doubles a_prime[3];
+        const char *const item3 = at3 + g * LANES * step3;
+        load_2(item3, step3, a_prime);
+        load_1(item3 + 2 * sizeof(double), step3, &a_prime[2]);
+        const doubles sin_half_phi = sines[0][g];
+        const doubles cos_half_phi = cosines[0][g];
+        const doubles t1 = a[0] + a_prime[0];
+        const doubles t2 = a[1] + a_prime[1];
+        const doubles t3 = a[2] + a_prime[2];
+        const doubles t4 = e[0] * t1 + e[1] * t2 + e[2] * t3;
+        const doubles t5 = a_prime[0] - a[0];
+        const doubles t6 = a_prime[1] - a[1];
+        const doubles t7 = a_prime[2] - a[2];
+        const doubles t8 = choose(equal(sin_half_phi, spread(0.0)), spread(0.0), cos_half_phi);
+        const doubles t9 = t8 / sin_half_phi;
+        const doubles p_0_0 = 0.5 * ((e[1] * t7 - e[2] * t6) * t9 - (e[0] * t4 - t1));
+        const doubles p_0_1 = 0.5 * ((e[2] * t5 - e[0] * t7) * t9 - (e[1] * t4 - t2));
+        const doubles p_0_2 = 0.5 * ((e[0] * t6 - e[1] * t5) * t9 - (e[2] * t4 - t3));
+        char *const item4 = at4 + g * LANES * step4;
+        store_2(item4, step4, p_0_0, p_0_1);
+        store_1(item4 + 2 * sizeof(double), step4, p_0_2);
+    }
+}
+
+void CHASLES_LEVELED(chasles_screw_axis_point_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    char *const at4 = at[4];
+    const ptrdiff_t step4 = steps[4];
+    floats angles[1][GROUPSF];
+    floats sines[1][GROUPSF];
+    floats cosines[1][GROUPSF];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats phi;
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_1f(item1, step1, &phi);
+        angles[0][g] = 0.5f * phi;
+    }
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats e[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, e);
+        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        floats a[3];
+        const char *const item2 = at2 + g * LANESF * step2;
+        load_2f(item2, step2, a);
+        load_1f(item2 + 2 * sizeof(float), step2, &a[2]);
+        floats a_prime[3];
+        const char *const item3 = at3 + g * LANESF * step3;
+        load_2f(item3, step3, a_prime);
+        load_1f(item3 + 2 * sizeof(float), step3, &a_prime[2]);
+        const floats sin_half_phi = sines[0][g];
+        const floats cos_half_phi = cosines[0][g];
+        const floats t1 = a[0] + a_prime[0];
+        const floats t2 = a[1] + a_prime[1];
+        const floats t3 = a[2] + a_prime[2];
+        const floats t4 = e[0] * t1 + e[1] * t2 + e[2] * t3;
+        const floats t5 = a_prime[0] - a[0];
+        const floats t6 = a_prime[1] - a[1];
+        const floats t7 = a_prime[2] - a[2];
+        const truthsf t8 = equalf(sin_half_phi, spreadf(0.0f));
+        const floats t9 = choosef(t8, spreadf(0.0f), cos_half_phi) / sin_half_phi;
+        const floats p_0_0 = 0.5f * ((e[1] * t7 - e[2] * t6) * t9 - (e[0] * t4 - t1));
+        const floats p_0_1 = 0.5f * ((e[2] * t5 - e[0] * t7) * t9 - (e[1] * t4 - t2));
+        const floats p_0_2 = 0.5f * ((e[0] * t6 - e[1] * t5) * t9 - (e[2] * t4 - t3));
+        char *const item4 = at4 + g * LANESF * step4;
+        store_2f(item4, step4, p_0_0, p_0_1);
+        store_1f(item4 + 2 * sizeof(float), step4, p_0_2);
+    }
+}
+
+#else
+
+void CHASLES_LEVELED(chasles_normal_matrix_inverse_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_normal_matrix_inverse(
+            (const double *)(at[0] + i * steps[0]),
+            *(const double *)(at[1] + i * steps[1]),
+            (double *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_normal_matrix_inverse_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_normal_matrix_inversef(
+            (const float *)(at[0] + i * steps[0]),
+            *(const float *)(at[1] + i * steps[1]),
+            (float *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_screw_axis_point_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_screw_axis_point(
+            (const double *)(at[0] + i * steps[0]),
+            *(const double *)(at[1] + i * steps[1]),
+            (const double *)(at[2] + i * steps[2]),
+            (const double *)(at[3] + i * steps[3]),
+            (double *)(at[4] + i * steps[4]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_screw_axis_point_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_screw_axis_pointf(
+            (const float *)(at[0] + i * steps[0]),
+            *(const float *)(at[1] + i * steps[1]),
+            (const float *)(at[2] + i * steps[2]),
+            (const float *)(at[3] + i * steps[3]),
+            (float *)(at[4] + i * steps[4]));
+    }
+}
+
+#endif

@@ -1,0 +1,230 @@
+/* The blocks of section_3_2_2, for batches. Made by `chasles emit`; not to be edited by hand.
+ *
+ * Compiled once for each level. A block first computes the sines and cosines of all its items, then, register by
+ * register, all else.
+ */
+
+#include <math.h>
+#include <stddef.h>
+
+#include "batches.h"
+#include "chasles.h"
+#include "vectors.h"
+
+#if CHASLES_VECTORS
+
+void CHASLES_LEVELED(chasles_plucker_line_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles p_1[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, p_1);
+        load_1(item0 + 2 * sizeof(double), step0, &p_1[2]);
+        doubles p_2[3];
+        const char *const item1 = at1 + g * LANES * step1;
+        load_2(item1, step1, p_2);
+        load_1(item1 + 2 * sizeof(double), step1, &p_2[2]);
+        const doubles t1 = p_2[0] - p_1[0];
+        const doubles t2 = p_2[1] - p_1[1];
+        const doubles t3 = p_2[2] - p_1[2];
+        const doubles t4 = t1 * t1 + t2 * t2 + t3 * t3;
+        const doubles t5 = roots(t4);
+        const truths t6 = equal(t4, spread(0.0));
+        const doubles kappa0 = choose(t6, spread(0.0), t1) / t5;
+        const doubles kappa1 = choose(t6, spread(0.0), t2) / t5;
+        const doubles kappa2 = choose(t6, spread(0.0), t3) / t5;
+        const doubles kappa3 = p_1[1] * kappa2 - p_1[2] * kappa1;
+        const doubles kappa4 = p_1[2] * kappa0 - p_1[0] * kappa2;
+        const doubles kappa5 = p_1[0] * kappa1 - p_1[1] * kappa0;
+        char *const item2 = at2 + g * LANES * step2;
+        store_4(item2, step2, kappa0, kappa1, kappa2, kappa3);
+        store_2(item2 + 4 * sizeof(double), step2, kappa4, kappa5);
+    }
+}
+
+void CHASLES_LEVELED(chasles_plucker_line_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats p_1[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, p_1);
+        load_1f(item0 + 2 * sizeof(float), step0, &p_1[2]);
+        floats p_2[3];
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_2f(item1, step1, p_2);
+        load_1f(item1 + 2 * sizeof(float), step1, &p_2[2]);
+        const floats t1 = p_2[0] - p_1[0];
+        const floats t2 = p_2[1] - p_1[1];
+        const floats t3 = p_2[2] - p_1[2];
+        const floats t4 = t1 * t1 + t2 * t2 + t3 * t3;
+        const floats t5 = rootsf(t4);
+        const truthsf t6 = equalf(t4, spreadf(0.0f));
+        const floats kappa0 = choosef(t6, spreadf(0.0f), t1) / t5;
+        const floats kappa1 = choosef(t6, spreadf(0.0f), t2) / t5;
+        const floats kappa2 = choosef(t6, spreadf(0.0f), t3) / t5;
+        const floats kappa3 = p_1[1] * kappa2 - p_1[2] * kappa1;
+        const floats kappa4 = p_1[2] * kappa0 - p_1[0] * kappa2;
+        const floats kappa5 = p_1[0] * kappa1 - p_1[1] * kappa0;
+        char *const item2 = at2 + g * LANESF * step2;
+        store_4f(item2, step2, kappa0, kappa1, kappa2, kappa3);
+        store_2f(item2 + 4 * sizeof(float), step2, kappa4, kappa5);
+    }
+}
+
+void CHASLES_LEVELED(chasles_plucker_transfer_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles kappa_A[6];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_4(item0, step0, kappa_A);
+        load_2(item0 + 4 * sizeof(double), step0, &kappa_A[4]);
+        doubles a[3];
+        const char *const item1 = at1 + g * LANES * step1;
+        load_2(item1, step1, a);
+        load_1(item1 + 2 * sizeof(double), step1, &a[2]);
+        doubles b[3];
+        const char *const item2 = at2 + g * LANES * step2;
+        load_2(item2, step2, b);
+        load_1(item2 + 2 * sizeof(double), step2, &b[2]);
+        const doubles kappa_B0 = kappa_A[0];
+        const doubles kappa_B1 = kappa_A[1];
+        const doubles kappa_B2 = kappa_A[2];
+        const doubles t1 = a[0] - b[0];
+        const doubles t2 = a[1] - b[1];
+        const doubles t3 = a[2] - b[2];
+        const doubles kappa_B3 = kappa_A[3] + (kappa_B2 * t2 - kappa_B1 * t3);
+        const doubles kappa_B4 = kappa_A[4] + (kappa_B0 * t3 - kappa_B2 * t1);
+        const doubles kappa_B5 = kappa_A[5] + (kappa_B1 * t1 - kappa_B0 * t2);
+        char *const item3 = at3 + g * LANES * step3;
+        store_4(item3, step3, kappa_B0, kappa_B1, kappa_B2, kappa_B3);
+        store_2(item3 + 4 * sizeof(double), step3, kappa_B4, kappa_B5);
+    }
+}
+
+void CHASLES_LEVELED(chasles_plucker_transfer_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats kappa_A[6];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_4f(item0, step0, kappa_A);
+        load_2f(item0 + 4 * sizeof(float), step0, &kappa_A[4]);
+        floats a[3];
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_2f(item1, step1, a);
+        load_1f(item1 + 2 * sizeof(float), step1, &a[2]);
+        floats b[3];
+        const char *const item2 = at2 + g * LANESF * step2;
+        load_2f(item2, step2, b);
+        load_1f(item2 + 2 * sizeof(float), step2, &b[2]);
+        const floats kappa_B0 = kappa_A[0];
+        const floats kappa_B1 = kappa_A[1];
+        const floats kappa_B2 = kappa_A[2];
+        const floats t1 = a[0] - b[0];
+        const floats t2 = a[1] - b[1];
+        const floats t3 = a[2] - b[2];
+        const floats kappa_B3 = kappa_A[3] + (kappa_B2 * t2 - kappa_B1 * t3);
+        const floats kappa_B4 = kappa_A[4] + (kappa_B0 * t3 - kappa_B2 * t1);
+        const floats kappa_B5 = kappa_A[5] + (kappa_B1 * t1 - kappa_B0 * t2);
+        char *const item3 = at3 + g * LANESF * step3;
+        store_4f(item3, step3, kappa_B0, kappa_B1, kappa_B2, kappa_B3);
+        store_2f(item3 + 4 * sizeof(float), step3, kappa_B4, kappa_B5);
+    }
+}
+
+#else
+
+void CHASLES_LEVELED(chasles_plucker_line_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_plucker_line(
+            (const double *)(at[0] + i * steps[0]),
+            (const double *)(at[1] + i * steps[1]),
+            (double *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_plucker_line_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_plucker_linef(
+            (const float *)(at[0] + i * steps[0]),
+            (const float *)(at[1] + i * steps[1]),
+            (float *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_plucker_transfer_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_plucker_transfer(
+            (const double *)(at[0] + i * steps[0]),
+            (const double *)(at[1] + i * steps[1]),
+            (const double *)(at[2] + i * steps[2]),
+            (double *)(at[3] + i * steps[3]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_plucker_transfer_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_plucker_transferf(
+            (const float *)(at[0] + i * steps[0]),
+            (const float *)(at[1] + i * steps[1]),
+            (const float *)(at[2] + i * steps[2]),
+            (float *)(at[3] + i * steps[3]));
+    }
+}
+
+#endif

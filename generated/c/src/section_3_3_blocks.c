@@ -1,0 +1,88 @@
+/* The blocks of section_3_3, for batches. Made by `chasles emit`; not to be edited by hand.
+ *
+ * Compiled once for each level. A block first computes the sines and cosines of all its items, then, register by
+ * register, all else.
+ */
+
+#include <math.h>
+#include <stddef.h>
+
+#include "batches.h"
+#include "chasles.h"
+#include "vectors.h"
+
+#if CHASLES_VECTORS
+
+void CHASLES_LEVELED(chasles_axial_vector_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles Omega[9];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0 + 1 * sizeof(double), step0, &Omega[1]);
+        load_1(item0 + 3 * sizeof(double), step0, &Omega[3]);
+        load_2(item0 + 5 * sizeof(double), step0, &Omega[5]);
+        load_1(item0 + 7 * sizeof(double), step0, &Omega[7]);
+        const doubles omega0 = 0.5 * (Omega[7] - Omega[5]);
+        const doubles omega1 = 0.5 * (Omega[2] - Omega[6]);
+        const doubles omega2 = 0.5 * (Omega[3] - Omega[1]);
+        char *const item1 = at1 + g * LANES * step1;
+        store_2(item1, step1, omega0, omega1);
+        store_1(item1 + 2 * sizeof(double), step1, omega2);
+    }
+}
+
+void CHASLES_LEVELED(chasles_axial_vector_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats Omega[9];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0 + 1 * sizeof(float), step0, &Omega[1]);
+        load_1f(item0 + 3 * sizeof(float), step0, &Omega[3]);
+        load_2f(item0 + 5 * sizeof(float), step0, &Omega[5]);
+        load_1f(item0 + 7 * sizeof(float), step0, &Omega[7]);
+        const floats omega0 = 0.5f * (Omega[7] - Omega[5]);
+        const floats omega1 = 0.5f * (Omega[2] - Omega[6]);
+        const floats omega2 = 0.5f * (Omega[3] - Omega[1]);
+        char *const item1 = at1 + g * LANESF * step1;
+        store_2f(item1, step1, omega0, omega1);
+        store_1f(item1 + 2 * sizeof(float), step1, omega2);
+    }
+}
+
+#else
+
+void CHASLES_LEVELED(chasles_axial_vector_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_axial_vector((const double *)(at[0] + i * steps[0]), (double *)(at[1] + i * steps[1]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_axial_vector_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_axial_vectorf((const float *)(at[0] + i * steps[0]), (float *)(at[1] + i * steps[1]));
+    }
+}
+
+#endif

@@ -1,0 +1,2794 @@
+/* The blocks of section_3_4_2, for batches. Made by `chasles emit`; not to be edited by hand.
+ *
+ * Compiled once for each level. A block first computes the sines and cosines of all its items, then, register by
+ * register, all else.
+ */
+
+#include <math.h>
+#include <stddef.h>
+
+#include "batches.h"
+#include "chasles.h"
+#include "vectors.h"
+
+#if CHASLES_VECTORS
+
+void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    doubles angles[1][GROUPS];
+    doubles sines[1][GROUPS];
+    doubles cosines[1][GROUPS];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles phi;
+        const char *const item1 = at1 + g * LANES * step1;
+        load_1(item1, step1, &phi);
+        angles[0][g] = 0.5 * phi;
+    }
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles e[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, e);
+        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        const doubles sin_half_phi = sines[0][g];
+        const doubles cos_half_phi = cosines[0][g];
+        const doubles N9 = e[0];
+        const doubles N10 = e[1];
+        const doubles N11 = e[2];
+        const doubles half_N9 = 0.5 * N9;
+        const doubles half_N10 = 0.5 * N10;
+        const doubles half_N11 = 0.5 * N11;
+        const doubles t1 = choose(equal(sin_half_phi, spread(0.0)), spread(0.0), cos_half_phi);
+        const doubles t2 = 0.5 * (t1 / sin_half_phi);
+        const doubles t3 = N10 * t2;
+        const doubles t4 = N11 * t2;
+        const doubles t5 = N9 * (N9 * t2);
+        const doubles t6 = N9 * t3;
+        const doubles t7 = N9 * t4;
+        const doubles t8 = N10 * t3;
+        const doubles t9 = N10 * t4;
+        const doubles t10 = N11 * t4;
+        const doubles N0 = t8 + t10;
+        const doubles N4 = t5 + t10;
+        const doubles N8 = t5 + t8;
+        const doubles N1 = half_N11 - t6;
+        const doubles N2 = -(half_N10 + t7);
+        const doubles N3 = -(half_N11 + t6);
+        const doubles N5 = half_N9 - t9;
+        const doubles N6 = half_N10 - t7;
+        const doubles N7 = -(half_N9 + t9);
+        char *const item2 = at2 + g * LANES * step2;
+        store_4(item2, step2, N0, N1, N2, N3);
+        store_4(item2 + 4 * sizeof(double), step2, N4, N5, N6, N7);
+        store_4(item2 + 8 * sizeof(double), step2, N8, N9, N10, N11);
+    }
+}
+
+void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    floats angles[1][GROUPSF];
+    floats sines[1][GROUPSF];
+    floats cosines[1][GROUPSF];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats phi;
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_1f(item1, step1, &phi);
+        angles[0][g] = 0.5f * phi;
+    }
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats e[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, e);
+        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        const floats sin_half_phi = sines[0][g];
+        const floats cos_half_phi = cosines[0][g];
+        const floats N9 = e[0];
+        const floats N10 = e[1];
+        const floats N11 = e[2];
+        const floats half_N9 = 0.5f * N9;
+        const floats half_N10 = 0.5f * N10;
+        const floats half_N11 = 0.5f * N11;
+        const truthsf t1 = equalf(sin_half_phi, spreadf(0.0f));
+        const floats t2 = 0.5f * (choosef(t1, spreadf(0.0f), cos_half_phi) / sin_half_phi);
+        const floats t3 = N10 * t2;
+        const floats t4 = N11 * t2;
+        const floats t5 = N9 * (N9 * t2);
+        const floats t6 = N9 * t3;
+        const floats t7 = N9 * t4;
+        const floats t8 = N10 * t3;
+        const floats t9 = N10 * t4;
+        const floats t10 = N11 * t4;
+        const floats N0 = t8 + t10;
+        const floats N4 = t5 + t10;
+        const floats N8 = t5 + t8;
+        const floats N1 = half_N11 - t6;
+        const floats N2 = -(half_N10 + t7);
+        const floats N3 = -(half_N11 + t6);
+        const floats N5 = half_N9 - t9;
+        const floats N6 = half_N10 - t7;
+        const floats N7 = -(half_N9 + t9);
+        char *const item2 = at2 + g * LANESF * step2;
+        store_4f(item2, step2, N0, N1, N2, N3);
+        store_4f(item2 + 4 * sizeof(float), step2, N4, N5, N6, N7);
+        store_4f(item2 + 8 * sizeof(float), step2, N8, N9, N10, N11);
+    }
+}
+
+void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    doubles angles[1][GROUPS];
+    doubles sines[1][GROUPS];
+    doubles cosines[1][GROUPS];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles phi;
+        const char *const item1 = at1 + g * LANES * step1;
+        load_1(item1, step1, &phi);
+        angles[0][g] = phi;
+    }
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles e[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, e);
+        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        const doubles sin_phi = sines[0][g];
+        const doubles cos_phi = cosines[0][g];
+        const doubles half_cos_phi = 0.5 * cos_phi;
+        const doubles t1 = 0.5 - half_cos_phi;
+        const doubles t2 = e[0] * t1;
+        const doubles t3 = e[1] * t1;
+        const doubles t4 = e[1] * t2;
+        const doubles t5 = e[2] * t2;
+        const doubles t6 = e[2] * t3;
+        const doubles t7 = 0.5 + half_cos_phi;
+        const doubles L0 = t7 - e[0] * t2;
+        const doubles L4 = t7 - e[1] * t3;
+        const doubles L8 = t7 - e[2] * (e[2] * t1);
+        const doubles half_sin_phi = 0.5 * sin_phi;
+        const doubles t8 = e[0] * half_sin_phi;
+        const doubles t9 = e[1] * half_sin_phi;
+        const doubles t10 = e[2] * half_sin_phi;
+        const doubles L1 = t10 - t4;
+        const doubles L2 = -(t5 + t9);
+        const doubles L3 = -(t4 + t10);
+        const doubles L5 = t8 - t6;
+        const doubles L6 = t9 - t5;
+        const doubles L7 = -(t6 + t8);
+        const doubles L9 = -(e[0] * sin_phi);
+        const doubles L10 = -(e[1] * sin_phi);
+        const doubles L11 = -(e[2] * sin_phi);
+        char *const item2 = at2 + g * LANES * step2;
+        store_4(item2, step2, L0, L1, L2, L3);
+        store_4(item2 + 4 * sizeof(double), step2, L4, L5, L6, L7);
+        store_4(item2 + 8 * sizeof(double), step2, L8, L9, L10, L11);
+    }
+}
+
+void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    floats angles[1][GROUPSF];
+    floats sines[1][GROUPSF];
+    floats cosines[1][GROUPSF];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats phi;
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_1f(item1, step1, &phi);
+        angles[0][g] = phi;
+    }
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats e[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, e);
+        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        const floats sin_phi = sines[0][g];
+        const floats cos_phi = cosines[0][g];
+        const floats half_cos_phi = 0.5f * cos_phi;
+        const floats t1 = 0.5f - half_cos_phi;
+        const floats t2 = e[0] * t1;
+        const floats t3 = e[1] * t1;
+        const floats t4 = e[1] * t2;
+        const floats t5 = e[2] * t2;
+        const floats t6 = e[2] * t3;
+        const floats t7 = 0.5f + half_cos_phi;
+        const floats L0 = t7 - e[0] * t2;
+        const floats L4 = t7 - e[1] * t3;
+        const floats L8 = t7 - e[2] * (e[2] * t1);
+        const floats half_sin_phi = 0.5f * sin_phi;
+        const floats t8 = e[0] * half_sin_phi;
+        const floats t9 = e[1] * half_sin_phi;
+        const floats t10 = e[2] * half_sin_phi;
+        const floats L1 = t10 - t4;
+        const floats L2 = -(t5 + t9);
+        const floats L3 = -(t4 + t10);
+        const floats L5 = t8 - t6;
+        const floats L6 = t9 - t5;
+        const floats L7 = -(t6 + t8);
+        const floats L9 = -(e[0] * sin_phi);
+        const floats L10 = -(e[1] * sin_phi);
+        const floats L11 = -(e[2] * sin_phi);
+        char *const item2 = at2 + g * LANESF * step2;
+        store_4f(item2, step2, L0, L1, L2, L3);
+        store_4f(item2 + 4 * sizeof(float), step2, L4, L5, L6, L7);
+        store_4f(item2 + 8 * sizeof(float), step2, L8, L9, L10, L11);
+    }
+}
+
+void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    doubles angles[1][GROUPS];
+    doubles sines[1][GROUPS];
+    doubles cosines[1][GROUPS];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles phi;
+        const char *const item1 = at1 + g * LANES * step1;
+        load_1(item1, step1, &phi);
+        angles[0][g] = 0.5 * phi;
+    }
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles e[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, e);
+        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        const doubles sin_half_phi = sines[0][g];
+        const doubles cos_half_phi = cosines[0][g];
+        const doubles H0 = 0.5 * cos_half_phi;
+        const doubles half_sin_half_phi = 0.5 * sin_half_phi;
+        const doubles H5 = e[0] * half_sin_half_phi;
+        const doubles H7 = -H5;
+        const doubles H6 = e[1] * half_sin_half_phi;
+        const doubles H2 = -H6;
+        const doubles H1 = e[2] * half_sin_half_phi;
+        const doubles H3 = -H1;
+        char *const item2 = at2 + g * LANES * step2;
+        store_4(item2, step2, H0, H1, H2, H3);
+        store_4(item2 + 4 * sizeof(double), step2, H0, H5, H6, H7);
+        store_4(item2 + 8 * sizeof(double), step2, H0, H7, H2, H3);
+    }
+}
+
+void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    floats angles[1][GROUPSF];
+    floats sines[1][GROUPSF];
+    floats cosines[1][GROUPSF];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats phi;
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_1f(item1, step1, &phi);
+        angles[0][g] = 0.5f * phi;
+    }
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats e[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, e);
+        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        const floats sin_half_phi = sines[0][g];
+        const floats cos_half_phi = cosines[0][g];
+        const floats H0 = 0.5f * cos_half_phi;
+        const floats half_sin_half_phi = 0.5f * sin_half_phi;
+        const floats H5 = e[0] * half_sin_half_phi;
+        const floats H7 = -H5;
+        const floats H6 = e[1] * half_sin_half_phi;
+        const floats H2 = -H6;
+        const floats H1 = e[2] * half_sin_half_phi;
+        const floats H3 = -H1;
+        char *const item2 = at2 + g * LANESF * step2;
+        store_4f(item2, step2, H0, H1, H2, H3);
+        store_4f(item2 + 4 * sizeof(float), step2, H0, H5, H6, H7);
+        store_4f(item2 + 8 * sizeof(float), step2, H0, H7, H2, H3);
+    }
+}
+
+void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles q[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, q);
+        load_1(item0 + 2 * sizeof(double), step0, &q[2]);
+        doubles q_0;
+        const char *const item1 = at1 + g * LANES * step1;
+        load_1(item1, step1, &q_0);
+        const doubles t1 = 1.0 + q_0;
+        const doubles t2 = choose(equal(t1, spread(0.0)), spread(0.0), spread(1.0)) / t1;
+        const doubles t3 = q[0] * t2;
+        const doubles t4 = q[1] * t2;
+        const doubles t5 = q[1] * t3;
+        const doubles t6 = q[2] * t3;
+        const doubles t7 = q[2] * t4;
+        const doubles Q0 = q_0 + q[0] * t3;
+        const doubles Q4 = q_0 + q[1] * t4;
+        const doubles Q8 = q_0 + q[2] * (q[2] * t2);
+        const doubles Q1 = t5 - q[2];
+        const doubles Q2 = q[1] + t6;
+        const doubles Q3 = q[2] + t5;
+        const doubles Q5 = t7 - q[0];
+        const doubles Q6 = t6 - q[1];
+        const doubles Q7 = q[0] + t7;
+        char *const item2 = at2 + g * LANES * step2;
+        store_4(item2, step2, Q0, Q1, Q2, Q3);
+        store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
+        store_1(item2 + 8 * sizeof(double), step2, Q8);
+    }
+}
+
+void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats q[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, q);
+        load_1f(item0 + 2 * sizeof(float), step0, &q[2]);
+        floats q_0;
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_1f(item1, step1, &q_0);
+        const floats t1 = 1.0f + q_0;
+        const floats t2 = choosef(equalf(t1, spreadf(0.0f)), spreadf(0.0f), spreadf(1.0f)) / t1;
+        const floats t3 = q[0] * t2;
+        const floats t4 = q[1] * t2;
+        const floats t5 = q[1] * t3;
+        const floats t6 = q[2] * t3;
+        const floats t7 = q[2] * t4;
+        const floats Q0 = q_0 + q[0] * t3;
+        const floats Q4 = q_0 + q[1] * t4;
+        const floats Q8 = q_0 + q[2] * (q[2] * t2);
+        const floats Q1 = t5 - q[2];
+        const floats Q2 = q[1] + t6;
+        const floats Q3 = q[2] + t5;
+        const floats Q5 = t7 - q[0];
+        const floats Q6 = t6 - q[1];
+        const floats Q7 = q[0] + t7;
+        char *const item2 = at2 + g * LANESF * step2;
+        store_4f(item2, step2, Q0, Q1, Q2, Q3);
+        store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
+        store_1f(item2 + 8 * sizeof(float), step2, Q8);
+    }
+}
+
+void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles q[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, q);
+        load_1(item0 + 2 * sizeof(double), step0, &q[2]);
+        doubles q_0;
+        const char *const item1 = at1 + g * LANES * step1;
+        load_1(item1, step1, &q_0);
+        const doubles t1 = q_0 * q_0 - (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
+        const doubles t2 = 2.0 * q_0;
+        const doubles t3 = 2.0 * q[0];
+        const doubles t4 = 2.0 * q[1];
+        const doubles t5 = q[1] * t3;
+        const doubles t6 = q[2] * t3;
+        const doubles t7 = q[2] * t4;
+        const doubles Q0 = t1 + q[0] * t3;
+        const doubles Q4 = t1 + q[1] * t4;
+        const doubles Q8 = t1 + q[2] * (2.0 * q[2]);
+        const doubles t8 = q[0] * t2;
+        const doubles t9 = q[1] * t2;
+        const doubles t10 = q[2] * t2;
+        const doubles Q1 = t5 - t10;
+        const doubles Q2 = t6 + t9;
+        const doubles Q3 = t5 + t10;
+        const doubles Q5 = t7 - t8;
+        const doubles Q6 = t6 - t9;
+        const doubles Q7 = t7 + t8;
+        char *const item2 = at2 + g * LANES * step2;
+        store_4(item2, step2, Q0, Q1, Q2, Q3);
+        store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
+        store_1(item2 + 8 * sizeof(double), step2, Q8);
+    }
+}
+
+void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats q[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, q);
+        load_1f(item0 + 2 * sizeof(float), step0, &q[2]);
+        floats q_0;
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_1f(item1, step1, &q_0);
+        const floats t1 = q_0 * q_0 - (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
+        const floats t2 = 2.0f * q_0;
+        const floats t3 = 2.0f * q[0];
+        const floats t4 = 2.0f * q[1];
+        const floats t5 = q[1] * t3;
+        const floats t6 = q[2] * t3;
+        const floats t7 = q[2] * t4;
+        const floats Q0 = t1 + q[0] * t3;
+        const floats Q4 = t1 + q[1] * t4;
+        const floats Q8 = t1 + q[2] * (2.0f * q[2]);
+        const floats t8 = q[0] * t2;
+        const floats t9 = q[1] * t2;
+        const floats t10 = q[2] * t2;
+        const floats Q1 = t5 - t10;
+        const floats Q2 = t6 + t9;
+        const floats Q3 = t5 + t10;
+        const floats Q5 = t7 - t8;
+        const floats Q6 = t6 - t9;
+        const floats Q7 = t7 + t8;
+        char *const item2 = at2 + g * LANESF * step2;
+        store_4f(item2, step2, Q0, Q1, Q2, Q3);
+        store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
+        store_1f(item2 + 8 * sizeof(float), step2, Q8);
+    }
+}
+
+void CHASLES_LEVELED(chasles_linear_invariants_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles Q[9];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_4(item0, step0, Q);
+        load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
+        load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
+        const doubles q0 = 0.5 * (Q[7] - Q[5]);
+        const doubles q1 = 0.5 * (Q[2] - Q[6]);
+        const doubles q2 = 0.5 * (Q[3] - Q[1]);
+        const doubles q_0_value = 0.5 * (Q[8] + (Q[0] + Q[4]) - 1.0);
+        char *const item1 = at1 + g * LANES * step1;
+        store_2(item1, step1, q0, q1);
+        store_1(item1 + 2 * sizeof(double), step1, q2);
+        char *const item2 = at2 + g * LANES * step2;
+        store_1(item2, step2, q_0_value);
+    }
+}
+
+void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats Q[9];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_4f(item0, step0, Q);
+        load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
+        load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
+        const floats q0 = 0.5f * (Q[7] - Q[5]);
+        const floats q1 = 0.5f * (Q[2] - Q[6]);
+        const floats q2 = 0.5f * (Q[3] - Q[1]);
+        const floats q_0_value = 0.5f * (Q[8] + (Q[0] + Q[4]) - 1.0f);
+        char *const item1 = at1 + g * LANESF * step1;
+        store_2f(item1, step1, q0, q1);
+        store_1f(item1 + 2 * sizeof(float), step1, q2);
+        char *const item2 = at2 + g * LANESF * step2;
+        store_1f(item2, step2, q_0_value);
+    }
+}
+
+void CHASLES_LEVELED(chasles_natural_invariants_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles Q[9];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_4(item0, step0, Q);
+        load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
+        load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
+        const doubles t1 = Q[2] + Q[6];
+        const doubles t2 = Q[5] + Q[7];
+        const doubles t3 = Q[8] + (Q[0] + Q[4]);
+        const doubles t4 = 1.0 + 2.0 * Q[8] - t3;
+        const doubles t5 = t1 * t1;
+        const doubles t6 = t2 * t2;
+        const doubles t7 = t5 + t6 + t4 * t4;
+        const doubles t8 = Q[1] + Q[3];
+        const doubles t9 = 1.0 + 2.0 * Q[4] - t3;
+        const doubles t10 = t8 * t8;
+        const doubles t11 = t6 + (t10 + t9 * t9);
+        const doubles t12 = Q[7] - Q[5];
+        const doubles t13 = Q[2] - Q[6];
+        const doubles t14 = Q[3] - Q[1];
+        const doubles t15 = t13 * t13;
+        const doubles t16 = t11 + t15;
+        const doubles t17 = t14 * t14;
+        const doubles t18 = t7 + t17;
+        const truths t19 = less(t16, t18);
+        const doubles t20 = choose(t19, t1, t8);
+        const doubles t21 = choose(t19, t7, t11);
+        const doubles t22 = choose(t19, t2, t9);
+        const doubles t23 = choose(t19, t4, t2);
+        const doubles t24 = 1.0 + 2.0 * Q[0] - t3;
+        const doubles t25 = t5 + (t10 + t24 * t24);
+        const doubles t26 = t12 * t12;
+        const doubles t27 = t25 + t26;
+        const truths t28 = less(t27, t18);
+        const truths t29 = less(t27, t16);
+        const doubles t30 = choose(t29, t20, choose(t28, t20, t24));
+        const doubles t31 = choose(t29, t21, choose(t28, t21, t25));
+        const doubles t32 = choose(t29, t22, choose(t28, t22, t8));
+        const doubles t33 = choose(t29, t23, choose(t28, t23, t1));
+        const doubles t34 = t17 + (t15 + t26);
+        const doubles t35 = 1.0 + t3;
+        const doubles t36 = t34 + t35 * t35;
+        const truths t37 = less(t36, t18);
+        const truths t38 = less(t36, t16);
+        const truths t39 = less(t36, t27);
+        const doubles t40 = choose(t39, t31, choose(t38, t31, choose(t37, t31, t34)));
+        const doubles t41 = roots(t40);
+        const truths t42 = equal(t40, spread(0.0));
+        const doubles t43 = choose(t39, t30, choose(t38, t30, choose(t37, t30, t12)));
+        const doubles t44 = choose(t42, spread(0.0), t43) / t41;
+        const doubles t45 = choose(t39, t32, choose(t38, t32, choose(t37, t32, t13)));
+        const doubles t46 = choose(t42, spread(0.0), t45) / t41;
+        const doubles t47 = choose(t39, t33, choose(t38, t33, choose(t37, t33, t14)));
+        const doubles t48 = choose(t42, spread(0.0), t47) / t41;
+        const doubles t49 = choose(t19, t14, t13);
+        const doubles t50 = choose(t19, t18, t16);
+        const doubles t51 = choose(t29, t49, choose(t28, t49, t12));
+        const doubles t52 = choose(t29, t50, choose(t28, t50, t27));
+        const doubles t53 = choose(t39, t52, choose(t38, t52, choose(t37, t52, t36)));
+        const doubles t54 = roots(t53);
+        const truths t55 = equal(t53, spread(0.0));
+        const doubles t56 = choose(t39, t51, choose(t38, t51, choose(t37, t51, t35)));
+        const doubles t57 = choose(t55, spread(0.0), t56) / t54;
+        const doubles t58 = choose(less(t48, spread(0.0)), spread(-1.0), spread(1.0));
+        const doubles t59 = choose(less(spread(0.0), t46), spread(1.0), t58);
+        const doubles t60 = choose(less(t46, spread(0.0)), spread(-1.0), t59);
+        const doubles t61 = choose(less(spread(0.0), t44), spread(1.0), t60);
+        const doubles t62 = choose(less(t44, spread(0.0)), spread(-1.0), t61);
+        const doubles t63 = choose(less(spread(0.0), t57), spread(1.0), t62);
+        const doubles t64 = choose(less(t57, spread(0.0)), spread(-1.0), t63);
+        const doubles e0 = t44 * t64;
+        const doubles e1 = t46 * t64;
+        const doubles e2 = t48 * t64;
+        const doubles phi_value = 2.0 * directions(choose(t55, spread(0.0), t41) / t54, t57 * t64);
+        char *const item1 = at1 + g * LANES * step1;
+        store_2(item1, step1, e0, e1);
+        store_1(item1 + 2 * sizeof(double), step1, e2);
+        char *const item2 = at2 + g * LANES * step2;
+        store_1(item2, step2, phi_value);
+    }
+}
+
+void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats Q[9];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_4f(item0, step0, Q);
+        load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
+        load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
+        const floats t1 = Q[2] + Q[6];
+        const floats t2 = Q[5] + Q[7];
+        const floats t3 = Q[8] + (Q[0] + Q[4]);
+        const floats t4 = 1.0f + 2.0f * Q[8] - t3;
+        const floats t5 = t1 * t1;
+        const floats t6 = t2 * t2;
+        const floats t7 = t5 + t6 + t4 * t4;
+        const floats t8 = Q[1] + Q[3];
+        const floats t9 = 1.0f + 2.0f * Q[4] - t3;
+        const floats t10 = t8 * t8;
+        const floats t11 = t6 + (t10 + t9 * t9);
+        const floats t12 = Q[7] - Q[5];
+        const floats t13 = Q[2] - Q[6];
+        const floats t14 = Q[3] - Q[1];
+        const floats t15 = t13 * t13;
+        const floats t16 = t11 + t15;
+        const floats t17 = t14 * t14;
+        const floats t18 = t7 + t17;
+        const truthsf t19 = lessf(t16, t18);
+        const floats t20 = choosef(t19, t1, t8);
+        const floats t21 = choosef(t19, t7, t11);
+        const floats t22 = choosef(t19, t2, t9);
+        const floats t23 = choosef(t19, t4, t2);
+        const floats t24 = 1.0f + 2.0f * Q[0] - t3;
+        const floats t25 = t5 + (t10 + t24 * t24);
+        const floats t26 = t12 * t12;
+        const floats t27 = t25 + t26;
+        const truthsf t28 = lessf(t27, t18);
+        const truthsf t29 = lessf(t27, t16);
+        const floats t30 = choosef(t29, t20, choosef(t28, t20, t24));
+        const floats t31 = choosef(t29, t21, choosef(t28, t21, t25));
+        const floats t32 = choosef(t29, t22, choosef(t28, t22, t8));
+        const floats t33 = choosef(t29, t23, choosef(t28, t23, t1));
+        const floats t34 = t17 + (t15 + t26);
+        const floats t35 = 1.0f + t3;
+        const floats t36 = t34 + t35 * t35;
+        const truthsf t37 = lessf(t36, t18);
+        const truthsf t38 = lessf(t36, t16);
+        const truthsf t39 = lessf(t36, t27);
+        const floats t40 = choosef(t39, t31, choosef(t38, t31, choosef(t37, t31, t34)));
+        const floats t41 = rootsf(t40);
+        const truthsf t42 = equalf(t40, spreadf(0.0f));
+        const floats t43 = choosef(t39, t30, choosef(t38, t30, choosef(t37, t30, t12)));
+        const floats t44 = choosef(t42, spreadf(0.0f), t43) / t41;
+        const floats t45 = choosef(t39, t32, choosef(t38, t32, choosef(t37, t32, t13)));
+        const floats t46 = choosef(t42, spreadf(0.0f), t45) / t41;
+        const floats t47 = choosef(t39, t33, choosef(t38, t33, choosef(t37, t33, t14)));
+        const floats t48 = choosef(t42, spreadf(0.0f), t47) / t41;
+        const floats t49 = choosef(t19, t14, t13);
+        const floats t50 = choosef(t19, t18, t16);
+        const floats t51 = choosef(t29, t49, choosef(t28, t49, t12));
+        const floats t52 = choosef(t29, t50, choosef(t28, t50, t27));
+        const floats t53 = choosef(t39, t52, choosef(t38, t52, choosef(t37, t52, t36)));
+        const floats t54 = rootsf(t53);
+        const truthsf t55 = equalf(t53, spreadf(0.0f));
+        const floats t56 = choosef(t39, t51, choosef(t38, t51, choosef(t37, t51, t35)));
+        const floats t57 = choosef(t55, spreadf(0.0f), t56) / t54;
+        const floats t58 = choosef(lessf(t48, spreadf(0.0f)), spreadf(-1.0f), spreadf(1.0f));
+        const floats t59 = choosef(lessf(spreadf(0.0f), t46), spreadf(1.0f), t58);
+        const floats t60 = choosef(lessf(t46, spreadf(0.0f)), spreadf(-1.0f), t59);
+        const floats t61 = choosef(lessf(spreadf(0.0f), t44), spreadf(1.0f), t60);
+        const floats t62 = choosef(lessf(t44, spreadf(0.0f)), spreadf(-1.0f), t61);
+        const floats t63 = choosef(lessf(spreadf(0.0f), t57), spreadf(1.0f), t62);
+        const floats t64 = choosef(lessf(t57, spreadf(0.0f)), spreadf(-1.0f), t63);
+        const floats e0 = t44 * t64;
+        const floats e1 = t46 * t64;
+        const floats e2 = t48 * t64;
+        const floats phi_value = 2.0f * directionsf(choosef(t55, spreadf(0.0f), t41) / t54, t57 * t64);
+        char *const item1 = at1 + g * LANESF * step1;
+        store_2f(item1, step1, e0, e1);
+        store_1f(item1 + 2 * sizeof(float), step1, e2);
+        char *const item2 = at2 + g * LANESF * step2;
+        store_1f(item2, step2, phi_value);
+    }
+}
+
+void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles Q[9];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_4(item0, step0, Q);
+        load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
+        load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
+        const doubles t1 = Q[2] + Q[6];
+        const doubles t2 = Q[5] + Q[7];
+        const doubles t3 = Q[8] + (Q[0] + Q[4]);
+        const doubles t4 = 1.0 + 2.0 * Q[8] - t3;
+        const doubles t5 = Q[7] - Q[5];
+        const doubles t6 = Q[2] - Q[6];
+        const doubles t7 = Q[3] - Q[1];
+        const doubles t8 = t1 * t1;
+        const doubles t9 = t2 * t2;
+        const doubles t10 = t7 * t7;
+        const doubles t11 = t8 + t9 + t4 * t4 + t10;
+        const doubles t12 = Q[1] + Q[3];
+        const doubles t13 = 1.0 + 2.0 * Q[4] - t3;
+        const doubles t14 = t12 * t12;
+        const doubles t15 = t6 * t6;
+        const doubles t16 = t9 + (t14 + t13 * t13) + t15;
+        const truths t17 = less(t16, t11);
+        const doubles t18 = choose(t17, t1, t12);
+        const doubles t19 = choose(t17, t11, t16);
+        const doubles t20 = choose(t17, t2, t13);
+        const doubles t21 = choose(t17, t4, t2);
+        const doubles t22 = 1.0 + 2.0 * Q[0] - t3;
+        const doubles t23 = t5 * t5;
+        const doubles t24 = t8 + (t14 + t22 * t22) + t23;
+        const truths t25 = less(t24, t11);
+        const truths t26 = less(t24, t16);
+        const doubles t27 = choose(t26, t18, choose(t25, t18, t22));
+        const doubles t28 = choose(t26, t19, choose(t25, t19, t24));
+        const doubles t29 = choose(t26, t20, choose(t25, t20, t12));
+        const doubles t30 = choose(t26, t21, choose(t25, t21, t1));
+        const doubles t31 = 1.0 + t3;
+        const doubles t32 = t10 + (t15 + t23) + t31 * t31;
+        const truths t33 = less(t32, t11);
+        const truths t34 = less(t32, t16);
+        const truths t35 = less(t32, t24);
+        const doubles t36 = choose(t35, t28, choose(t34, t28, choose(t33, t28, t32)));
+        const doubles t37 = roots(t36);
+        const truths t38 = equal(t36, spread(0.0));
+        const doubles t39 = choose(t35, t27, choose(t34, t27, choose(t33, t27, t5)));
+        const doubles t40 = choose(t38, spread(0.0), t39) / t37;
+        const doubles t41 = choose(t35, t29, choose(t34, t29, choose(t33, t29, t6)));
+        const doubles t42 = choose(t38, spread(0.0), t41) / t37;
+        const doubles t43 = choose(t35, t30, choose(t34, t30, choose(t33, t30, t7)));
+        const doubles t44 = choose(t38, spread(0.0), t43) / t37;
+        const doubles t45 = choose(t17, t7, t6);
+        const doubles t46 = choose(t26, t45, choose(t25, t45, t5));
+        const doubles t47 = choose(t35, t46, choose(t34, t46, choose(t33, t46, t31)));
+        const doubles t48 = choose(t38, spread(0.0), t47) / t37;
+        const doubles t49 = choose(less(t44, spread(0.0)), spread(-1.0), spread(1.0));
+        const doubles t50 = choose(less(spread(0.0), t42), spread(1.0), t49);
+        const doubles t51 = choose(less(t42, spread(0.0)), spread(-1.0), t50);
+        const doubles t52 = choose(less(spread(0.0), t40), spread(1.0), t51);
+        const doubles t53 = choose(less(t40, spread(0.0)), spread(-1.0), t52);
+        const doubles t54 = choose(less(spread(0.0), t48), spread(1.0), t53);
+        const doubles t55 = choose(less(t48, spread(0.0)), spread(-1.0), t54);
+        const doubles q0 = t40 * t55;
+        const doubles q1 = t42 * t55;
+        const doubles q2 = t44 * t55;
+        const doubles q_0_value = t48 * t55;
+        char *const item1 = at1 + g * LANES * step1;
+        store_2(item1, step1, q0, q1);
+        store_1(item1 + 2 * sizeof(double), step1, q2);
+        char *const item2 = at2 + g * LANES * step2;
+        store_1(item2, step2, q_0_value);
+    }
+}
+
+void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats Q[9];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_4f(item0, step0, Q);
+        load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
+        load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
+        const floats t1 = Q[2] + Q[6];
+        const floats t2 = Q[5] + Q[7];
+        const floats t3 = Q[8] + (Q[0] + Q[4]);
+        const floats t4 = 1.0f + 2.0f * Q[8] - t3;
+        const floats t5 = Q[7] - Q[5];
+        const floats t6 = Q[2] - Q[6];
+        const floats t7 = Q[3] - Q[1];
+        const floats t8 = t1 * t1;
+        const floats t9 = t2 * t2;
+        const floats t10 = t7 * t7;
+        const floats t11 = t8 + t9 + t4 * t4 + t10;
+        const floats t12 = Q[1] + Q[3];
+        const floats t13 = 1.0f + 2.0f * Q[4] - t3;
+        const floats t14 = t12 * t12;
+        const floats t15 = t6 * t6;
+        const floats t16 = t9 + (t14 + t13 * t13) + t15;
+        const truthsf t17 = lessf(t16, t11);
+        const floats t18 = choosef(t17, t1, t12);
+        const floats t19 = choosef(t17, t11, t16);
+        const floats t20 = choosef(t17, t2, t13);
+        const floats t21 = choosef(t17, t4, t2);
+        const floats t22 = 1.0f + 2.0f * Q[0] - t3;
+        const floats t23 = t5 * t5;
+        const floats t24 = t8 + (t14 + t22 * t22) + t23;
+        const truthsf t25 = lessf(t24, t11);
+        const truthsf t26 = lessf(t24, t16);
+        const floats t27 = choosef(t26, t18, choosef(t25, t18, t22));
+        const floats t28 = choosef(t26, t19, choosef(t25, t19, t24));
+        const floats t29 = choosef(t26, t20, choosef(t25, t20, t12));
+        const floats t30 = choosef(t26, t21, choosef(t25, t21, t1));
+        const floats t31 = 1.0f + t3;
+        const floats t32 = t10 + (t15 + t23) + t31 * t31;
+        const truthsf t33 = lessf(t32, t11);
+        const truthsf t34 = lessf(t32, t16);
+        const truthsf t35 = lessf(t32, t24);
+        const floats t36 = choosef(t35, t28, choosef(t34, t28, choosef(t33, t28, t32)));
+        const floats t37 = rootsf(t36);
+        const truthsf t38 = equalf(t36, spreadf(0.0f));
+        const floats t39 = choosef(t35, t27, choosef(t34, t27, choosef(t33, t27, t5)));
+        const floats t40 = choosef(t38, spreadf(0.0f), t39) / t37;
+        const floats t41 = choosef(t35, t29, choosef(t34, t29, choosef(t33, t29, t6)));
+        const floats t42 = choosef(t38, spreadf(0.0f), t41) / t37;
+        const floats t43 = choosef(t35, t30, choosef(t34, t30, choosef(t33, t30, t7)));
+        const floats t44 = choosef(t38, spreadf(0.0f), t43) / t37;
+        const floats t45 = choosef(t17, t7, t6);
+        const floats t46 = choosef(t26, t45, choosef(t25, t45, t5));
+        const floats t47 = choosef(t35, t46, choosef(t34, t46, choosef(t33, t46, t31)));
+        const floats t48 = choosef(t38, spreadf(0.0f), t47) / t37;
+        const floats t49 = choosef(lessf(t44, spreadf(0.0f)), spreadf(-1.0f), spreadf(1.0f));
+        const floats t50 = choosef(lessf(spreadf(0.0f), t42), spreadf(1.0f), t49);
+        const floats t51 = choosef(lessf(t42, spreadf(0.0f)), spreadf(-1.0f), t50);
+        const floats t52 = choosef(lessf(spreadf(0.0f), t40), spreadf(1.0f), t51);
+        const floats t53 = choosef(lessf(t40, spreadf(0.0f)), spreadf(-1.0f), t52);
+        const floats t54 = choosef(lessf(spreadf(0.0f), t48), spreadf(1.0f), t53);
+        const floats t55 = choosef(lessf(t48, spreadf(0.0f)), spreadf(-1.0f), t54);
+        const floats q0 = t40 * t55;
+        const floats q1 = t42 * t55;
+        const floats q2 = t44 * t55;
+        const floats q_0_value = t48 * t55;
+        char *const item1 = at1 + g * LANESF * step1;
+        store_2f(item1, step1, q0, q1);
+        store_1f(item1 + 2 * sizeof(float), step1, q2);
+        char *const item2 = at2 + g * LANESF * step2;
+        store_1f(item2, step2, q_0_value);
+    }
+}
+
+void CHASLES_LEVELED(chasles_screw_of_motion_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    char *const at4 = at[4];
+    const ptrdiff_t step4 = steps[4];
+    char *const at5 = at[5];
+    const ptrdiff_t step5 = steps[5];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles Q[9];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_4(item0, step0, Q);
+        load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
+        load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
+        doubles a[3];
+        const char *const item1 = at1 + g * LANES * step1;
+        load_2(item1, step1, a);
+        load_1(item1 + 2 * sizeof(double), step1, &a[2]);
+        doubles a_prime[3];
+        const char *const item2 = at2 + g * LANES * step2;
+        load_2(item2, step2, a_prime);
+        load_1(item2 + 2 * sizeof(double), step2, &a_prime[2]);
+        const doubles t1 = Q[2] + Q[6];
+        const doubles t2 = Q[5] + Q[7];
+        const doubles t3 = Q[8] + (Q[0] + Q[4]);
+        const doubles t4 = 1.0 + 2.0 * Q[8] - t3;
+        const doubles t5 = t1 * t1;
+        const doubles t6 = t2 * t2;
+        const doubles t7 = t5 + t6 + t4 * t4;
+        const doubles t8 = Q[1] + Q[3];
+        const doubles t9 = 1.0 + 2.0 * Q[4] - t3;
+        const doubles t10 = t8 * t8;
+        const doubles t11 = t6 + (t10 + t9 * t9);
+        const doubles t12 = Q[7] - Q[5];
+        const doubles t13 = Q[2] - Q[6];
+        const doubles t14 = Q[3] - Q[1];
+        const doubles t15 = t13 * t13;
+        const doubles t16 = t11 + t15;
+        const doubles t17 = t14 * t14;
+        const doubles t18 = t7 + t17;
+        const truths t19 = less(t16, t18);
+        const doubles t20 = choose(t19, t1, t8);
+        const doubles t21 = choose(t19, t7, t11);
+        const doubles t22 = choose(t19, t2, t9);
+        const doubles t23 = choose(t19, t4, t2);
+        const doubles t24 = 1.0 + 2.0 * Q[0] - t3;
+        const doubles t25 = t5 + (t10 + t24 * t24);
+        const doubles t26 = t12 * t12;
+        const doubles t27 = t25 + t26;
+        const truths t28 = less(t27, t18);
+        const truths t29 = less(t27, t16);
+        const doubles t30 = choose(t29, t20, choose(t28, t20, t24));
+        const doubles t31 = choose(t29, t21, choose(t28, t21, t25));
+        const doubles t32 = choose(t29, t22, choose(t28, t22, t8));
+        const doubles t33 = choose(t29, t23, choose(t28, t23, t1));
+        const doubles t34 = t17 + (t15 + t26);
+        const doubles t35 = 1.0 + t3;
+        const doubles t36 = t34 + t35 * t35;
+        const truths t37 = less(t36, t18);
+        const truths t38 = less(t36, t16);
+        const truths t39 = less(t36, t27);
+        const doubles t40 = choose(t39, t31, choose(t38, t31, choose(t37, t31, t34)));
+        const doubles t41 = roots(t40);
+        const truths t42 = equal(t40, spread(0.0));
+        const doubles t43 = choose(t39, t30, choose(t38, t30, choose(t37, t30, t12)));
+        const doubles t44 = choose(t42, spread(0.0), t43) / t41;
+        const doubles t45 = choose(t39, t32, choose(t38, t32, choose(t37, t32, t13)));
+        const doubles t46 = choose(t42, spread(0.0), t45) / t41;
+        const doubles t47 = choose(t39, t33, choose(t38, t33, choose(t37, t33, t14)));
+        const doubles t48 = choose(t42, spread(0.0), t47) / t41;
+        const doubles t49 = choose(t19, t14, t13);
+        const doubles t50 = choose(t19, t18, t16);
+        const doubles t51 = choose(t29, t49, choose(t28, t49, t12));
+        const doubles t52 = choose(t29, t50, choose(t28, t50, t27));
+        const doubles t53 = choose(t39, t52, choose(t38, t52, choose(t37, t52, t36)));
+        const doubles t54 = roots(t53);
+        const truths t55 = equal(t53, spread(0.0));
+        const doubles t56 = choose(t39, t51, choose(t38, t51, choose(t37, t51, t35)));
+        const doubles t57 = choose(t55, spread(0.0), t56) / t54;
+        const doubles t58 = choose(t55, spread(0.0), t41) / t54;
+        const doubles t59 = choose(less(t48, spread(0.0)), spread(-1.0), spread(1.0));
+        const doubles t60 = choose(less(spread(0.0), t46), spread(1.0), t59);
+        const doubles t61 = choose(less(t46, spread(0.0)), spread(-1.0), t60);
+        const doubles t62 = choose(less(spread(0.0), t44), spread(1.0), t61);
+        const doubles t63 = choose(less(t44, spread(0.0)), spread(-1.0), t62);
+        const doubles t64 = choose(less(spread(0.0), t57), spread(1.0), t63);
+        const doubles t65 = choose(less(t57, spread(0.0)), spread(-1.0), t64);
+        const doubles axis0 = t44 * t65;
+        const doubles axis1 = t46 * t65;
+        const doubles axis2 = t48 * t65;
+        const doubles t66 = a[0] + a_prime[0];
+        const doubles t67 = a[1] + a_prime[1];
+        const doubles t68 = a[2] + a_prime[2];
+        const doubles t69 = a_prime[0] - a[0];
+        const doubles t70 = a_prime[1] - a[1];
+        const doubles t71 = a_prime[2] - a[2];
+        const doubles t72 = axis1 * t71 - axis2 * t70;
+        const doubles t73 = axis2 * t69 - axis0 * t71;
+        const doubles t74 = axis0 * t70 - axis1 * t69;
+        const doubles t75 = t57 * t65;
+        const doubles t76 = choose(equal(t58, spread(0.0)), spread(0.0), t75) / t58;
+        const doubles axis3 = 0.5 * (axis2 * t67 - axis1 * t68 + (axis2 * t73 - axis1 * t74) * t76);
+        const doubles axis4 = 0.5 * (axis0 * t68 - axis2 * t66 + (axis0 * t74 - axis2 * t72) * t76);
+        const doubles axis5 = 0.5 * (axis1 * t66 - axis0 * t67 + (axis1 * t72 - axis0 * t73) * t76);
+        const doubles d_0_value = axis0 * t69 + axis1 * t70 + axis2 * t71;
+        const doubles phi_value = 2.0 * directions(t58, t75);
+        char *const item3 = at3 + g * LANES * step3;
+        store_4(item3, step3, axis0, axis1, axis2, axis3);
+        store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
+        char *const item4 = at4 + g * LANES * step4;
+        store_1(item4, step4, d_0_value);
+        char *const item5 = at5 + g * LANES * step5;
+        store_1(item5, step5, phi_value);
+    }
+}
+
+void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    char *const at4 = at[4];
+    const ptrdiff_t step4 = steps[4];
+    char *const at5 = at[5];
+    const ptrdiff_t step5 = steps[5];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats Q[9];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_4f(item0, step0, Q);
+        load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
+        load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
+        floats a[3];
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_2f(item1, step1, a);
+        load_1f(item1 + 2 * sizeof(float), step1, &a[2]);
+        floats a_prime[3];
+        const char *const item2 = at2 + g * LANESF * step2;
+        load_2f(item2, step2, a_prime);
+        load_1f(item2 + 2 * sizeof(float), step2, &a_prime[2]);
+        const floats t1 = Q[2] + Q[6];
+        const floats t2 = Q[5] + Q[7];
+        const floats t3 = Q[8] + (Q[0] + Q[4]);
+        const floats t4 = 1.0f + 2.0f * Q[8] - t3;
+        const floats t5 = t1 * t1;
+        const floats t6 = t2 * t2;
+        const floats t7 = t5 + t6 + t4 * t4;
+        const floats t8 = Q[1] + Q[3];
+        const floats t9 = 1.0f + 2.0f * Q[4] - t3;
+        const floats t10 = t8 * t8;
+        const floats t11 = t6 + (t10 + t9 * t9);
+        const floats t12 = Q[7] - Q[5];
+        const floats t13 = Q[2] - Q[6];
+        const floats t14 = Q[3] - Q[1];
+        const floats t15 = t13 * t13;
+        const floats t16 = t11 + t15;
+        const floats t17 = t14 * t14;
+        const floats t18 = t7 + t17;
+        const truthsf t19 = lessf(t16, t18);
+        const floats t20 = choosef(t19, t1, t8);
+        const floats t21 = choosef(t19, t7, t11);
+        const floats t22 = choosef(t19, t2, t9);
+        const floats t23 = choosef(t19, t4, t2);
+        const floats t24 = 1.0f + 2.0f * Q[0] - t3;
+        const floats t25 = t5 + (t10 + t24 * t24);
+        const floats t26 = t12 * t12;
+        const floats t27 = t25 + t26;
+        const truthsf t28 = lessf(t27, t18);
+        const truthsf t29 = lessf(t27, t16);
+        const floats t30 = choosef(t29, t20, choosef(t28, t20, t24));
+        const floats t31 = choosef(t29, t21, choosef(t28, t21, t25));
+        const floats t32 = choosef(t29, t22, choosef(t28, t22, t8));
+        const floats t33 = choosef(t29, t23, choosef(t28, t23, t1));
+        const floats t34 = t17 + (t15 + t26);
+        const floats t35 = 1.0f + t3;
+        const floats t36 = t34 + t35 * t35;
+        const truthsf t37 = lessf(t36, t18);
+        const truthsf t38 = lessf(t36, t16);
+        const truthsf t39 = lessf(t36, t27);
+        const floats t40 = choosef(t39, t31, choosef(t38, t31, choosef(t37, t31, t34)));
+        const floats t41 = rootsf(t40);
+        const truthsf t42 = equalf(t40, spreadf(0.0f));
+        const floats t43 = choosef(t39, t30, choosef(t38, t30, choosef(t37, t30, t12)));
+        const floats t44 = choosef(t42, spreadf(0.0f), t43) / t41;
+        const floats t45 = choosef(t39, t32, choosef(t38, t32, choosef(t37, t32, t13)));
+        const floats t46 = choosef(t42, spreadf(0.0f), t45) / t41;
+        const floats t47 = choosef(t39, t33, choosef(t38, t33, choosef(t37, t33, t14)));
+        const floats t48 = choosef(t42, spreadf(0.0f), t47) / t41;
+        const floats t49 = choosef(t19, t14, t13);
+        const floats t50 = choosef(t19, t18, t16);
+        const floats t51 = choosef(t29, t49, choosef(t28, t49, t12));
+        const floats t52 = choosef(t29, t50, choosef(t28, t50, t27));
+        const floats t53 = choosef(t39, t52, choosef(t38, t52, choosef(t37, t52, t36)));
+        const floats t54 = rootsf(t53);
+        const truthsf t55 = equalf(t53, spreadf(0.0f));
+        const floats t56 = choosef(t39, t51, choosef(t38, t51, choosef(t37, t51, t35)));
+        const floats t57 = choosef(t55, spreadf(0.0f), t56) / t54;
+        const floats t58 = choosef(t55, spreadf(0.0f), t41) / t54;
+        const floats t59 = choosef(lessf(t48, spreadf(0.0f)), spreadf(-1.0f), spreadf(1.0f));
+        const floats t60 = choosef(lessf(spreadf(0.0f), t46), spreadf(1.0f), t59);
+        const floats t61 = choosef(lessf(t46, spreadf(0.0f)), spreadf(-1.0f), t60);
+        const floats t62 = choosef(lessf(spreadf(0.0f), t44), spreadf(1.0f), t61);
+        const floats t63 = choosef(lessf(t44, spreadf(0.0f)), spreadf(-1.0f), t62);
+        const floats t64 = choosef(lessf(spreadf(0.0f), t57), spreadf(1.0f), t63);
+        const floats t65 = choosef(lessf(t57, spreadf(0.0f)), spreadf(-1.0f), t64);
+        const floats axis0 = t44 * t65;
+        const floats axis1 = t46 * t65;
+        const floats axis2 = t48 * t65;
+        const floats t66 = a[0] + a_prime[0];
+        const floats t67 = a[1] + a_prime[1];
+        const floats t68 = a[2] + a_prime[2];
+        const floats t69 = a_prime[0] - a[0];
+        const floats t70 = a_prime[1] - a[1];
+        const floats t71 = a_prime[2] - a[2];
+        const floats t72 = axis1 * t71 - axis2 * t70;
+        const floats t73 = axis2 * t69 - axis0 * t71;
+        const floats t74 = axis0 * t70 - axis1 * t69;
+        const floats t75 = t57 * t65;
+        const floats t76 = choosef(equalf(t58, spreadf(0.0f)), spreadf(0.0f), t75) / t58;
+        const floats axis3 = 0.5f * (axis2 * t67 - axis1 * t68 + (axis2 * t73 - axis1 * t74) * t76);
+        const floats axis4 = 0.5f * (axis0 * t68 - axis2 * t66 + (axis0 * t74 - axis2 * t72) * t76);
+        const floats axis5 = 0.5f * (axis1 * t66 - axis0 * t67 + (axis1 * t72 - axis0 * t73) * t76);
+        const floats d_0_value = axis0 * t69 + axis1 * t70 + axis2 * t71;
+        const floats phi_value = 2.0f * directionsf(t58, t75);
+        char *const item3 = at3 + g * LANESF * step3;
+        store_4f(item3, step3, axis0, axis1, axis2, axis3);
+        store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
+        char *const item4 = at4 + g * LANESF * step4;
+        store_1f(item4, step4, d_0_value);
+        char *const item5 = at5 + g * LANESF * step5;
+        store_1f(item5, step5, phi_value);
+    }
+}
+
+void CHASLES_LEVELED(chasles_instant_screw_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    char *const at4 = at[4];
+    const ptrdiff_t step4 = steps[4];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles omega[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, omega);
+        load_1(item0 + 2 * sizeof(double), step0, &omega[2]);
+        doubles a_dot[3];
+        const char *const item1 = at1 + g * LANES * step1;
+        load_2(item1, step1, a_dot);
+        load_1(item1 + 2 * sizeof(double), step1, &a_dot[2]);
+        doubles a[3];
+        const char *const item2 = at2 + g * LANES * step2;
+        load_2(item2, step2, a);
+        load_1(item2 + 2 * sizeof(double), step2, &a[2]);
+        const doubles t1 = omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2];
+        const doubles t2 = roots(t1);
+        const truths t3 = equal(t1, spread(0.0));
+        const doubles axis0 = choose(t3, spread(0.0), omega[0]) / t2;
+        const doubles axis1 = choose(t3, spread(0.0), omega[1]) / t2;
+        const doubles axis2 = choose(t3, spread(0.0), omega[2]) / t2;
+        const doubles t4 = choose(t3, spread(0.0), a_dot[0]) / t2;
+        const doubles t5 = choose(t3, spread(0.0), a_dot[1]) / t2;
+        const doubles t6 = choose(t3, spread(0.0), a_dot[2]) / t2;
+        const doubles t7 = a[0] + (axis1 * t6 - axis2 * t5);
+        const doubles t8 = a[1] + (axis2 * t4 - axis0 * t6);
+        const doubles t9 = a[2] + (axis0 * t5 - axis1 * t4);
+        const doubles axis3 = axis2 * t8 - axis1 * t9;
+        const doubles axis4 = axis0 * t9 - axis2 * t7;
+        const doubles axis5 = axis1 * t7 - axis0 * t8;
+        const doubles pitch_value = axis0 * t4 + axis1 * t5 + axis2 * t6;
+        char *const item3 = at3 + g * LANES * step3;
+        store_4(item3, step3, axis0, axis1, axis2, axis3);
+        store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
+        char *const item4 = at4 + g * LANES * step4;
+        store_1(item4, step4, pitch_value);
+    }
+}
+
+void CHASLES_LEVELED(chasles_instant_screw_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    char *const at4 = at[4];
+    const ptrdiff_t step4 = steps[4];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats omega[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, omega);
+        load_1f(item0 + 2 * sizeof(float), step0, &omega[2]);
+        floats a_dot[3];
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_2f(item1, step1, a_dot);
+        load_1f(item1 + 2 * sizeof(float), step1, &a_dot[2]);
+        floats a[3];
+        const char *const item2 = at2 + g * LANESF * step2;
+        load_2f(item2, step2, a);
+        load_1f(item2 + 2 * sizeof(float), step2, &a[2]);
+        const floats t1 = omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2];
+        const floats t2 = rootsf(t1);
+        const truthsf t3 = equalf(t1, spreadf(0.0f));
+        const floats axis0 = choosef(t3, spreadf(0.0f), omega[0]) / t2;
+        const floats axis1 = choosef(t3, spreadf(0.0f), omega[1]) / t2;
+        const floats axis2 = choosef(t3, spreadf(0.0f), omega[2]) / t2;
+        const floats t4 = choosef(t3, spreadf(0.0f), a_dot[0]) / t2;
+        const floats t5 = choosef(t3, spreadf(0.0f), a_dot[1]) / t2;
+        const floats t6 = choosef(t3, spreadf(0.0f), a_dot[2]) / t2;
+        const floats t7 = a[0] + (axis1 * t6 - axis2 * t5);
+        const floats t8 = a[1] + (axis2 * t4 - axis0 * t6);
+        const floats t9 = a[2] + (axis0 * t5 - axis1 * t4);
+        const floats axis3 = axis2 * t8 - axis1 * t9;
+        const floats axis4 = axis0 * t9 - axis2 * t7;
+        const floats axis5 = axis1 * t7 - axis0 * t8;
+        const floats pitch_value = axis0 * t4 + axis1 * t5 + axis2 * t6;
+        char *const item3 = at3 + g * LANESF * step3;
+        store_4f(item3, step3, axis0, axis1, axis2, axis3);
+        store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
+        char *const item4 = at4 + g * LANESF * step4;
+        store_1f(item4, step4, pitch_value);
+    }
+}
+
+void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    doubles angles[1][GROUPS];
+    doubles sines[1][GROUPS];
+    doubles cosines[1][GROUPS];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles phi;
+        const char *const item1 = at1 + g * LANES * step1;
+        load_1(item1, step1, &phi);
+        angles[0][g] = phi;
+    }
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles e[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, e);
+        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        const doubles sin_phi = sines[0][g];
+        const doubles cos_phi = cosines[0][g];
+        const doubles N_tilde3 = e[0];
+        const doubles N_tilde7 = e[1];
+        const doubles N_tilde11 = e[2];
+        const doubles N_tilde0 = sin_phi;
+        const doubles t1 = 1.0 - cos_phi;
+        const doubles N_tilde9 = N_tilde3 * t1;
+        const doubles N_tilde2 = N_tilde7 * t1;
+        const doubles N_tilde4 = N_tilde11 * t1;
+        const doubles N_tilde1 = -N_tilde4;
+        const doubles N_tilde6 = -N_tilde9;
+        const doubles N_tilde8 = -N_tilde2;
+        char *const item2 = at2 + g * LANES * step2;
+        store_4(item2, step2, N_tilde0, N_tilde1, N_tilde2, N_tilde3);
+        store_4(item2 + 4 * sizeof(double), step2, N_tilde4, N_tilde0, N_tilde6, N_tilde7);
+        store_4(item2 + 8 * sizeof(double), step2, N_tilde8, N_tilde9, N_tilde0, N_tilde11);
+    }
+}
+
+void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    floats angles[1][GROUPSF];
+    floats sines[1][GROUPSF];
+    floats cosines[1][GROUPSF];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats phi;
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_1f(item1, step1, &phi);
+        angles[0][g] = phi;
+    }
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats e[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, e);
+        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        const floats sin_phi = sines[0][g];
+        const floats cos_phi = cosines[0][g];
+        const floats N_tilde3 = e[0];
+        const floats N_tilde7 = e[1];
+        const floats N_tilde11 = e[2];
+        const floats N_tilde0 = sin_phi;
+        const floats t1 = 1.0f - cos_phi;
+        const floats N_tilde9 = N_tilde3 * t1;
+        const floats N_tilde2 = N_tilde7 * t1;
+        const floats N_tilde4 = N_tilde11 * t1;
+        const floats N_tilde1 = -N_tilde4;
+        const floats N_tilde6 = -N_tilde9;
+        const floats N_tilde8 = -N_tilde2;
+        char *const item2 = at2 + g * LANESF * step2;
+        store_4f(item2, step2, N_tilde0, N_tilde1, N_tilde2, N_tilde3);
+        store_4f(item2 + 4 * sizeof(float), step2, N_tilde4, N_tilde0, N_tilde6, N_tilde7);
+        store_4f(item2 + 8 * sizeof(float), step2, N_tilde8, N_tilde9, N_tilde0, N_tilde11);
+    }
+}
+
+void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    doubles angles[1][GROUPS];
+    doubles sines[1][GROUPS];
+    doubles cosines[1][GROUPS];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles phi;
+        const char *const item1 = at1 + g * LANES * step1;
+        load_1(item1, step1, &phi);
+        angles[0][g] = 0.5 * phi;
+    }
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles e[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, e);
+        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        const doubles sin_half_phi = sines[0][g];
+        const doubles cos_half_phi = cosines[0][g];
+        const doubles t1 = choose(equal(cos_half_phi, spread(0.0)), spread(0.0), sin_half_phi);
+        const doubles t2 = t1 / cos_half_phi;
+        const doubles L_tilde9 = e[0] * t2;
+        const doubles L_tilde2 = e[1] * t2;
+        const doubles L_tilde4 = e[2] * t2;
+        const doubles L_tilde1 = -L_tilde4;
+        const doubles L_tilde3 = -L_tilde9;
+        const doubles L_tilde7 = -L_tilde2;
+        char *const item2 = at2 + g * LANES * step2;
+        store_4(item2, step2, spread(1.0), L_tilde1, L_tilde2, L_tilde3);
+        store_4(item2 + 4 * sizeof(double), step2, L_tilde4, spread(1.0), L_tilde3, L_tilde7);
+        store_4(item2 + 8 * sizeof(double), step2, L_tilde7, L_tilde9, spread(1.0), L_tilde1);
+    }
+}
+
+void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    floats angles[1][GROUPSF];
+    floats sines[1][GROUPSF];
+    floats cosines[1][GROUPSF];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats phi;
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_1f(item1, step1, &phi);
+        angles[0][g] = 0.5f * phi;
+    }
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats e[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, e);
+        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        const floats sin_half_phi = sines[0][g];
+        const floats cos_half_phi = cosines[0][g];
+        const truthsf t1 = equalf(cos_half_phi, spreadf(0.0f));
+        const floats t2 = choosef(t1, spreadf(0.0f), sin_half_phi) / cos_half_phi;
+        const floats L_tilde9 = e[0] * t2;
+        const floats L_tilde2 = e[1] * t2;
+        const floats L_tilde4 = e[2] * t2;
+        const floats L_tilde1 = -L_tilde4;
+        const floats L_tilde3 = -L_tilde9;
+        const floats L_tilde7 = -L_tilde2;
+        char *const item2 = at2 + g * LANESF * step2;
+        store_4f(item2, step2, spreadf(1.0f), L_tilde1, L_tilde2, L_tilde3);
+        store_4f(item2 + 4 * sizeof(float), step2, L_tilde4, spreadf(1.0f), L_tilde3, L_tilde7);
+        store_4f(item2 + 8 * sizeof(float), step2, L_tilde7, L_tilde9, spreadf(1.0f), L_tilde1);
+    }
+}
+
+void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    doubles angles[1][GROUPS];
+    doubles sines[1][GROUPS];
+    doubles cosines[1][GROUPS];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles phi;
+        const char *const item1 = at1 + g * LANES * step1;
+        load_1(item1, step1, &phi);
+        angles[0][g] = 0.5 * phi;
+    }
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles e[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, e);
+        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        const doubles sin_half_phi = sines[0][g];
+        const doubles cos_half_phi = cosines[0][g];
+        const doubles H_tilde0 = 2.0 * cos_half_phi;
+        const doubles t1 = 2.0 * sin_half_phi;
+        const doubles H_tilde9 = e[0] * t1;
+        const doubles H_tilde2 = e[1] * t1;
+        const doubles H_tilde4 = e[2] * t1;
+        const doubles H_tilde1 = -H_tilde4;
+        const doubles H_tilde3 = -H_tilde9;
+        const doubles H_tilde7 = -H_tilde2;
+        char *const item2 = at2 + g * LANES * step2;
+        store_4(item2, step2, H_tilde0, H_tilde1, H_tilde2, H_tilde3);
+        store_4(item2 + 4 * sizeof(double), step2, H_tilde4, H_tilde0, H_tilde3, H_tilde7);
+        store_4(item2 + 8 * sizeof(double), step2, H_tilde7, H_tilde9, H_tilde0, H_tilde1);
+    }
+}
+
+void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    floats angles[1][GROUPSF];
+    floats sines[1][GROUPSF];
+    floats cosines[1][GROUPSF];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats phi;
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_1f(item1, step1, &phi);
+        angles[0][g] = 0.5f * phi;
+    }
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats e[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, e);
+        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        const floats sin_half_phi = sines[0][g];
+        const floats cos_half_phi = cosines[0][g];
+        const floats H_tilde0 = 2.0f * cos_half_phi;
+        const floats t1 = 2.0f * sin_half_phi;
+        const floats H_tilde9 = e[0] * t1;
+        const floats H_tilde2 = e[1] * t1;
+        const floats H_tilde4 = e[2] * t1;
+        const floats H_tilde1 = -H_tilde4;
+        const floats H_tilde3 = -H_tilde9;
+        const floats H_tilde7 = -H_tilde2;
+        char *const item2 = at2 + g * LANESF * step2;
+        store_4f(item2, step2, H_tilde0, H_tilde1, H_tilde2, H_tilde3);
+        store_4f(item2 + 4 * sizeof(float), step2, H_tilde4, H_tilde0, H_tilde3, H_tilde7);
+        store_4f(item2 + 8 * sizeof(float), step2, H_tilde7, H_tilde9, H_tilde0, H_tilde1);
+    }
+}
+
+void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    doubles angles[1][GROUPS];
+    doubles sines[1][GROUPS];
+    doubles cosines[1][GROUPS];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles phi;
+        const char *const item1 = at1 + g * LANES * step1;
+        load_1(item1, step1, &phi);
+        angles[0][g] = 0.5 * phi;
+    }
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles e[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, e);
+        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        doubles t[6];
+        const char *const item2 = at2 + g * LANES * step2;
+        load_4(item2, step2, t);
+        load_2(item2 + 4 * sizeof(double), step2, &t[4]);
+        const doubles sin_half_phi = sines[0][g];
+        const doubles cos_half_phi = cosines[0][g];
+        const doubles s_dot4 = t[3];
+        const doubles s_dot5 = t[4];
+        const doubles s_dot6 = t[5];
+        const doubles s_dot3 = e[0] * t[0] + e[1] * t[1] + e[2] * t[2];
+        const doubles t1 = choose(equal(sin_half_phi, spread(0.0)), spread(0.0), cos_half_phi);
+        const doubles t2 = 0.5 * (t1 / sin_half_phi);
+        const doubles s_dot0 = -(0.5 * (e[1] * t[2] - e[2] * t[1]) + (e[0] * s_dot3 - t[0]) * t2);
+        const doubles s_dot1 = -(0.5 * (e[2] * t[0] - e[0] * t[2]) + (e[1] * s_dot3 - t[1]) * t2);
+        const doubles s_dot2 = -(0.5 * (e[0] * t[1] - e[1] * t[0]) + (e[2] * s_dot3 - t[2]) * t2);
+        char *const item3 = at3 + g * LANES * step3;
+        store_4(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
+        store_2(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5);
+        store_1(item3 + 6 * sizeof(double), step3, s_dot6);
+    }
+}
+
+void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    floats angles[1][GROUPSF];
+    floats sines[1][GROUPSF];
+    floats cosines[1][GROUPSF];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats phi;
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_1f(item1, step1, &phi);
+        angles[0][g] = 0.5f * phi;
+    }
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats e[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, e);
+        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        floats t[6];
+        const char *const item2 = at2 + g * LANESF * step2;
+        load_4f(item2, step2, t);
+        load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
+        const floats sin_half_phi = sines[0][g];
+        const floats cos_half_phi = cosines[0][g];
+        const floats s_dot4 = t[3];
+        const floats s_dot5 = t[4];
+        const floats s_dot6 = t[5];
+        const floats s_dot3 = e[0] * t[0] + e[1] * t[1] + e[2] * t[2];
+        const truthsf t1 = equalf(sin_half_phi, spreadf(0.0f));
+        const floats t2 = 0.5f * (choosef(t1, spreadf(0.0f), cos_half_phi) / sin_half_phi);
+        const floats s_dot0 = -(0.5f * (e[1] * t[2] - e[2] * t[1]) + (e[0] * s_dot3 - t[0]) * t2);
+        const floats s_dot1 = -(0.5f * (e[2] * t[0] - e[0] * t[2]) + (e[1] * s_dot3 - t[1]) * t2);
+        const floats s_dot2 = -(0.5f * (e[0] * t[1] - e[1] * t[0]) + (e[2] * s_dot3 - t[2]) * t2);
+        char *const item3 = at3 + g * LANESF * step3;
+        store_4f(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
+        store_2f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5);
+        store_1f(item3 + 6 * sizeof(float), step3, s_dot6);
+    }
+}
+
+void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    doubles angles[1][GROUPS];
+    doubles sines[1][GROUPS];
+    doubles cosines[1][GROUPS];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles phi;
+        const char *const item1 = at1 + g * LANES * step1;
+        load_1(item1, step1, &phi);
+        angles[0][g] = phi;
+    }
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles e[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, e);
+        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        doubles t[6];
+        const char *const item2 = at2 + g * LANES * step2;
+        load_4(item2, step2, t);
+        load_2(item2 + 4 * sizeof(double), step2, &t[4]);
+        const doubles sin_phi = sines[0][g];
+        const doubles cos_phi = cosines[0][g];
+        const doubles s_dot4 = t[3];
+        const doubles s_dot5 = t[4];
+        const doubles s_dot6 = t[5];
+        const doubles half_cos_phi = 0.5 * cos_phi;
+        const doubles t1 = 0.5 + half_cos_phi;
+        const doubles t2 = (e[0] * t[0] + e[1] * t[1] + e[2] * t[2]) * (0.5 - half_cos_phi);
+        const doubles half_sin_phi = 0.5 * sin_phi;
+        const doubles s_dot0 = t[0] * t1 - e[0] * t2 - (e[1] * t[2] - e[2] * t[1]) * half_sin_phi;
+        const doubles s_dot1 = t[1] * t1 - e[1] * t2 - (e[2] * t[0] - e[0] * t[2]) * half_sin_phi;
+        const doubles s_dot2 = t[2] * t1 - e[2] * t2 - (e[0] * t[1] - e[1] * t[0]) * half_sin_phi;
+        const doubles t3 = t[0] * (e[0] * sin_phi) + t[1] * (e[1] * sin_phi);
+        const doubles s_dot3 = -(t3 + t[2] * (e[2] * sin_phi));
+        char *const item3 = at3 + g * LANES * step3;
+        store_4(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
+        store_2(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5);
+        store_1(item3 + 6 * sizeof(double), step3, s_dot6);
+    }
+}
+
+void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    floats angles[1][GROUPSF];
+    floats sines[1][GROUPSF];
+    floats cosines[1][GROUPSF];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats phi;
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_1f(item1, step1, &phi);
+        angles[0][g] = phi;
+    }
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats e[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, e);
+        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        floats t[6];
+        const char *const item2 = at2 + g * LANESF * step2;
+        load_4f(item2, step2, t);
+        load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
+        const floats sin_phi = sines[0][g];
+        const floats cos_phi = cosines[0][g];
+        const floats s_dot4 = t[3];
+        const floats s_dot5 = t[4];
+        const floats s_dot6 = t[5];
+        const floats half_cos_phi = 0.5f * cos_phi;
+        const floats t1 = 0.5f + half_cos_phi;
+        const floats t2 = (e[0] * t[0] + e[1] * t[1] + e[2] * t[2]) * (0.5f - half_cos_phi);
+        const floats half_sin_phi = 0.5f * sin_phi;
+        const floats s_dot0 = t[0] * t1 - e[0] * t2 - (e[1] * t[2] - e[2] * t[1]) * half_sin_phi;
+        const floats s_dot1 = t[1] * t1 - e[1] * t2 - (e[2] * t[0] - e[0] * t[2]) * half_sin_phi;
+        const floats s_dot2 = t[2] * t1 - e[2] * t2 - (e[0] * t[1] - e[1] * t[0]) * half_sin_phi;
+        const floats t3 = t[0] * (e[0] * sin_phi) + t[1] * (e[1] * sin_phi);
+        const floats s_dot3 = -(t3 + t[2] * (e[2] * sin_phi));
+        char *const item3 = at3 + g * LANESF * step3;
+        store_4f(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
+        store_2f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5);
+        store_1f(item3 + 6 * sizeof(float), step3, s_dot6);
+    }
+}
+
+void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    doubles angles[1][GROUPS];
+    doubles sines[1][GROUPS];
+    doubles cosines[1][GROUPS];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles phi;
+        const char *const item1 = at1 + g * LANES * step1;
+        load_1(item1, step1, &phi);
+        angles[0][g] = 0.5 * phi;
+    }
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles e[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, e);
+        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        doubles t[6];
+        const char *const item2 = at2 + g * LANES * step2;
+        load_4(item2, step2, t);
+        load_2(item2 + 4 * sizeof(double), step2, &t[4]);
+        const doubles sin_half_phi = sines[0][g];
+        const doubles cos_half_phi = cosines[0][g];
+        const doubles s_dot4 = t[3];
+        const doubles s_dot5 = t[4];
+        const doubles s_dot6 = t[5];
+        const doubles half_cos_half_phi = 0.5 * cos_half_phi;
+        const doubles half_sin_half_phi = 0.5 * sin_half_phi;
+        const doubles t1 = e[0] * half_sin_half_phi;
+        const doubles t2 = e[1] * half_sin_half_phi;
+        const doubles t3 = e[2] * half_sin_half_phi;
+        const doubles s_dot0 = t[0] * half_cos_half_phi + t[1] * t3 - t[2] * t2;
+        const doubles s_dot1 = t[1] * half_cos_half_phi - t[0] * t3 + t[2] * t1;
+        const doubles s_dot2 = t[0] * t2 - t[1] * t1 + t[2] * half_cos_half_phi;
+        const doubles s_dot3 = -(t[0] * t1 + t[1] * t2 + t[2] * t3);
+        char *const item3 = at3 + g * LANES * step3;
+        store_4(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
+        store_2(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5);
+        store_1(item3 + 6 * sizeof(double), step3, s_dot6);
+    }
+}
+
+void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    floats angles[1][GROUPSF];
+    floats sines[1][GROUPSF];
+    floats cosines[1][GROUPSF];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats phi;
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_1f(item1, step1, &phi);
+        angles[0][g] = 0.5f * phi;
+    }
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats e[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, e);
+        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        floats t[6];
+        const char *const item2 = at2 + g * LANESF * step2;
+        load_4f(item2, step2, t);
+        load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
+        const floats sin_half_phi = sines[0][g];
+        const floats cos_half_phi = cosines[0][g];
+        const floats s_dot4 = t[3];
+        const floats s_dot5 = t[4];
+        const floats s_dot6 = t[5];
+        const floats half_cos_half_phi = 0.5f * cos_half_phi;
+        const floats half_sin_half_phi = 0.5f * sin_half_phi;
+        const floats t1 = e[0] * half_sin_half_phi;
+        const floats t2 = e[1] * half_sin_half_phi;
+        const floats t3 = e[2] * half_sin_half_phi;
+        const floats s_dot0 = t[0] * half_cos_half_phi + t[1] * t3 - t[2] * t2;
+        const floats s_dot1 = t[1] * half_cos_half_phi - t[0] * t3 + t[2] * t1;
+        const floats s_dot2 = t[0] * t2 - t[1] * t1 + t[2] * half_cos_half_phi;
+        const floats s_dot3 = -(t[0] * t1 + t[1] * t2 + t[2] * t3);
+        char *const item3 = at3 + g * LANESF * step3;
+        store_4f(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
+        store_2f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5);
+        store_1f(item3 + 6 * sizeof(float), step3, s_dot6);
+    }
+}
+
+void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    doubles angles[1][GROUPS];
+    doubles sines[1][GROUPS];
+    doubles cosines[1][GROUPS];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles phi;
+        const char *const item1 = at1 + g * LANES * step1;
+        load_1(item1, step1, &phi);
+        angles[0][g] = phi;
+    }
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles e[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, e);
+        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        doubles s_dot[7];
+        const char *const item2 = at2 + g * LANES * step2;
+        load_4(item2, step2, s_dot);
+        load_2(item2 + 4 * sizeof(double), step2, &s_dot[4]);
+        load_1(item2 + 6 * sizeof(double), step2, &s_dot[6]);
+        const doubles sin_phi = sines[0][g];
+        const doubles cos_phi = cosines[0][g];
+        const doubles t3 = s_dot[4];
+        const doubles t4 = s_dot[5];
+        const doubles t5 = s_dot[6];
+        const doubles t6 = 1.0 - cos_phi;
+        const doubles t7 = s_dot[0] * sin_phi + t6 * (e[1] * s_dot[2] - e[2] * s_dot[1]);
+        const doubles t0 = t7 + e[0] * s_dot[3];
+        const doubles t8 = s_dot[1] * sin_phi + t6 * (e[2] * s_dot[0] - e[0] * s_dot[2]);
+        const doubles t1 = t8 + e[1] * s_dot[3];
+        const doubles t9 = s_dot[2] * sin_phi + t6 * (e[0] * s_dot[1] - e[1] * s_dot[0]);
+        const doubles t2 = t9 + e[2] * s_dot[3];
+        char *const item3 = at3 + g * LANES * step3;
+        store_4(item3, step3, t0, t1, t2, t3);
+        store_2(item3 + 4 * sizeof(double), step3, t4, t5);
+    }
+}
+
+void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    floats angles[1][GROUPSF];
+    floats sines[1][GROUPSF];
+    floats cosines[1][GROUPSF];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats phi;
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_1f(item1, step1, &phi);
+        angles[0][g] = phi;
+    }
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats e[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, e);
+        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        floats s_dot[7];
+        const char *const item2 = at2 + g * LANESF * step2;
+        load_4f(item2, step2, s_dot);
+        load_2f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
+        load_1f(item2 + 6 * sizeof(float), step2, &s_dot[6]);
+        const floats sin_phi = sines[0][g];
+        const floats cos_phi = cosines[0][g];
+        const floats t3 = s_dot[4];
+        const floats t4 = s_dot[5];
+        const floats t5 = s_dot[6];
+        const floats t6 = 1.0f - cos_phi;
+        const floats t7 = s_dot[0] * sin_phi + t6 * (e[1] * s_dot[2] - e[2] * s_dot[1]);
+        const floats t0 = t7 + e[0] * s_dot[3];
+        const floats t8 = s_dot[1] * sin_phi + t6 * (e[2] * s_dot[0] - e[0] * s_dot[2]);
+        const floats t1 = t8 + e[1] * s_dot[3];
+        const floats t9 = s_dot[2] * sin_phi + t6 * (e[0] * s_dot[1] - e[1] * s_dot[0]);
+        const floats t2 = t9 + e[2] * s_dot[3];
+        char *const item3 = at3 + g * LANESF * step3;
+        store_4f(item3, step3, t0, t1, t2, t3);
+        store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
+    }
+}
+
+void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    doubles angles[1][GROUPS];
+    doubles sines[1][GROUPS];
+    doubles cosines[1][GROUPS];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles phi;
+        const char *const item1 = at1 + g * LANES * step1;
+        load_1(item1, step1, &phi);
+        angles[0][g] = 0.5 * phi;
+    }
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles e[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, e);
+        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        doubles s_dot[7];
+        const char *const item2 = at2 + g * LANES * step2;
+        load_4(item2, step2, s_dot);
+        load_2(item2 + 4 * sizeof(double), step2, &s_dot[4]);
+        load_1(item2 + 6 * sizeof(double), step2, &s_dot[6]);
+        const doubles sin_half_phi = sines[0][g];
+        const doubles cos_half_phi = cosines[0][g];
+        const doubles t3 = s_dot[4];
+        const doubles t4 = s_dot[5];
+        const doubles t5 = s_dot[6];
+        const doubles t6 = choose(equal(cos_half_phi, spread(0.0)), spread(0.0), sin_half_phi);
+        const doubles t7 = t6 / cos_half_phi;
+        const doubles t8 = e[0] * t7;
+        const doubles t9 = e[1] * t7;
+        const doubles t10 = e[2] * t7;
+        const doubles t0 = s_dot[0] - s_dot[1] * t10 + s_dot[2] * t9 - s_dot[3] * t8;
+        const doubles t1 = s_dot[1] + s_dot[0] * t10 - s_dot[2] * t8 - s_dot[3] * t9;
+        const doubles t2 = s_dot[2] + (s_dot[1] * t8 - s_dot[0] * t9) - s_dot[3] * t10;
+        char *const item3 = at3 + g * LANES * step3;
+        store_4(item3, step3, t0, t1, t2, t3);
+        store_2(item3 + 4 * sizeof(double), step3, t4, t5);
+    }
+}
+
+void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    floats angles[1][GROUPSF];
+    floats sines[1][GROUPSF];
+    floats cosines[1][GROUPSF];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats phi;
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_1f(item1, step1, &phi);
+        angles[0][g] = 0.5f * phi;
+    }
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats e[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, e);
+        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        floats s_dot[7];
+        const char *const item2 = at2 + g * LANESF * step2;
+        load_4f(item2, step2, s_dot);
+        load_2f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
+        load_1f(item2 + 6 * sizeof(float), step2, &s_dot[6]);
+        const floats sin_half_phi = sines[0][g];
+        const floats cos_half_phi = cosines[0][g];
+        const floats t3 = s_dot[4];
+        const floats t4 = s_dot[5];
+        const floats t5 = s_dot[6];
+        const truthsf t6 = equalf(cos_half_phi, spreadf(0.0f));
+        const floats t7 = choosef(t6, spreadf(0.0f), sin_half_phi) / cos_half_phi;
+        const floats t8 = e[0] * t7;
+        const floats t9 = e[1] * t7;
+        const floats t10 = e[2] * t7;
+        const floats t0 = s_dot[0] - s_dot[1] * t10 + s_dot[2] * t9 - s_dot[3] * t8;
+        const floats t1 = s_dot[1] + s_dot[0] * t10 - s_dot[2] * t8 - s_dot[3] * t9;
+        const floats t2 = s_dot[2] + (s_dot[1] * t8 - s_dot[0] * t9) - s_dot[3] * t10;
+        char *const item3 = at3 + g * LANESF * step3;
+        store_4f(item3, step3, t0, t1, t2, t3);
+        store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
+    }
+}
+
+void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    doubles angles[1][GROUPS];
+    doubles sines[1][GROUPS];
+    doubles cosines[1][GROUPS];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles phi;
+        const char *const item1 = at1 + g * LANES * step1;
+        load_1(item1, step1, &phi);
+        angles[0][g] = 0.5 * phi;
+    }
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles e[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, e);
+        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        doubles s_dot[7];
+        const char *const item2 = at2 + g * LANES * step2;
+        load_4(item2, step2, s_dot);
+        load_2(item2 + 4 * sizeof(double), step2, &s_dot[4]);
+        load_1(item2 + 6 * sizeof(double), step2, &s_dot[6]);
+        const doubles sin_half_phi = sines[0][g];
+        const doubles cos_half_phi = cosines[0][g];
+        const doubles t3 = s_dot[4];
+        const doubles t4 = s_dot[5];
+        const doubles t5 = s_dot[6];
+        const doubles t6 = 2.0 * cos_half_phi;
+        const doubles t7 = 2.0 * sin_half_phi;
+        const doubles t8 = e[0] * t7;
+        const doubles t9 = e[1] * t7;
+        const doubles t10 = e[2] * t7;
+        const doubles t0 = s_dot[0] * t6 - s_dot[1] * t10 + s_dot[2] * t9 - s_dot[3] * t8;
+        const doubles t1 = s_dot[0] * t10 + s_dot[1] * t6 - s_dot[2] * t8 - s_dot[3] * t9;
+        const doubles t2 = s_dot[1] * t8 - s_dot[0] * t9 + s_dot[2] * t6 - s_dot[3] * t10;
+        char *const item3 = at3 + g * LANES * step3;
+        store_4(item3, step3, t0, t1, t2, t3);
+        store_2(item3 + 4 * sizeof(double), step3, t4, t5);
+    }
+}
+
+void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    floats angles[1][GROUPSF];
+    floats sines[1][GROUPSF];
+    floats cosines[1][GROUPSF];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats phi;
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_1f(item1, step1, &phi);
+        angles[0][g] = 0.5f * phi;
+    }
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats e[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, e);
+        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        floats s_dot[7];
+        const char *const item2 = at2 + g * LANESF * step2;
+        load_4f(item2, step2, s_dot);
+        load_2f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
+        load_1f(item2 + 6 * sizeof(float), step2, &s_dot[6]);
+        const floats sin_half_phi = sines[0][g];
+        const floats cos_half_phi = cosines[0][g];
+        const floats t3 = s_dot[4];
+        const floats t4 = s_dot[5];
+        const floats t5 = s_dot[6];
+        const floats t6 = 2.0f * cos_half_phi;
+        const floats t7 = 2.0f * sin_half_phi;
+        const floats t8 = e[0] * t7;
+        const floats t9 = e[1] * t7;
+        const floats t10 = e[2] * t7;
+        const floats t0 = s_dot[0] * t6 - s_dot[1] * t10 + s_dot[2] * t9 - s_dot[3] * t8;
+        const floats t1 = s_dot[0] * t10 + s_dot[1] * t6 - s_dot[2] * t8 - s_dot[3] * t9;
+        const floats t2 = s_dot[1] * t8 - s_dot[0] * t9 + s_dot[2] * t6 - s_dot[3] * t10;
+        char *const item3 = at3 + g * LANESF * step3;
+        store_4f(item3, step3, t0, t1, t2, t3);
+        store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
+    }
+}
+
+void CHASLES_LEVELED(chasles_twist_transfer_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles t_A[6];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_4(item0, step0, t_A);
+        load_2(item0 + 4 * sizeof(double), step0, &t_A[4]);
+        doubles a[3];
+        const char *const item1 = at1 + g * LANES * step1;
+        load_2(item1, step1, a);
+        load_1(item1 + 2 * sizeof(double), step1, &a[2]);
+        doubles p[3];
+        const char *const item2 = at2 + g * LANES * step2;
+        load_2(item2, step2, p);
+        load_1(item2 + 2 * sizeof(double), step2, &p[2]);
+        const doubles t_P0 = t_A[0];
+        const doubles t_P1 = t_A[1];
+        const doubles t_P2 = t_A[2];
+        const doubles t1 = a[0] - p[0];
+        const doubles t2 = a[1] - p[1];
+        const doubles t3 = a[2] - p[2];
+        const doubles t_P3 = t_A[3] + (t_P2 * t2 - t_P1 * t3);
+        const doubles t_P4 = t_A[4] + (t_P0 * t3 - t_P2 * t1);
+        const doubles t_P5 = t_A[5] + (t_P1 * t1 - t_P0 * t2);
+        char *const item3 = at3 + g * LANES * step3;
+        store_4(item3, step3, t_P0, t_P1, t_P2, t_P3);
+        store_2(item3 + 4 * sizeof(double), step3, t_P4, t_P5);
+    }
+}
+
+void CHASLES_LEVELED(chasles_twist_transfer_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats t_A[6];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_4f(item0, step0, t_A);
+        load_2f(item0 + 4 * sizeof(float), step0, &t_A[4]);
+        floats a[3];
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_2f(item1, step1, a);
+        load_1f(item1 + 2 * sizeof(float), step1, &a[2]);
+        floats p[3];
+        const char *const item2 = at2 + g * LANESF * step2;
+        load_2f(item2, step2, p);
+        load_1f(item2 + 2 * sizeof(float), step2, &p[2]);
+        const floats t_P0 = t_A[0];
+        const floats t_P1 = t_A[1];
+        const floats t_P2 = t_A[2];
+        const floats t1 = a[0] - p[0];
+        const floats t2 = a[1] - p[1];
+        const floats t3 = a[2] - p[2];
+        const floats t_P3 = t_A[3] + (t_P2 * t2 - t_P1 * t3);
+        const floats t_P4 = t_A[4] + (t_P0 * t3 - t_P2 * t1);
+        const floats t_P5 = t_A[5] + (t_P1 * t1 - t_P0 * t2);
+        char *const item3 = at3 + g * LANESF * step3;
+        store_4f(item3, step3, t_P0, t_P1, t_P2, t_P3);
+        store_2f(item3 + 4 * sizeof(float), step3, t_P4, t_P5);
+    }
+}
+
+#else
+
+void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_natural_rate_matrix(
+            (const double *)(at[0] + i * steps[0]),
+            *(const double *)(at[1] + i * steps[1]),
+            (double *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_natural_rate_matrixf(
+            (const float *)(at[0] + i * steps[0]),
+            *(const float *)(at[1] + i * steps[1]),
+            (float *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_linear_rate_matrix(
+            (const double *)(at[0] + i * steps[0]),
+            *(const double *)(at[1] + i * steps[1]),
+            (double *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_linear_rate_matrixf(
+            (const float *)(at[0] + i * steps[0]),
+            *(const float *)(at[1] + i * steps[1]),
+            (float *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_euler_rodrigues_rate_matrix(
+            (const double *)(at[0] + i * steps[0]),
+            *(const double *)(at[1] + i * steps[1]),
+            (double *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_euler_rodrigues_rate_matrixf(
+            (const float *)(at[0] + i * steps[0]),
+            *(const float *)(at[1] + i * steps[1]),
+            (float *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_rotation_from_linear_invariants(
+            (const double *)(at[0] + i * steps[0]),
+            *(const double *)(at[1] + i * steps[1]),
+            (double *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_rotation_from_linear_invariantsf(
+            (const float *)(at[0] + i * steps[0]),
+            *(const float *)(at[1] + i * steps[1]),
+            (float *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_rotation_from_euler_rodrigues(
+            (const double *)(at[0] + i * steps[0]),
+            *(const double *)(at[1] + i * steps[1]),
+            (double *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_rotation_from_euler_rodriguesf(
+            (const float *)(at[0] + i * steps[0]),
+            *(const float *)(at[1] + i * steps[1]),
+            (float *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_linear_invariants_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_linear_invariants(
+            (const double *)(at[0] + i * steps[0]),
+            (double *)(at[1] + i * steps[1]),
+            (double *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_linear_invariantsf(
+            (const float *)(at[0] + i * steps[0]),
+            (float *)(at[1] + i * steps[1]),
+            (float *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_natural_invariants_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_natural_invariants(
+            (const double *)(at[0] + i * steps[0]),
+            (double *)(at[1] + i * steps[1]),
+            (double *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_natural_invariantsf(
+            (const float *)(at[0] + i * steps[0]),
+            (float *)(at[1] + i * steps[1]),
+            (float *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_euler_rodrigues_parameters(
+            (const double *)(at[0] + i * steps[0]),
+            (double *)(at[1] + i * steps[1]),
+            (double *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_euler_rodrigues_parametersf(
+            (const float *)(at[0] + i * steps[0]),
+            (float *)(at[1] + i * steps[1]),
+            (float *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_screw_of_motion_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_screw_of_motion(
+            (const double *)(at[0] + i * steps[0]),
+            (const double *)(at[1] + i * steps[1]),
+            (const double *)(at[2] + i * steps[2]),
+            (double *)(at[3] + i * steps[3]),
+            (double *)(at[4] + i * steps[4]),
+            (double *)(at[5] + i * steps[5]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_screw_of_motionf(
+            (const float *)(at[0] + i * steps[0]),
+            (const float *)(at[1] + i * steps[1]),
+            (const float *)(at[2] + i * steps[2]),
+            (float *)(at[3] + i * steps[3]),
+            (float *)(at[4] + i * steps[4]),
+            (float *)(at[5] + i * steps[5]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_instant_screw_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_instant_screw(
+            (const double *)(at[0] + i * steps[0]),
+            (const double *)(at[1] + i * steps[1]),
+            (const double *)(at[2] + i * steps[2]),
+            (double *)(at[3] + i * steps[3]),
+            (double *)(at[4] + i * steps[4]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_instant_screw_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_instant_screwf(
+            (const float *)(at[0] + i * steps[0]),
+            (const float *)(at[1] + i * steps[1]),
+            (const float *)(at[2] + i * steps[2]),
+            (float *)(at[3] + i * steps[3]),
+            (float *)(at[4] + i * steps[4]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_natural_velocity_matrix(
+            (const double *)(at[0] + i * steps[0]),
+            *(const double *)(at[1] + i * steps[1]),
+            (double *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_natural_velocity_matrixf(
+            (const float *)(at[0] + i * steps[0]),
+            *(const float *)(at[1] + i * steps[1]),
+            (float *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_linear_velocity_matrix(
+            (const double *)(at[0] + i * steps[0]),
+            *(const double *)(at[1] + i * steps[1]),
+            (double *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_linear_velocity_matrixf(
+            (const float *)(at[0] + i * steps[0]),
+            *(const float *)(at[1] + i * steps[1]),
+            (float *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_euler_rodrigues_velocity_matrix(
+            (const double *)(at[0] + i * steps[0]),
+            *(const double *)(at[1] + i * steps[1]),
+            (double *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_euler_rodrigues_velocity_matrixf(
+            (const float *)(at[0] + i * steps[0]),
+            *(const float *)(at[1] + i * steps[1]),
+            (float *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_pose_rate_natural(
+            (const double *)(at[0] + i * steps[0]),
+            *(const double *)(at[1] + i * steps[1]),
+            (const double *)(at[2] + i * steps[2]),
+            (double *)(at[3] + i * steps[3]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_pose_rate_naturalf(
+            (const float *)(at[0] + i * steps[0]),
+            *(const float *)(at[1] + i * steps[1]),
+            (const float *)(at[2] + i * steps[2]),
+            (float *)(at[3] + i * steps[3]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_pose_rate_linear(
+            (const double *)(at[0] + i * steps[0]),
+            *(const double *)(at[1] + i * steps[1]),
+            (const double *)(at[2] + i * steps[2]),
+            (double *)(at[3] + i * steps[3]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_pose_rate_linearf(
+            (const float *)(at[0] + i * steps[0]),
+            *(const float *)(at[1] + i * steps[1]),
+            (const float *)(at[2] + i * steps[2]),
+            (float *)(at[3] + i * steps[3]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_pose_rate_euler_rodrigues(
+            (const double *)(at[0] + i * steps[0]),
+            *(const double *)(at[1] + i * steps[1]),
+            (const double *)(at[2] + i * steps[2]),
+            (double *)(at[3] + i * steps[3]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_pose_rate_euler_rodriguesf(
+            (const float *)(at[0] + i * steps[0]),
+            *(const float *)(at[1] + i * steps[1]),
+            (const float *)(at[2] + i * steps[2]),
+            (float *)(at[3] + i * steps[3]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_twist_from_pose_rate_natural(
+            (const double *)(at[0] + i * steps[0]),
+            *(const double *)(at[1] + i * steps[1]),
+            (const double *)(at[2] + i * steps[2]),
+            (double *)(at[3] + i * steps[3]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_twist_from_pose_rate_naturalf(
+            (const float *)(at[0] + i * steps[0]),
+            *(const float *)(at[1] + i * steps[1]),
+            (const float *)(at[2] + i * steps[2]),
+            (float *)(at[3] + i * steps[3]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_twist_from_pose_rate_linear(
+            (const double *)(at[0] + i * steps[0]),
+            *(const double *)(at[1] + i * steps[1]),
+            (const double *)(at[2] + i * steps[2]),
+            (double *)(at[3] + i * steps[3]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_twist_from_pose_rate_linearf(
+            (const float *)(at[0] + i * steps[0]),
+            *(const float *)(at[1] + i * steps[1]),
+            (const float *)(at[2] + i * steps[2]),
+            (float *)(at[3] + i * steps[3]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_twist_from_pose_rate_euler_rodrigues(
+            (const double *)(at[0] + i * steps[0]),
+            *(const double *)(at[1] + i * steps[1]),
+            (const double *)(at[2] + i * steps[2]),
+            (double *)(at[3] + i * steps[3]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_twist_from_pose_rate_euler_rodriguesf(
+            (const float *)(at[0] + i * steps[0]),
+            *(const float *)(at[1] + i * steps[1]),
+            (const float *)(at[2] + i * steps[2]),
+            (float *)(at[3] + i * steps[3]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_twist_transfer_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_twist_transfer(
+            (const double *)(at[0] + i * steps[0]),
+            (const double *)(at[1] + i * steps[1]),
+            (const double *)(at[2] + i * steps[2]),
+            (double *)(at[3] + i * steps[3]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_twist_transfer_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_twist_transferf(
+            (const float *)(at[0] + i * steps[0]),
+            (const float *)(at[1] + i * steps[1]),
+            (const float *)(at[2] + i * steps[2]),
+            (float *)(at[3] + i * steps[3]));
+    }
+}
+
+#endif

@@ -1,0 +1,136 @@
+/* The blocks of section_3_4, for batches. Made by `chasles emit`; not to be edited by hand.
+ *
+ * Compiled once for each level. A block first computes the sines and cosines of all its items, then, register by
+ * register, all else.
+ */
+
+#include <math.h>
+#include <stddef.h>
+
+#include "batches.h"
+#include "chasles.h"
+#include "vectors.h"
+
+#if CHASLES_VECTORS
+
+void CHASLES_LEVELED(chasles_velocity_of_point_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    char *const at4 = at[4];
+    const ptrdiff_t step4 = steps[4];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles omega[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, omega);
+        load_1(item0 + 2 * sizeof(double), step0, &omega[2]);
+        doubles a_dot[3];
+        const char *const item1 = at1 + g * LANES * step1;
+        load_2(item1, step1, a_dot);
+        load_1(item1 + 2 * sizeof(double), step1, &a_dot[2]);
+        doubles a[3];
+        const char *const item2 = at2 + g * LANES * step2;
+        load_2(item2, step2, a);
+        load_1(item2 + 2 * sizeof(double), step2, &a[2]);
+        doubles p[3];
+        const char *const item3 = at3 + g * LANES * step3;
+        load_2(item3, step3, p);
+        load_1(item3 + 2 * sizeof(double), step3, &p[2]);
+        const doubles t1 = p[0] - a[0];
+        const doubles t2 = p[1] - a[1];
+        const doubles t3 = p[2] - a[2];
+        const doubles p_dot0 = a_dot[0] + (omega[1] * t3 - omega[2] * t2);
+        const doubles p_dot1 = a_dot[1] + (omega[2] * t1 - omega[0] * t3);
+        const doubles p_dot2 = a_dot[2] + (omega[0] * t2 - omega[1] * t1);
+        char *const item4 = at4 + g * LANES * step4;
+        store_2(item4, step4, p_dot0, p_dot1);
+        store_1(item4 + 2 * sizeof(double), step4, p_dot2);
+    }
+}
+
+void CHASLES_LEVELED(chasles_velocity_of_point_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    char *const at4 = at[4];
+    const ptrdiff_t step4 = steps[4];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats omega[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, omega);
+        load_1f(item0 + 2 * sizeof(float), step0, &omega[2]);
+        floats a_dot[3];
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_2f(item1, step1, a_dot);
+        load_1f(item1 + 2 * sizeof(float), step1, &a_dot[2]);
+        floats a[3];
+        const char *const item2 = at2 + g * LANESF * step2;
+        load_2f(item2, step2, a);
+        load_1f(item2 + 2 * sizeof(float), step2, &a[2]);
+        floats p[3];
+        const char *const item3 = at3 + g * LANESF * step3;
+        load_2f(item3, step3, p);
+        load_1f(item3 + 2 * sizeof(float), step3, &p[2]);
+        const floats t1 = p[0] - a[0];
+        const floats t2 = p[1] - a[1];
+        const floats t3 = p[2] - a[2];
+        const floats p_dot0 = a_dot[0] + (omega[1] * t3 - omega[2] * t2);
+        const floats p_dot1 = a_dot[1] + (omega[2] * t1 - omega[0] * t3);
+        const floats p_dot2 = a_dot[2] + (omega[0] * t2 - omega[1] * t1);
+        char *const item4 = at4 + g * LANESF * step4;
+        store_2f(item4, step4, p_dot0, p_dot1);
+        store_1f(item4 + 2 * sizeof(float), step4, p_dot2);
+    }
+}
+
+#else
+
+void CHASLES_LEVELED(chasles_velocity_of_point_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_velocity_of_point(
+            (const double *)(at[0] + i * steps[0]),
+            (const double *)(at[1] + i * steps[1]),
+            (const double *)(at[2] + i * steps[2]),
+            (const double *)(at[3] + i * steps[3]),
+            (double *)(at[4] + i * steps[4]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_velocity_of_point_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_velocity_of_pointf(
+            (const float *)(at[0] + i * steps[0]),
+            (const float *)(at[1] + i * steps[1]),
+            (const float *)(at[2] + i * steps[2]),
+            (const float *)(at[3] + i * steps[3]),
+            (float *)(at[4] + i * steps[4]));
+    }
+}
+
+#endif

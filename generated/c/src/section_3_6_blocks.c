@@ -1,0 +1,344 @@
+/* The blocks of section_3_6, for batches. Made by `chasles emit`; not to be edited by hand.
+ *
+ * Compiled once for each level. A block first computes the sines and cosines of all its items, then, register by
+ * register, all else.
+ */
+
+#include <math.h>
+#include <stddef.h>
+
+#include "batches.h"
+#include "chasles.h"
+#include "vectors.h"
+
+#if CHASLES_VECTORS
+
+void CHASLES_LEVELED(chasles_moving_frame_velocity_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    char *const at4 = at[4];
+    const ptrdiff_t step4 = steps[4];
+    char *const at5 = at[5];
+    const ptrdiff_t step5 = steps[5];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles o_dot[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, o_dot);
+        load_1(item0 + 2 * sizeof(double), step0, &o_dot[2]);
+        doubles Q[9];
+        const char *const item1 = at1 + g * LANES * step1;
+        load_4(item1, step1, Q);
+        load_4(item1 + 4 * sizeof(double), step1, &Q[4]);
+        load_1(item1 + 8 * sizeof(double), step1, &Q[8]);
+        doubles omega[3];
+        const char *const item2 = at2 + g * LANES * step2;
+        load_2(item2, step2, omega);
+        load_1(item2 + 2 * sizeof(double), step2, &omega[2]);
+        doubles rho[3];
+        const char *const item3 = at3 + g * LANES * step3;
+        load_2(item3, step3, rho);
+        load_1(item3 + 2 * sizeof(double), step3, &rho[2]);
+        doubles rho_dot[3];
+        const char *const item4 = at4 + g * LANES * step4;
+        load_2(item4, step4, rho_dot);
+        load_1(item4 + 2 * sizeof(double), step4, &rho_dot[2]);
+        const doubles t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
+        const doubles t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
+        const doubles t3 = Q[6] * rho[0] + Q[7] * rho[1] + Q[8] * rho[2];
+        const doubles t4 = Q[0] * rho_dot[0] + Q[1] * rho_dot[1] + Q[2] * rho_dot[2];
+        const doubles p_dot0 = o_dot[0] + (omega[1] * t3 - omega[2] * t2) + t4;
+        const doubles t5 = Q[3] * rho_dot[0] + Q[4] * rho_dot[1] + Q[5] * rho_dot[2];
+        const doubles p_dot1 = o_dot[1] + (omega[2] * t1 - omega[0] * t3) + t5;
+        const doubles t6 = Q[6] * rho_dot[0] + Q[7] * rho_dot[1] + Q[8] * rho_dot[2];
+        const doubles p_dot2 = o_dot[2] + (omega[0] * t2 - omega[1] * t1) + t6;
+        char *const item5 = at5 + g * LANES * step5;
+        store_2(item5, step5, p_dot0, p_dot1);
+        store_1(item5 + 2 * sizeof(double), step5, p_dot2);
+    }
+}
+
+void CHASLES_LEVELED(chasles_moving_frame_velocity_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    char *const at4 = at[4];
+    const ptrdiff_t step4 = steps[4];
+    char *const at5 = at[5];
+    const ptrdiff_t step5 = steps[5];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats o_dot[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, o_dot);
+        load_1f(item0 + 2 * sizeof(float), step0, &o_dot[2]);
+        floats Q[9];
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_4f(item1, step1, Q);
+        load_4f(item1 + 4 * sizeof(float), step1, &Q[4]);
+        load_1f(item1 + 8 * sizeof(float), step1, &Q[8]);
+        floats omega[3];
+        const char *const item2 = at2 + g * LANESF * step2;
+        load_2f(item2, step2, omega);
+        load_1f(item2 + 2 * sizeof(float), step2, &omega[2]);
+        floats rho[3];
+        const char *const item3 = at3 + g * LANESF * step3;
+        load_2f(item3, step3, rho);
+        load_1f(item3 + 2 * sizeof(float), step3, &rho[2]);
+        floats rho_dot[3];
+        const char *const item4 = at4 + g * LANESF * step4;
+        load_2f(item4, step4, rho_dot);
+        load_1f(item4 + 2 * sizeof(float), step4, &rho_dot[2]);
+        const floats t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
+        const floats t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
+        const floats t3 = Q[6] * rho[0] + Q[7] * rho[1] + Q[8] * rho[2];
+        const floats t4 = Q[0] * rho_dot[0] + Q[1] * rho_dot[1] + Q[2] * rho_dot[2];
+        const floats p_dot0 = o_dot[0] + (omega[1] * t3 - omega[2] * t2) + t4;
+        const floats t5 = Q[3] * rho_dot[0] + Q[4] * rho_dot[1] + Q[5] * rho_dot[2];
+        const floats p_dot1 = o_dot[1] + (omega[2] * t1 - omega[0] * t3) + t5;
+        const floats t6 = Q[6] * rho_dot[0] + Q[7] * rho_dot[1] + Q[8] * rho_dot[2];
+        const floats p_dot2 = o_dot[2] + (omega[0] * t2 - omega[1] * t1) + t6;
+        char *const item5 = at5 + g * LANESF * step5;
+        store_2f(item5, step5, p_dot0, p_dot1);
+        store_1f(item5 + 2 * sizeof(float), step5, p_dot2);
+    }
+}
+
+void CHASLES_LEVELED(chasles_moving_frame_acceleration_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    char *const at4 = at[4];
+    const ptrdiff_t step4 = steps[4];
+    char *const at5 = at[5];
+    const ptrdiff_t step5 = steps[5];
+    char *const at6 = at[6];
+    const ptrdiff_t step6 = steps[6];
+    char *const at7 = at[7];
+    const ptrdiff_t step7 = steps[7];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles o_ddot[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, o_ddot);
+        load_1(item0 + 2 * sizeof(double), step0, &o_ddot[2]);
+        doubles Q[9];
+        const char *const item1 = at1 + g * LANES * step1;
+        load_4(item1, step1, Q);
+        load_4(item1 + 4 * sizeof(double), step1, &Q[4]);
+        load_1(item1 + 8 * sizeof(double), step1, &Q[8]);
+        doubles omega[3];
+        const char *const item2 = at2 + g * LANES * step2;
+        load_2(item2, step2, omega);
+        load_1(item2 + 2 * sizeof(double), step2, &omega[2]);
+        doubles omega_dot[3];
+        const char *const item3 = at3 + g * LANES * step3;
+        load_2(item3, step3, omega_dot);
+        load_1(item3 + 2 * sizeof(double), step3, &omega_dot[2]);
+        doubles rho[3];
+        const char *const item4 = at4 + g * LANES * step4;
+        load_2(item4, step4, rho);
+        load_1(item4 + 2 * sizeof(double), step4, &rho[2]);
+        doubles rho_dot[3];
+        const char *const item5 = at5 + g * LANES * step5;
+        load_2(item5, step5, rho_dot);
+        load_1(item5 + 2 * sizeof(double), step5, &rho_dot[2]);
+        doubles rho_ddot[3];
+        const char *const item6 = at6 + g * LANES * step6;
+        load_2(item6, step6, rho_ddot);
+        load_1(item6 + 2 * sizeof(double), step6, &rho_ddot[2]);
+        const doubles t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
+        const doubles t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
+        const doubles t3 = Q[6] * rho[0] + Q[7] * rho[1] + Q[8] * rho[2];
+        const doubles t4 = 2.0 * (Q[0] * rho_dot[0] + Q[1] * rho_dot[1] + Q[2] * rho_dot[2]);
+        const doubles t5 = omega[1] * t3 - omega[2] * t2 + t4;
+        const doubles t6 = 2.0 * (Q[3] * rho_dot[0] + Q[4] * rho_dot[1] + Q[5] * rho_dot[2]);
+        const doubles t7 = omega[2] * t1 - omega[0] * t3 + t6;
+        const doubles t8 = 2.0 * (Q[6] * rho_dot[0] + Q[7] * rho_dot[1] + Q[8] * rho_dot[2]);
+        const doubles t9 = omega[0] * t2 - omega[1] * t1 + t8;
+        const doubles t10 = o_ddot[0] + (omega_dot[1] * t3 - omega_dot[2] * t2);
+        const doubles t11 = o_ddot[1] + (omega_dot[2] * t1 - omega_dot[0] * t3);
+        const doubles t12 = o_ddot[2] + (omega_dot[0] * t2 - omega_dot[1] * t1);
+        const doubles t13 = Q[0] * rho_ddot[0] + Q[1] * rho_ddot[1] + Q[2] * rho_ddot[2];
+        const doubles p_ddot0 = t10 + (omega[1] * t9 - omega[2] * t7) + t13;
+        const doubles t14 = Q[3] * rho_ddot[0] + Q[4] * rho_ddot[1] + Q[5] * rho_ddot[2];
+        const doubles p_ddot1 = t11 + (omega[2] * t5 - omega[0] * t9) + t14;
+        const doubles t15 = Q[6] * rho_ddot[0] + Q[7] * rho_ddot[1] + Q[8] * rho_ddot[2];
+        const doubles p_ddot2 = t12 + (omega[0] * t7 - omega[1] * t5) + t15;
+        char *const item7 = at7 + g * LANES * step7;
+        store_2(item7, step7, p_ddot0, p_ddot1);
+        store_1(item7 + 2 * sizeof(double), step7, p_ddot2);
+    }
+}
+
+void CHASLES_LEVELED(chasles_moving_frame_acceleration_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    char *const at4 = at[4];
+    const ptrdiff_t step4 = steps[4];
+    char *const at5 = at[5];
+    const ptrdiff_t step5 = steps[5];
+    char *const at6 = at[6];
+    const ptrdiff_t step6 = steps[6];
+    char *const at7 = at[7];
+    const ptrdiff_t step7 = steps[7];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats o_ddot[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, o_ddot);
+        load_1f(item0 + 2 * sizeof(float), step0, &o_ddot[2]);
+        floats Q[9];
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_4f(item1, step1, Q);
+        load_4f(item1 + 4 * sizeof(float), step1, &Q[4]);
+        load_1f(item1 + 8 * sizeof(float), step1, &Q[8]);
+        floats omega[3];
+        const char *const item2 = at2 + g * LANESF * step2;
+        load_2f(item2, step2, omega);
+        load_1f(item2 + 2 * sizeof(float), step2, &omega[2]);
+        floats omega_dot[3];
+        const char *const item3 = at3 + g * LANESF * step3;
+        load_2f(item3, step3, omega_dot);
+        load_1f(item3 + 2 * sizeof(float), step3, &omega_dot[2]);
+        floats rho[3];
+        const char *const item4 = at4 + g * LANESF * step4;
+        load_2f(item4, step4, rho);
+        load_1f(item4 + 2 * sizeof(float), step4, &rho[2]);
+        floats rho_dot[3];
+        const char *const item5 = at5 + g * LANESF * step5;
+        load_2f(item5, step5, rho_dot);
+        load_1f(item5 + 2 * sizeof(float), step5, &rho_dot[2]);
+        floats rho_ddot[3];
+        const char *const item6 = at6 + g * LANESF * step6;
+        load_2f(item6, step6, rho_ddot);
+        load_1f(item6 + 2 * sizeof(float), step6, &rho_ddot[2]);
+        const floats t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
+        const floats t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
+        const floats t3 = Q[6] * rho[0] + Q[7] * rho[1] + Q[8] * rho[2];
+        const floats t4 = 2.0f * (Q[0] * rho_dot[0] + Q[1] * rho_dot[1] + Q[2] * rho_dot[2]);
+        const floats t5 = omega[1] * t3 - omega[2] * t2 + t4;
+        const floats t6 = 2.0f * (Q[3] * rho_dot[0] + Q[4] * rho_dot[1] + Q[5] * rho_dot[2]);
+        const floats t7 = omega[2] * t1 - omega[0] * t3 + t6;
+        const floats t8 = 2.0f * (Q[6] * rho_dot[0] + Q[7] * rho_dot[1] + Q[8] * rho_dot[2]);
+        const floats t9 = omega[0] * t2 - omega[1] * t1 + t8;
+        const floats t10 = o_ddot[0] + (omega_dot[1] * t3 - omega_dot[2] * t2);
+        const floats t11 = o_ddot[1] + (omega_dot[2] * t1 - omega_dot[0] * t3);
+        const floats t12 = o_ddot[2] + (omega_dot[0] * t2 - omega_dot[1] * t1);
+        const floats t13 = Q[0] * rho_ddot[0] + Q[1] * rho_ddot[1] + Q[2] * rho_ddot[2];
+        const floats p_ddot0 = t10 + (omega[1] * t9 - omega[2] * t7) + t13;
+        const floats t14 = Q[3] * rho_ddot[0] + Q[4] * rho_ddot[1] + Q[5] * rho_ddot[2];
+        const floats p_ddot1 = t11 + (omega[2] * t5 - omega[0] * t9) + t14;
+        const floats t15 = Q[6] * rho_ddot[0] + Q[7] * rho_ddot[1] + Q[8] * rho_ddot[2];
+        const floats p_ddot2 = t12 + (omega[0] * t7 - omega[1] * t5) + t15;
+        char *const item7 = at7 + g * LANESF * step7;
+        store_2f(item7, step7, p_ddot0, p_ddot1);
+        store_1f(item7 + 2 * sizeof(float), step7, p_ddot2);
+    }
+}
+
+#else
+
+void CHASLES_LEVELED(chasles_moving_frame_velocity_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_moving_frame_velocity(
+            (const double *)(at[0] + i * steps[0]),
+            (const double *)(at[1] + i * steps[1]),
+            (const double *)(at[2] + i * steps[2]),
+            (const double *)(at[3] + i * steps[3]),
+            (const double *)(at[4] + i * steps[4]),
+            (double *)(at[5] + i * steps[5]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_moving_frame_velocity_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_moving_frame_velocityf(
+            (const float *)(at[0] + i * steps[0]),
+            (const float *)(at[1] + i * steps[1]),
+            (const float *)(at[2] + i * steps[2]),
+            (const float *)(at[3] + i * steps[3]),
+            (const float *)(at[4] + i * steps[4]),
+            (float *)(at[5] + i * steps[5]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_moving_frame_acceleration_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_moving_frame_acceleration(
+            (const double *)(at[0] + i * steps[0]),
+            (const double *)(at[1] + i * steps[1]),
+            (const double *)(at[2] + i * steps[2]),
+            (const double *)(at[3] + i * steps[3]),
+            (const double *)(at[4] + i * steps[4]),
+            (const double *)(at[5] + i * steps[5]),
+            (const double *)(at[6] + i * steps[6]),
+            (double *)(at[7] + i * steps[7]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_moving_frame_acceleration_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_moving_frame_accelerationf(
+            (const float *)(at[0] + i * steps[0]),
+            (const float *)(at[1] + i * steps[1]),
+            (const float *)(at[2] + i * steps[2]),
+            (const float *)(at[3] + i * steps[3]),
+            (const float *)(at[4] + i * steps[4]),
+            (const float *)(at[5] + i * steps[5]),
+            (const float *)(at[6] + i * steps[6]),
+            (float *)(at[7] + i * steps[7]));
+    }
+}
+
+#endif

@@ -1,0 +1,416 @@
+/* The blocks of section_3_7, for batches. Made by `chasles emit`; not to be edited by hand.
+ *
+ * Compiled once for each level. A block first computes the sines and cosines of all its items, then, register by
+ * register, all else.
+ */
+
+#include <math.h>
+#include <stddef.h>
+
+#include "batches.h"
+#include "chasles.h"
+#include "vectors.h"
+
+#if CHASLES_VECTORS
+
+void CHASLES_LEVELED(chasles_wrench_axis_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    char *const at4 = at[4];
+    const ptrdiff_t step4 = steps[4];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles f[3];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_2(item0, step0, f);
+        load_1(item0 + 2 * sizeof(double), step0, &f[2]);
+        doubles n_A[3];
+        const char *const item1 = at1 + g * LANES * step1;
+        load_2(item1, step1, n_A);
+        load_1(item1 + 2 * sizeof(double), step1, &n_A[2]);
+        doubles a[3];
+        const char *const item2 = at2 + g * LANES * step2;
+        load_2(item2, step2, a);
+        load_1(item2 + 2 * sizeof(double), step2, &a[2]);
+        const doubles t1 = f[0] * f[0] + f[1] * f[1] + f[2] * f[2];
+        const doubles t2 = roots(t1);
+        const truths t3 = equal(t1, spread(0.0));
+        const doubles axis0 = choose(t3, spread(0.0), f[0]) / t2;
+        const doubles axis1 = choose(t3, spread(0.0), f[1]) / t2;
+        const doubles axis2 = choose(t3, spread(0.0), f[2]) / t2;
+        const doubles t4 = choose(t3, spread(0.0), n_A[0]) / t2;
+        const doubles t5 = choose(t3, spread(0.0), n_A[1]) / t2;
+        const doubles t6 = choose(t3, spread(0.0), n_A[2]) / t2;
+        const doubles t7 = a[0] + (axis1 * t6 - axis2 * t5);
+        const doubles t8 = a[1] + (axis2 * t4 - axis0 * t6);
+        const doubles t9 = a[2] + (axis0 * t5 - axis1 * t4);
+        const doubles axis3 = axis2 * t8 - axis1 * t9;
+        const doubles axis4 = axis0 * t9 - axis2 * t7;
+        const doubles axis5 = axis1 * t7 - axis0 * t8;
+        const doubles pitch_value = axis0 * t4 + axis1 * t5 + axis2 * t6;
+        char *const item3 = at3 + g * LANES * step3;
+        store_4(item3, step3, axis0, axis1, axis2, axis3);
+        store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
+        char *const item4 = at4 + g * LANES * step4;
+        store_1(item4, step4, pitch_value);
+    }
+}
+
+void CHASLES_LEVELED(chasles_wrench_axis_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    char *const at4 = at[4];
+    const ptrdiff_t step4 = steps[4];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats f[3];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_2f(item0, step0, f);
+        load_1f(item0 + 2 * sizeof(float), step0, &f[2]);
+        floats n_A[3];
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_2f(item1, step1, n_A);
+        load_1f(item1 + 2 * sizeof(float), step1, &n_A[2]);
+        floats a[3];
+        const char *const item2 = at2 + g * LANESF * step2;
+        load_2f(item2, step2, a);
+        load_1f(item2 + 2 * sizeof(float), step2, &a[2]);
+        const floats t1 = f[0] * f[0] + f[1] * f[1] + f[2] * f[2];
+        const floats t2 = rootsf(t1);
+        const truthsf t3 = equalf(t1, spreadf(0.0f));
+        const floats axis0 = choosef(t3, spreadf(0.0f), f[0]) / t2;
+        const floats axis1 = choosef(t3, spreadf(0.0f), f[1]) / t2;
+        const floats axis2 = choosef(t3, spreadf(0.0f), f[2]) / t2;
+        const floats t4 = choosef(t3, spreadf(0.0f), n_A[0]) / t2;
+        const floats t5 = choosef(t3, spreadf(0.0f), n_A[1]) / t2;
+        const floats t6 = choosef(t3, spreadf(0.0f), n_A[2]) / t2;
+        const floats t7 = a[0] + (axis1 * t6 - axis2 * t5);
+        const floats t8 = a[1] + (axis2 * t4 - axis0 * t6);
+        const floats t9 = a[2] + (axis0 * t5 - axis1 * t4);
+        const floats axis3 = axis2 * t8 - axis1 * t9;
+        const floats axis4 = axis0 * t9 - axis2 * t7;
+        const floats axis5 = axis1 * t7 - axis0 * t8;
+        const floats pitch_value = axis0 * t4 + axis1 * t5 + axis2 * t6;
+        char *const item3 = at3 + g * LANESF * step3;
+        store_4f(item3, step3, axis0, axis1, axis2, axis3);
+        store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
+        char *const item4 = at4 + g * LANESF * step4;
+        store_1f(item4, step4, pitch_value);
+    }
+}
+
+void CHASLES_LEVELED(chasles_power_block)(ptrdiff_t groups, char *const *at, const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles t[6];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_4(item0, step0, t);
+        load_2(item0 + 4 * sizeof(double), step0, &t[4]);
+        doubles w[6];
+        const char *const item1 = at1 + g * LANES * step1;
+        load_4(item1, step1, w);
+        load_2(item1 + 4 * sizeof(double), step1, &w[4]);
+        const doubles t1 = t[0] * w[0] + t[1] * w[1] + t[2] * w[2] + t[3] * w[3] + t[4] * w[4];
+        const doubles Pi_value = t1 + t[5] * w[5];
+        char *const item2 = at2 + g * LANES * step2;
+        store_1(item2, step2, Pi_value);
+    }
+}
+
+void CHASLES_LEVELED(chasles_power_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats t[6];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_4f(item0, step0, t);
+        load_2f(item0 + 4 * sizeof(float), step0, &t[4]);
+        floats w[6];
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_4f(item1, step1, w);
+        load_2f(item1 + 4 * sizeof(float), step1, &w[4]);
+        const floats t1 = t[0] * w[0] + t[1] * w[1] + t[2] * w[2] + t[3] * w[3] + t[4] * w[4];
+        const floats Pi_value = t1 + t[5] * w[5];
+        char *const item2 = at2 + g * LANESF * step2;
+        store_1f(item2, step2, Pi_value);
+    }
+}
+
+void CHASLES_LEVELED(chasles_reciprocal_product_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles s_w[6];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_4(item0, step0, s_w);
+        load_2(item0 + 4 * sizeof(double), step0, &s_w[4]);
+        doubles s_t[6];
+        const char *const item1 = at1 + g * LANES * step1;
+        load_4(item1, step1, s_t);
+        load_2(item1 + 4 * sizeof(double), step1, &s_t[4]);
+        const doubles t1 = s_w[0] * s_t[3] + s_w[1] * s_t[4] + s_w[2] * s_t[5] + s_w[3] * s_t[0];
+        const doubles product_value = t1 + s_w[4] * s_t[1] + s_w[5] * s_t[2];
+        char *const item2 = at2 + g * LANES * step2;
+        store_1(item2, step2, product_value);
+    }
+}
+
+void CHASLES_LEVELED(chasles_reciprocal_product_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats s_w[6];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_4f(item0, step0, s_w);
+        load_2f(item0 + 4 * sizeof(float), step0, &s_w[4]);
+        floats s_t[6];
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_4f(item1, step1, s_t);
+        load_2f(item1 + 4 * sizeof(float), step1, &s_t[4]);
+        const floats t1 = s_w[0] * s_t[3] + s_w[1] * s_t[4] + s_w[2] * s_t[5] + s_w[3] * s_t[0];
+        const floats product_value = t1 + s_w[4] * s_t[1] + s_w[5] * s_t[2];
+        char *const item2 = at2 + g * LANESF * step2;
+        store_1f(item2, step2, product_value);
+    }
+}
+
+void CHASLES_LEVELED(chasles_wrench_transfer_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        doubles w_A[6];
+        const char *const item0 = at0 + g * LANES * step0;
+        load_4(item0, step0, w_A);
+        load_2(item0 + 4 * sizeof(double), step0, &w_A[4]);
+        doubles a[3];
+        const char *const item1 = at1 + g * LANES * step1;
+        load_2(item1, step1, a);
+        load_1(item1 + 2 * sizeof(double), step1, &a[2]);
+        doubles p[3];
+        const char *const item2 = at2 + g * LANES * step2;
+        load_2(item2, step2, p);
+        load_1(item2 + 2 * sizeof(double), step2, &p[2]);
+        const doubles w_P3 = w_A[3];
+        const doubles w_P4 = w_A[4];
+        const doubles w_P5 = w_A[5];
+        const doubles t1 = a[0] - p[0];
+        const doubles t2 = a[1] - p[1];
+        const doubles t3 = a[2] - p[2];
+        const doubles w_P0 = w_A[0] + (w_P5 * t2 - w_P4 * t3);
+        const doubles w_P1 = w_A[1] + (w_P3 * t3 - w_P5 * t1);
+        const doubles w_P2 = w_A[2] + (w_P4 * t1 - w_P3 * t2);
+        char *const item3 = at3 + g * LANES * step3;
+        store_4(item3, step3, w_P0, w_P1, w_P2, w_P3);
+        store_2(item3 + 4 * sizeof(double), step3, w_P4, w_P5);
+    }
+}
+
+void CHASLES_LEVELED(chasles_wrench_transfer_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    char *const at0 = at[0];
+    const ptrdiff_t step0 = steps[0];
+    char *const at1 = at[1];
+    const ptrdiff_t step1 = steps[1];
+    char *const at2 = at[2];
+    const ptrdiff_t step2 = steps[2];
+    char *const at3 = at[3];
+    const ptrdiff_t step3 = steps[3];
+    for (ptrdiff_t g = 0; g < groups; g++) {
+        floats w_A[6];
+        const char *const item0 = at0 + g * LANESF * step0;
+        load_4f(item0, step0, w_A);
+        load_2f(item0 + 4 * sizeof(float), step0, &w_A[4]);
+        floats a[3];
+        const char *const item1 = at1 + g * LANESF * step1;
+        load_2f(item1, step1, a);
+        load_1f(item1 + 2 * sizeof(float), step1, &a[2]);
+        floats p[3];
+        const char *const item2 = at2 + g * LANESF * step2;
+        load_2f(item2, step2, p);
+        load_1f(item2 + 2 * sizeof(float), step2, &p[2]);
+        const floats w_P3 = w_A[3];
+        const floats w_P4 = w_A[4];
+        const floats w_P5 = w_A[5];
+        const floats t1 = a[0] - p[0];
+        const floats t2 = a[1] - p[1];
+        const floats t3 = a[2] - p[2];
+        const floats w_P0 = w_A[0] + (w_P5 * t2 - w_P4 * t3);
+        const floats w_P1 = w_A[1] + (w_P3 * t3 - w_P5 * t1);
+        const floats w_P2 = w_A[2] + (w_P4 * t1 - w_P3 * t2);
+        char *const item3 = at3 + g * LANESF * step3;
+        store_4f(item3, step3, w_P0, w_P1, w_P2, w_P3);
+        store_2f(item3 + 4 * sizeof(float), step3, w_P4, w_P5);
+    }
+}
+
+#else
+
+void CHASLES_LEVELED(chasles_wrench_axis_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_wrench_axis(
+            (const double *)(at[0] + i * steps[0]),
+            (const double *)(at[1] + i * steps[1]),
+            (const double *)(at[2] + i * steps[2]),
+            (double *)(at[3] + i * steps[3]),
+            (double *)(at[4] + i * steps[4]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_wrench_axis_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_wrench_axisf(
+            (const float *)(at[0] + i * steps[0]),
+            (const float *)(at[1] + i * steps[1]),
+            (const float *)(at[2] + i * steps[2]),
+            (float *)(at[3] + i * steps[3]),
+            (float *)(at[4] + i * steps[4]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_power_block)(ptrdiff_t groups, char *const *at, const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_power(
+            (const double *)(at[0] + i * steps[0]),
+            (const double *)(at[1] + i * steps[1]),
+            (double *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_power_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_powerf(
+            (const float *)(at[0] + i * steps[0]),
+            (const float *)(at[1] + i * steps[1]),
+            (float *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_reciprocal_product_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_reciprocal_product(
+            (const double *)(at[0] + i * steps[0]),
+            (const double *)(at[1] + i * steps[1]),
+            (double *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_reciprocal_product_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_reciprocal_productf(
+            (const float *)(at[0] + i * steps[0]),
+            (const float *)(at[1] + i * steps[1]),
+            (float *)(at[2] + i * steps[2]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_wrench_transfer_block)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_wrench_transfer(
+            (const double *)(at[0] + i * steps[0]),
+            (const double *)(at[1] + i * steps[1]),
+            (const double *)(at[2] + i * steps[2]),
+            (double *)(at[3] + i * steps[3]));
+    }
+}
+
+void CHASLES_LEVELED(chasles_wrench_transfer_blockf)(
+    ptrdiff_t groups,
+    char *const *at,
+    const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < groups; i++) {
+        chasles_wrench_transferf(
+            (const float *)(at[0] + i * steps[0]),
+            (const float *)(at[1] + i * steps[1]),
+            (const float *)(at[2] + i * steps[2]),
+            (float *)(at[3] + i * steps[3]));
+    }
+}
+
+#endif

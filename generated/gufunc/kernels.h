@@ -1,0 +1,43 @@
+/* What the files of chasles._kernels share. Made by `chasles emit`; not to be edited by hand. */
+#ifndef CHASLES_KERNELS_H
+#define CHASLES_KERNELS_H
+
+#include <pyconfig.h>
+
+/* The stable ABI does not load in a free-threaded interpreter, which gets a build of its own. */
+#if !defined(Py_LIMITED_API) && !defined(Py_GIL_DISABLED)
+#define Py_LIMITED_API 0x030B0000
+#endif
+#include <Python.h>
+
+#ifndef NPY_NO_DEPRECATED_API
+#define NPY_NO_DEPRECATED_API NPY_2_0_API_VERSION
+#endif
+#ifndef NPY_TARGET_VERSION
+#define NPY_TARGET_VERSION NPY_2_0_API_VERSION
+#endif
+#define PY_ARRAY_UNIQUE_SYMBOL chasles_array_api
+#include <numpy/ndarraytypes.h>
+#include <numpy/ufuncobject.h>
+
+#include "batches.h"
+
+/* A kernel: a loop for float32 and one for float64, and what its operands are called. */
+typedef struct {
+    const char *name;
+    const char *signature;
+    const char *doc;
+    const chasles_loop *loops[2];
+    const char *operands[CHASLES_OPERANDS];
+} Kernel;
+
+/* All kernels; one without a name is the end. */
+extern const Kernel chasles_kernels[];
+
+/* The level of the loops, chosen when the module is imported. */
+extern int chasles_level;
+
+/* A module with a light function for each kernel; NULL with an exception set where that fails. */
+PyObject *chasles_light_functions(void);
+
+#endif

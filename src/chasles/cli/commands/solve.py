@@ -1,0 +1,48 @@
+"""`chasles solve EX`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from chasles.cli.book import as_data
+from chasles.cli.failures import BAD_INPUT, Failure
+from chasles.cli.files import text_of_file, write_whole
+
+__all__ = ["command"]
+
+
+@click.command("solve", short_help="Work an exercise.", epilog="Example: chasles solve 3.7 --data my.json")
+@click.argument("exercise", metavar="EX")
+@click.option("--data", type=click.Path(path_type=Path), metavar="FILE", help="JSON with other data; '-' reads them.")
+@click.option("--html", type=click.Path(path_type=Path), metavar="FILE", help="Write a page with formulas and picture.")
+@as_data
+def command(exercise: str, data: Path | None, html: Path | None, json: bool) -> None:
+    """Work an exercise of Section 3.9 for the book's data or for others, step by step, exactly.
+
+    Data that contradict themselves are answered as such and are no error. Data that are malformed are: exit status 2.
+    """
+    from chasles.cli.worked import worked_page
+    from chasles.exact.data import DataError, read_json
+    from chasles.exact.solving import solve_with
+    from chasles.report.records import as_json
+    from chasles.report.screen import Screen
+    from chasles.statements.exercises import UnknownExercise
+
+    try:
+        given = read_json(text_of_file(data)) if data is not None else {}
+        solution = solve_with(exercise.removeprefix("Ex").strip(), given)
+    except (DataError, UnknownExercise) as error:
+        raise Failure(str(error.args[0]), BAD_INPUT) from error
+    if html is not None:
+        from chasles.exact.sheet_html import as_page
+
+        write_whole(html, as_page(solution))
+    if json:
+        click.echo(as_json(solution.as_data()))
+    elif html is None:
+        screen = Screen()
+        screen.show(*worked_page(solution, screen.signs))
+    else:
+        click.echo(f"wrote {html}", err=True)

@@ -1,0 +1,68 @@
+"""A worked solution in the terminal: what is asked, numbered steps with formulas, the answer, what was checked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rich.console import RenderableType
+from rich.padding import Padding
+from rich.table import Table
+from rich.text import Text
+
+from chasles.exact.solution import Check, Line, Solution, Step, cited
+from chasles.exact.spelling import decimal_text, text_of
+
+__all__ = ["worked_page"]
+
+
+def worked_page(solution: Solution, signs: bool) -> Iterator[RenderableType]:
+    """The whole sheet; `signs` says whether more than ASCII can be shown."""
+    yield Text.assemble((f"Exercise {solution.exercise}", "bold"), "  ", (solution.title, "bold"))
+    for text in solution.asked:
+        yield Padding(Text(f"- {text}"), (0, 0, 0, 2))
+    for text in solution.assumptions:
+        yield Padding(Text.assemble(("assumed: ", "dim"), text), (0, 0, 0, 2))
+    yield Text("")
+    for number, step in enumerate(solution.steps, 1):
+        yield _step(str(number), step, signs)
+    yield Text("")
+    yield Text.assemble(("Answer", "bold"), ": ", (solution.status, "bold cyan"))
+    yield Padding(_answers(solution, signs), (0, 0, 0, 2))
+    if solution.checks:
+        yield Text("")
+        yield Text("Substituted back", "bold")
+        for check in solution.checks:
+            yield _step("✓" if signs else "+", check, signs)
+
+
+def _step(mark: str, step: Step | Check, signs: bool) -> RenderableType:
+    grid = Table.grid(padding=(0, 1, 0, 0))
+    grid.add_column(justify="right", style="dim", width=3)
+    grid.add_column(overflow="fold")
+    said = Text(step.says)
+    if step.cites:
+        said.append(f"  {cited(step.cites)}", "dim cyan")
+    grid.add_row(mark, said)
+    for line in step.lines:
+        grid.add_row("", _formula(line, signs))
+    return grid
+
+
+def _formula(line: Line, signs: bool) -> Text:
+    shown = Text(f"    {line.text}")
+    if line.decimals:
+        shown.append(f"  {'≈' if signs else '~'} {line.decimals}", "dim")
+    return shown
+
+
+def _answers(solution: Solution, signs: bool) -> RenderableType:
+    grid = Table.grid(padding=(0, 2, 0, 0))
+    grid.add_column(style="cyan", no_wrap=True)
+    grid.add_column(overflow="fold")
+    for name, value in solution.answers.items():
+        shown = Text(text_of(value))
+        decimals = "" if isinstance(value, str | bool | list | dict | tuple) or value is None else decimal_text(value)
+        if decimals:
+            shown.append(f"  {'≈' if signs else '~'} {decimals}", "dim")
+        grid.add_row(name, shown)
+    return grid

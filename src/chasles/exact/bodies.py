@@ -1,0 +1,114 @@
+"""Bodies by their exact mass moments, in the numbers of exercises: prisms, their parts, point masses."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from chasles.exact.evaluate import column_of, matrix_of
+from chasles.exact.moments import Moments
+from chasles.exact.numbers import is_zero, normal
+from chasles.exact.solids import Plane, prism
+from chasles.exact.surds import SurdField
+
+__all__ = [
+    "Body",
+    "cotangent_of_degrees",
+    "cut_prism",
+    "joined",
+    "point_masses",
+    "regular_hexagon",
+    "tangent_of_double_angle",
+    "whole_prism",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class Body:
+    """Integrals over a body: of 1, of x, of x x^T, each times the density, about the origin."""
+
+    mass: Any
+    first: Any
+    second: Any
+
+    @property
+    def inertia(self) -> Any:
+        """The integral of |x|^2 1 - x x^T about the origin."""
+        return _inertia(self.second)
+
+    @property
+    def centroidal_inertia(self) -> Any:
+        """The same about the center of mass."""
+        return _inertia(matrix_of(self.second - self.first * self.first.T / self.mass))
+
+
+def regular_hexagon(side: Any) -> tuple[Any, ...]:
+    """The corners (x, y), counter-clockwise about the origin, two opposite ones on the X axis."""
+    turns = [sp.pi * k / 3 for k in range(6)]
+    return tuple(column_of(side * sp.cos(turn), side * sp.sin(turn)) for turn in turns)
+
+
+def whole_prism(polygon: Sequence[Any], height: Any) -> Body:
+    """The right prism of unit density over a polygon in the plane Z = 0.
+
+    Raises ValueError for a polygon that is not simple and a height that is not positive, NotDecided for coordinates
+    that square roots do not express.
+    """
+    field = SurdField()
+    corners = [tuple(map(field, corner)) for corner in polygon]
+    return _body(field, prism(corners, field(height), field.sign).moments())
+
+
+def cut_prism(polygon: Sequence[Any], height: Any, normal_of_plane: Any, offset: Any) -> tuple[Body, Body]:
+    """The parts of the prism with normal . x below the offset and above it; raises as `whole_prism` does."""
+    field = SurdField()
+    corners = [tuple(map(field, corner)) for corner in polygon]
+    plane = Plane(tuple(map(field, normal_of_plane)), field(offset))
+    below, above = prism(corners, field(height), field.sign).cut(plane, field.sign)
+    return _body(field, below), _body(field, above)
+
+
+def point_masses(mass: Any, points: Sequence[Any]) -> Body:
+    """Equal masses at some points."""
+    together = matrix_of(sp.Matrix.hstack(*points))
+    total = matrix_of(mass * together * together.T)
+    return Body(normal(mass * len(points)), matrix_of(mass * together * sp.ones(len(points), 1)), total)
+
+
+def joined(one: Body, other: Body) -> Body:
+    """Both bodies as one."""
+    return Body(normal(one.mass + other.mass), matrix_of(one.first + other.first), matrix_of(one.second + other.second))
+
+
+def cotangent_of_degrees(angle: Any) -> Any:
+    """The cotangent of an angle given in degrees, between 0 and 90.
+
+    Square roots express it for multiples of 3 degrees, and whenever those of the tangent do.
+    """
+    return normal(1 / sp.tan(normal(angle * sp.pi / 180)))
+
+
+def tangent_of_double_angle(inertia: Any) -> Any:
+    """2 I_yz / (I_yy - I_zz), for the angle of the principal axes in the YZ plane; a word where it has no value."""
+    difference = normal(inertia[1, 1] - inertia[2, 2])
+    if not is_zero(difference):
+        return normal(2 * inertia[1, 2] / difference)
+    return "undetermined" if is_zero(inertia[1, 2]) else "infinite"
+
+
+def _inertia(second: Any) -> Any:
+    return matrix_of(second.trace() * sp.eye(3) - second)
+
+
+def _body(field: SurdField, moments: Moments) -> Body:
+    def read(x: Any) -> Any:
+        return normal(field.expression(x))
+
+    return Body(
+        read(moments.volume),
+        column_of(*map(read, moments.first)),
+        matrix_of([[read(x) for x in row] for row in moments.second]),
+    )

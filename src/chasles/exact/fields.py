@@ -1,0 +1,192 @@
+"""The field in which exact numbers are computed: rationals, the roots that occur in them, and independent elements.
+
+Roots are given by one primitive element, so that zero has one form. Pi, symbols and whatever else is no root of small
+degree are independent elements: a number that vanishes for all their values is zero; another is told from zero by an
+enclosure, or the question is declined.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import lru_cache, reduce
+from math import gcd
+from operator import add, mul
+from typing import Any
+
+from sympy import (
+    Add,
+    Expr,
+    Integer,
+    Mul,
+    Pow,
+    Rational,
+    Symbol,
+    cos,
+    cot,
+    expand,
+    factorint,
+    pi,
+    sin,
+    sqrt,
+    sympify,
+    tan,
+)
+from sympy.polys.domains import QQ
+
+from chasles.exact.moments import Number
+from chasles.exact.numbers import NotDecided
+
+__all__ = ["Case", "Field", "sign_of"]
+
+MOST_TURNS = 24
+"""Sines of larger denominators than pi / MOST_TURNS are independent elements: their degree as roots is too large."""
+MOST_DIGITS = 480
+
+
+class Field:
+    """The least field with some exact numbers in it; `roots` and `free` are what it is made of."""
+
+    def __init__(self, *values: Any) -> None:
+        atoms = dict.fromkeys(atom for value in values for atom in _atoms(sympify(value)))
+        self.roots = tuple(sorted((atom for atom in atoms if _is_small_root(atom)), key=str))
+        self.free = tuple(sorted((atom for atom in atoms if atom not in self.roots), key=str))
+        self.algebraic, self._of_roots = _algebraic(self.roots)
+        self._symbols = {atom: Symbol(f"free_{place}") for place, atom in enumerate(self.free)}
+        self.domain = self.algebraic.frac_field(*self._symbols.values()) if self.free else self.algebraic
+        self._elements: dict[Expr, Number] = {}
+
+    def __call__(self, value: Any) -> Number:
+        """The element that an exact number, or SymPy expression, stands for."""
+        expression = sympify(value)
+        if expression not in self._elements:
+            self._elements[expression] = self._read(expression)
+        return self._elements[expression]
+
+    def _read(self, value: Expr) -> Number:
+        match value:
+            case Rational():
+                return self.domain.convert(QQ(value.p, value.q))
+            case Add():
+                return reduce(add, map(self, value.args))
+            case Mul():
+                return reduce(mul, map(self, value.args))
+            case cot():
+                return self.domain.one / self(tan(value.args[0]))
+            case _ if value in self._symbols:
+                return self.domain.from_sympy(self._symbols[value])
+            case Pow(exp=Rational(q=1)):
+                return self(value.base) ** int(value.exp)
+            case Pow(exp=Rational(p=p)) if p != 1:
+                return self(Pow(value.base, Rational(1, value.exp.q))) ** int(p)
+        if value in self._of_roots:
+            element = self._of_roots[value]
+            return self.domain.convert_from(element, self.algebraic) if self.free else element
+        return reduce(mul, (self(root) for root in _prime_roots(value)))
+
+    def expression(self, element: Number) -> Expr:
+        """The element as a SymPy expression, roots of numbers multiplied out."""
+        if not self.free:
+            return expand(self.domain.to_sympy(element))
+        back = {symbol: atom for atom, symbol in self._symbols.items()}
+        above, below = (expand(self.domain.to_sympy(part)) for part in (element.numer, element.denom))
+        return (above / below).xreplace(back)
+
+    def sign(self, element: Number) -> int:
+        """-1, 0 or 1; raises NotDecided if nothing decides it."""
+        return 0 if not element else sign_of(self.expression(element))
+
+    def at(self, sample: Mapping[Expr, Rational], polynomial: Any) -> Number:
+        """A numerator or denominator where the independent elements have rational values: an element of the roots'."""
+        values = [(atom, sample[atom]) for atom in self.free]
+        return polynomial.evaluate(
+            [(self.domain.from_sympy(self._symbols[atom]).numer, QQ(value.p, value.q)) for atom, value in values]
+        )
+
+
+class Case:
+    """The signs that numbers with symbols in them take at a rational sample; `conditions` are those asked for."""
+
+    def __init__(self, field: Field, sample: Mapping[Symbol, Rational]) -> None:
+        if missing := [str(atom) for atom in field.free if atom not in sample]:
+            raise ValueError(f"the sample gives no value to {', '.join(missing)}")
+        self.field, self.sample = field, sample
+        self._ground = Field(*field.roots)
+        self.conditions: dict[Expr, int] = {}
+
+    def __call__(self, element: Number) -> int:
+        """The sign of an element of the field; zero only where it is identically zero.
+
+        ValueError if it vanishes at the sample without being zero: the sample then lies between two cases.
+        """
+        if not element:
+            return 0
+        parts = (self.field.at(self.sample, part) for part in (element.numer, element.denom))
+        above, below = map(self._ground.sign, parts)
+        value = self.field.expression(element)
+        if above * below == 0:
+            raise ValueError(f"the sample lies on the boundary of the case: {value} vanishes or is infinite there")
+        if value.free_symbols:
+            self.conditions[value] = above * below
+        return above * below
+
+
+def sign_of(value: Expr) -> int:
+    """The sign of a real number that is not zero; raises NotDecided if it is too close to zero to be told from it."""
+    digits = 30
+    while digits <= MOST_DIGITS:
+        decimal = value.evalf(digits, maxn=20 * digits)
+        if not decimal.is_Number:
+            raise NotDecided(f"{value} is no real number")
+        if abs(decimal) > Rational(10) ** -(digits - 10):
+            return 1 if decimal > 0 else -1
+        digits *= 2
+    raise NotDecided(f"nothing decides the sign of {value}")
+
+
+@lru_cache(maxsize=200)
+def _algebraic(roots: tuple[Expr, ...]) -> tuple[Any, dict[Expr, Number]]:
+    """The extension of the rationals by some roots, and what each of these is in it."""
+    domain = QQ.algebraic_field(*roots) if roots else QQ
+    return domain, {root: domain.from_sympy(root) for root in roots}
+
+
+def _prime_roots(value: Expr) -> tuple[Expr, ...]:
+    """The square root of an integer as those of its prime factors; another root as it is."""
+    match value:
+        case Pow(base=Integer(), exp=Rational(p=1, q=2)) if value.base > 1:
+            return tuple(sqrt(prime) for prime in factorint(value.base, multiple=True))
+    return (value,)
+
+
+def _atoms(value: Expr) -> Iterator[Expr]:
+    """Whatever the four operations do not take apart."""
+    match value:
+        case Rational():
+            return
+        case Add() | Mul():
+            for part in value.args:
+                yield from _atoms(part)
+        case Pow(exp=Rational(q=1)):
+            yield from _atoms(value.base)
+        case Pow(exp=Rational()):
+            yield from _prime_roots(Pow(value.base, Rational(1, value.exp.q)))
+        case cot():
+            yield tan(value.args[0])
+        case _:
+            yield value
+
+
+def _is_small_root(atom: Expr) -> bool:
+    """Whether the atom is a root of rational numbers, or of such, or the sine of a simple part of a turn."""
+    match atom:
+        case Rational():
+            return True
+        case Add() | Mul():
+            return all(map(_is_small_root, atom.args))
+        case Pow(exp=Rational()):
+            return _is_small_root(atom.base)
+        case cos() | sin() | tan():
+            turns = atom.args[0] / pi
+            return bool(turns.is_Rational) and turns.q // gcd(int(turns.q), 2) <= MOST_TURNS
+        case _:
+            return False

@@ -1,0 +1,144 @@
+"""The principal axes of a symmetric 3 x 3 matrix, exactly: unit eigenvectors as the rows of a rotation.
+
+Each row is a column of the projector onto the eigenspace, divided by its length: the projection of the first
+coordinate axis that is not normal to the space (and, in a space of several dimensions, to the rows chosen before). Its
+first entry that is not zero is positive by that. Only the last row's sign is the one that makes the rows right-handed.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace as with_fields
+from typing import Any
+
+import sympy as sp
+from sympy import Poly
+from sympy.polys.matrices import DomainMatrix
+
+from chasles.exact.fields import Field, sign_of
+from chasles.exact.numbers import is_zero, normal, root, sign
+from chasles.exact.roots import Root, X, place_of
+from chasles.exact.spectra import characteristic, eigenvalues
+
+__all__ = ["CHOICE_OF_AXES", "columns_of", "in_axes", "principal_axes", "product"]
+
+CHOICE_OF_AXES = (
+    "Axes are rows, in the order of ascending moments. Each is the unit projection, onto the space of its moment, of "
+    "the first coordinate axis that is not normal to that space and to the rows before it; the last row's sign makes "
+    "the rows right-handed."
+)
+
+
+def principal_axes(matrix: Any) -> Any:
+    """The rows, as a matrix of exact numbers; as lists with a Root for each entry where the eigenvalues are such.
+
+    `matrix` is symmetric, 3 x 3, of exact numbers.
+    """
+    found = eigenvalues(matrix)
+    if isinstance(found[0][0], Root):
+        rows = [_row_at_root(matrix, value) for value, _ in found]
+    else:
+        rows = [row for value, _ in found for row in _rows(_projector(matrix, value, [v for v, _ in found]))]
+    decimals = sp.Matrix([[_expression(entry) for entry in row] for row in rows])
+    if sign_of(decimals.det(method="berkowitz")) < 0:
+        rows[2] = [_negative(entry) for entry in rows[2]]
+    return rows if isinstance(found[0][0], Root) else sp.ImmutableMatrix(rows)
+
+
+def _projector(matrix: Any, value: Any, values: list[Any]) -> Any:
+    """The projector onto an eigenspace: the product of (matrix - other) / (value - other) over the others."""
+    one = sp.eye(3)
+    found = one
+    for other in values:
+        if other is not value:
+            found = product(found, matrix - other * one) / (value - other)
+    return found.applyfunc(normal)
+
+
+def _rows(projector: Any) -> list[list[Any]]:
+    """Orthonormal rows that span what the projector projects onto."""
+    rows = []
+    for j in range(3):
+        if is_zero(projector[j, j]):
+            continue
+        column = projector[:, j]
+        # Each entry by itself as a signed root, which is short where entry / length is not.
+        rows.append([sign(entry) * root(entry**2 / projector[j, j]) for entry in column])
+        projector = (projector - column * column.T / projector[j, j]).applyfunc(normal)
+    return rows
+
+
+def _row_at_root(matrix: Any, value: Root) -> list[Any]:
+    """The row of a simple eigenvalue that square roots do not express.
+
+    With B(x) the adjugate of x 1 - matrix and p' the derivative of the characteristic polynomial, B / p' is the
+    projector: the squares of the row's entries are B_ii / p', and their signs those of B_i1 / p'.
+    """
+    field = Field(*matrix)
+    polynomial = _over(field, characteristic(matrix))
+    shifted = matrix - sp.trace(matrix) * sp.eye(3)
+    adjugate = matrix.adjugate()
+    entries = [
+        [_over(field, [sp.Integer(int(i == j)), shifted[i, j], adjugate[i, j]]) for j in range(3)] for i in range(3)
+    ]
+    inverse = polynomial.diff(X).rem(polynomial).invert(polynomial)
+    return [_entry(polynomial, entries[i][i] * inverse, entries[i][0] * inverse, value, field) for i in range(3)]
+
+
+def _entry(polynomial: Poly, square: Poly, signed: Poly, value: Root, field: Field) -> Any:
+    """The number whose square is one element of the field of the root, and whose sign is that of another."""
+    square, signed = square.rem(polynomial), signed.rem(polynomial)
+
+    def near(digits: int) -> Any:
+        x = value.value.evalf(2 * digits)
+        turn = 1 if _at(signed, x, 2 * digits) > 0 else -1
+        return turn * sp.sqrt(_at(square, x, 2 * digits)).evalf(digits)
+
+    if square.degree() <= 0:
+        return sp.sign(near(30)) * root(field.expression(square.rep.to_list()[0]))
+    least = _characteristic_of_multiplication(square, polynomial, field).compose(Poly(X**2, X, domain=field.domain))
+    return place_of(least.norm() if field.domain.is_Algebraic else least, near)
+
+
+def _characteristic_of_multiplication(element: Poly, polynomial: Poly, field: Field) -> Poly:
+    columns = [(element * Poly(X**k, X, domain=field.domain)).rem(polynomial) for k in range(3)]
+    rows = [[column.rep.nth(i) for column in columns] for i in range(3)]
+    return Poly.from_list(DomainMatrix(rows, (3, 3), field.domain).charpoly(), X, domain=field.domain)
+
+
+def _at(element: Poly, x: Any, digits: int) -> Any:
+    terms = element.as_expr().as_poly(X, domain="EX").terms()
+    return sum((c.evalf(digits) * x**k for (k,), c in terms), sp.Integer(0))
+
+
+def _over(field: Field, coefficients: list[Any]) -> Poly:
+    return Poly.from_list([field(c) for c in coefficients], X, domain=field.domain)
+
+
+def _expression(entry: Any) -> Any:
+    return entry.value.evalf(50) if isinstance(entry, Root) else entry
+
+
+def _negative(entry: Any) -> Any:
+    if not isinstance(entry, Root):
+        return normal(-entry)
+    degree = len(entry.coefficients) - 1
+    turned = [c * (-1) ** (degree - k) for k, c in enumerate(entry.coefficients)]
+    lead = 1 if turned[0] > 0 else -1
+    count = Poly(entry.coefficients, X).count_roots()
+    return with_fields(entry, coefficients=tuple(lead * c for c in turned), index=count - 1 - entry.index)
+
+
+def in_axes(matrix: Any, axes: Any) -> Any:
+    """The matrix in a frame whose axes are the rows of a matrix: axes matrix axes^T."""
+    return product(product(axes, matrix), axes.T)
+
+
+def product(one: Any, other: Any) -> Any:
+    """The product of two matrices, entries in normal form."""
+    return (one * other).applyfunc(normal)
+
+
+def columns_of(axes: Any) -> tuple[Any, ...]:
+    """The axes as column vectors; a Root becomes SymPy's."""
+    rows = axes if isinstance(axes, list) else axes.tolist()
+    return tuple(sp.ImmutableMatrix([_expression(entry) for entry in row]) for row in rows)

@@ -1,0 +1,180 @@
+"""Towers of real square roots: each root is of a number of the field below it, and no square there.
+
+An element is a fraction, or a + b sqrt(r) with the level of that root and b not zero, so that a number has one form
+and only zero is zero. Whether a number is a square in the field is decided by the norm, level by level; signs follow
+from a^2 - b^2 r. Nothing is rounded.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from math import gcd, isqrt, lcm
+
+from chasles.proof.squarefree import squarefree
+
+__all__ = ["MOST_ROOTS", "NegativeRadicand", "Surd", "TooManyRoots", "Tower"]
+
+Surd = Fraction | tuple[int, "Surd", "Surd"]
+ZERO = Fraction(0)
+MOST_ROOTS = 8
+
+
+class TooManyRoots(ArithmeticError):
+    """A number with more independent square roots than can be handled: each doubles the terms of all others."""
+
+
+class NegativeRadicand(ValueError):
+    """The square root of a number less than zero."""
+
+
+class Tower:
+    """The field of the rational numbers with the square roots that have been taken so far."""
+
+    def __init__(self) -> None:
+        self.radicands: list[Surd] = []
+        """The radicand of level k + 1 in place k."""
+
+    def add(self, x: Surd, y: Surd) -> Surd:
+        """The sum."""
+        if isinstance(x, Fraction) and isinstance(y, Fraction):
+            return x + y
+        level = max(_level(x), _level(y))
+        (a, b), (c, d) = _split(x, level), _split(y, level)
+        return _made(level, self.add(a, c), self.add(b, d))
+
+    def multiply(self, x: Surd, y: Surd) -> Surd:
+        """The product."""
+        if isinstance(x, Fraction) and isinstance(y, Fraction):
+            return x * y
+        level = max(_level(x), _level(y))
+        (a, b), (c, d) = _split(x, level), _split(y, level)
+        if c == ZERO or d == ZERO or a == ZERO or b == ZERO:
+            squares = self._weighted(a, c, b, d, level)
+        else:
+            squares = self.add(self.multiply(a, c), self._by_radicand(self.multiply(b, d), level))
+        return _made(level, squares, self.add(self._times(a, d), self._times(b, c)))
+
+    def negative(self, x: Surd) -> Surd:
+        """The number with the other sign."""
+        return self.multiply(Fraction(-1), x)
+
+    def inverse(self, x: Surd) -> Surd:
+        """One over the number; raises ZeroDivisionError for zero."""
+        if isinstance(x, Fraction):
+            return 1 / x
+        level, a, b = x
+        below = self.inverse(self._norm(a, b, level))
+        return _made(level, self.multiply(a, below), self.negative(self.multiply(b, below)))
+
+    def sign(self, x: Surd) -> int:
+        """1, 0 or -1."""
+        if isinstance(x, Fraction):
+            return (x > 0) - (x < 0)
+        level, a, b = x
+        one, other = self.sign(a), self.sign(b)
+        if one * other >= 0:
+            return one or other
+        return one * self.sign(self._norm(a, b, level))
+
+    def root(self, x: Surd) -> Surd:
+        """The square root that is not negative, taken into the field if it is not there yet.
+
+        Raises NegativeRadicand for a negative number, TooManyRoots for one root more than can be handled.
+        """
+        if self.sign(x) < 0:
+            raise NegativeRadicand("the square root of a negative number")
+        found = self._root_within(x, len(self.radicands))
+        if found is None and self._take_parts(x):
+            found = self._root_within(x, len(self.radicands))
+        if found is None and len(self.radicands) == MOST_ROOTS:
+            raise TooManyRoots(f"a number has more than {MOST_ROOTS} independent square roots")
+        if found is None:
+            outside, inside = _without_squares(x)
+            self.radicands.append(inside)
+            found = _made(len(self.radicands), ZERO, outside)
+        return found if self.sign(found) >= 0 else self.negative(found)
+
+    def _take_parts(self, x: Surd) -> bool:
+        """Take in the roots of which sqrt(a + b sqrt(r)) is the sum, if a^2 - b^2 r is a square."""
+        if isinstance(x, Fraction):
+            return False
+        level, a, b = x
+        norm = self._root_within(self._norm(a, b, level), level - 1)
+        if norm is None:
+            return False
+        norm = norm if self.sign(norm) >= 0 else self.negative(norm)
+        self.root(self.multiply(Fraction(1, 2), self.add(a, norm)))
+        return True
+
+    def _root_within(self, x: Surd, level: int) -> Surd | None:
+        """A square root in the field up to that level, if there is one."""
+        if x == ZERO:
+            return ZERO
+        if level == 0:
+            return _root_of_fraction(x) if isinstance(x, Fraction) else None
+        a, b = _split(x, level)
+        if b == ZERO:
+            inside = self._root_within(a, level - 1)
+            if inside is not None:
+                return inside
+            beside = self._root_within(self.multiply(a, self.inverse(self.radicands[level - 1])), level - 1)
+            return None if beside is None else _made(level, ZERO, beside)
+        norm = self._root_within(self._norm(a, b, level), level - 1)
+        if norm is None:
+            return None
+        for other in (norm, self.negative(norm)):
+            half = self._root_within(self.multiply(Fraction(1, 2), self.add(a, other)), level - 1)
+            if half is not None and half != ZERO:
+                return _made(level, half, self.multiply(b, self.inverse(self.multiply(Fraction(2), half))))
+        return None
+
+    def _norm(self, a: Surd, b: Surd, level: int) -> Surd:
+        """a^2 - b^2 r."""
+        return self.add(self.multiply(a, a), self.negative(self._by_radicand(self.multiply(b, b), level)))
+
+    def _by_radicand(self, x: Surd, level: int) -> Surd:
+        return self.multiply(x, self.radicands[level - 1])
+
+    def _times(self, x: Surd, y: Surd) -> Surd:
+        return ZERO if ZERO in (x, y) else self.multiply(x, y)
+
+    def _weighted(self, a: Surd, c: Surd, b: Surd, d: Surd, level: int) -> Surd:
+        product = self._times(b, d)
+        return self.add(self._times(a, c), ZERO if product == ZERO else self._by_radicand(product, level))
+
+
+def _level(x: Surd) -> int:
+    return 0 if isinstance(x, Fraction) else x[0]
+
+
+def _split(x: Surd, level: int) -> tuple[Surd, Surd]:
+    return (x[1], x[2]) if not isinstance(x, Fraction) and x[0] == level else (x, ZERO)
+
+
+def _made(level: int, a: Surd, b: Surd) -> Surd:
+    return a if b == ZERO else (level, a, b)
+
+
+def _root_of_fraction(x: Fraction) -> Fraction | None:
+    if x < 0:
+        return None
+    above, below = isqrt(x.numerator), isqrt(x.denominator)
+    return Fraction(above, below) if above**2 == x.numerator and below**2 == x.denominator else None
+
+
+def _without_squares(x: Surd) -> tuple[Fraction, Surd]:
+    """The number as q^2 times an integral one, by q and the latter; rational squares are taken out."""
+    coefficients = list(_coefficients(x))
+    below = lcm(*(c.denominator for c in coefficients))
+    content = gcd(*(c.numerator * (below // c.denominator) for c in coefficients)) * below
+    parts = squarefree(content)
+    square = 1 if parts is None else parts[0]
+    return Fraction(square, below), _scaled(x, Fraction(below, square) ** 2)
+
+
+def _coefficients(x: Surd) -> list[Fraction]:
+    return [x] if isinstance(x, Fraction) else _coefficients(x[1]) + _coefficients(x[2])
+
+
+def _scaled(x: Surd, factor: Fraction) -> Surd:
+    return x * factor if isinstance(x, Fraction) else (x[0], _scaled(x[1], factor), _scaled(x[2], factor))

@@ -1,0 +1,64 @@
+"""How is a program spelled on registers, each of which holds a number of several items? Nearly as in C."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+from chasles.lowering.program import Op
+from chasles.targets.c.language import RESERVED
+from chasles.targets.constants import DOUBLE, SINGLE, Precision, literals
+from chasles.targets.dialect import ARITHMETIC, Dialect, Level, Phrase, Shape, call
+
+__all__ = ["ON_REGISTERS", "register", "spread"]
+
+_USED = """
+    LANES LANESF GROUPS GROUPSF LIST LISTF SHUFFLE LOWER UPPER LOWERF UPPERF EVENF ODDF
+    doubles floats truths truthsf double_2 double_4 float_4 pair groups at steps angles sines cosines g i
+"""
+_CALLED = """
+    spread roots less equal choose row put_row sine_of cosine_of directions
+    load_1 load_2 load_4 store_1 store_2 store_4
+"""
+_MOST_OPERANDS = 64
+_NUMBERED = {f"{stem}{place}" for stem in ("at", "step", "item") for place in range(_MOST_OPERANDS)}
+_RESERVED = RESERVED | {*_USED.split(), *_CALLED.split(), *(f"{word}f" for word in _CALLED.split())} | _NUMBERED
+_NAME = re.compile(r"(?<![\w.])[A-Za-z_]")
+
+
+def register(precision: Precision) -> str:
+    """The type of a register of numbers."""
+    return f"{precision.name}s"
+
+
+def spread(text: str, precision: Precision) -> str:
+    """The text, as a register even where it holds constants only."""
+    return text if _NAME.search(text) else f"spread{precision.suffix}({text})"
+
+
+def _component(name: str, shape: Shape, entry: int) -> str:
+    return f"{name}[{entry}]" if shape else name
+
+
+def _dialect(precision: Precision) -> Dialect:
+    suffix = precision.suffix
+    spell: Mapping[Op, Phrase] = {
+        **ARITHMETIC,
+        Op.SQUARE_ROOT: call(f"roots{suffix}"),
+        Op.SINE: call(f"sine_of{suffix}"),
+        Op.COSINE: call(f"cosine_of{suffix}"),
+        Op.ARCTANGENT2: call(f"directions{suffix}", 2),
+        Op.LESS: call(f"less{suffix}", 2),
+        Op.EQUAL: call(f"equal{suffix}", 2),
+        Op.SELECT: call(f"choose{suffix}", 3),
+        Op.NOT_A_NUMBER: Phrase(f"spread{suffix}(NAN)", Level.ATOM, ()),
+    }
+
+    def declare(name: str, text: str, truth: bool) -> str:
+        kind = f"truths{suffix}" if truth else register(precision)
+        return f"const {kind} {name} = {spread(text, precision)};"
+
+    return Dialect(spell, literals(precision), _component, declare, _RESERVED, lift=f"spread{suffix}({{}})")
+
+
+ON_REGISTERS: Mapping[Precision, Dialect] = {precision: _dialect(precision) for precision in (DOUBLE, SINGLE)}

@@ -1,0 +1,104 @@
+"""New data for every exercise with numbers, solved and substituted back; answers graded part by part."""
+
+from __future__ import annotations
+
+import json
+import os
+
+import pytest
+
+from chasles.exact.data import DataError
+from chasles.exact.grading import grade, new_data
+from chasles.exact.solving import solve_with
+from chasles.statements.exercises import exercise, exercise_numbers
+
+INSTANCES = int(os.environ.get("CHASLES_INSTANCES", "6"))
+"""How many for each exercise; a nightly run sets 100."""
+WITH_NUMBERS = [number for number in exercise_numbers() if exercise(number).instance is not None]
+REFUSED = ("incompatible", "not-a-rotation", "not-a-line")
+
+
+@pytest.mark.parametrize("seed", range(INSTANCES))
+@pytest.mark.parametrize("number", WITH_NUMBERS)
+def test_new_data_are_solved_and_substituted_back(number: str, seed: int) -> None:
+    chosen = exercise(number)
+    data = new_data(chosen, seed)
+    assert data == new_data(chosen, seed) == json.loads(json.dumps(data))
+    solution = solve_with(number, data)
+    assert solution.checks or solution.status in (*REFUSED, "pure-couple")
+    answers = json.loads(json.dumps(solution.as_data()["answers"]))
+    assert grade(chosen, data, answers).passed
+
+
+def test_seeds_give_different_data() -> None:
+    drawn = [json.dumps(new_data(exercise("3.7"), seed)) for seed in range(20)]
+    assert len(set(drawn)) == 20
+
+
+CUBE = exercise("3.1")
+RIGHT = {
+    "Q": [[0, 0, 1], [1, 0, 0], [0, 1, 0]],
+    "phi": "2*pi/3",
+    "e": ["1/sqrt(3)", "1/sqrt(3)", "sqrt(3)/3"],
+    "p0": ["2/3", 0, "-2/3"],
+    "n": ["2/(3*sqrt(3))", "-4*sqrt(3)/9", "2*sqrt(3)/9"],
+    "d0": "2/sqrt(3)",
+    "pitch": "sqrt(3)/pi",
+    "hits": {"X=0": [0, "-2/3", "-4/3"], "Y=0": ["2/3", 0, "-2/3"], "Z=0": ["4/3", "2/3", 0]},
+}
+REVERSED = {
+    "phi": "-2*pi/3",
+    "e": ["-1/sqrt(3)"] * 3,
+    "n": ["-2/(3*sqrt(3))", "4*sqrt(3)/9", "-2*sqrt(3)/9"],
+    "d0": "-2/sqrt(3)",
+}
+
+
+@pytest.mark.parametrize("change", [{}, REVERSED, REVERSED | {"phi": "4*pi/3"}, {"phi": "8*pi/3"}])
+def test_right_in_any_form_and_with_either_sign(change: dict) -> None:
+    marks = grade(CUBE, {}, RIGHT | change)
+    assert marks.passed, marks
+
+
+@pytest.mark.parametrize(
+    ("change", "wrong", "violated"),
+    [
+        ({"p0": ["2/3", 0, "2/3"]}, ["p0"], ["foot of the perpendicular", "displaced along the axis"]),
+        ({"p0": ["4/3", "2/3", 0]}, ["p0"], ["foot of the perpendicular"]),
+        ({"phi": "-2*pi/3"}, ["phi"], ["give the rotation back"]),
+        ({"e": ["-1/sqrt(3)"] * 3}, ["e"], ["give the rotation back"]),
+        ({"d0": 1}, ["d0"], []),
+        ({"hits": RIGHT["hits"] | {"X=0": "parallel"}}, ["hits"], []),
+        ({"phi": "2.0943951"}, ["phi"], ["give the rotation back"]),
+    ],
+)
+def test_what_is_wrong_is_named_with_what_it_violates(change: dict, wrong: list, violated: list) -> None:
+    marks = grade(CUBE, {}, RIGHT | change)
+    assert list(marks.wrong) == wrong
+    assert not marks.passed
+    for says in violated:
+        assert any(says in text for text in marks.violated), (says, marks.violated)
+
+
+def test_what_is_missing_is_named() -> None:
+    marks = grade(CUBE, {}, {name: value for name, value in RIGHT.items() if name != "pitch"})
+    assert (marks.missing, marks.passed) == (("pitch",), False)
+
+
+@pytest.mark.parametrize(
+    ("change", "match"),
+    [
+        ({"omega": 1}, "'omega' is no answer of exercise 3.1"),
+        ({"phi": "exit()"}, "phi: .*'exit' is not known"),
+        ({"e": [1, 2]}, "e: expected 3 x 1 numbers"),
+        ({"phi": [1]}, "phi: expected a number"),
+        ({"Q": 1}, None),
+        ({"hits": []}, "hits: expected"),
+    ],
+)
+def test_malformed_answers(change: dict, match: str | None) -> None:
+    if match is None:
+        assert not grade(CUBE, {}, RIGHT | change).passed
+    else:
+        with pytest.raises(DataError, match=match):
+            grade(CUBE, {}, RIGHT | change)
