@@ -25,19 +25,20 @@ A_VERDICT, A_REPAIR = 0.004, 0.06
 
 def foresee(judge: Judge, sentences: Iterable[Sentence]) -> None:
     """Let the judge remember the verdicts on these sentences, and the repairs of those that do not stand."""
-    listed = list(sentences)
+    memory = judge.memory
+    asked = {s: {memory.key_of_verdict(*question): question for question in _questions(s)} for s in sentences}
     questions = {
         key: question
-        for sentence in listed
-        for question in _questions(sentence)
-        if judge.memory.recalled(key := judge.memory.key_of_verdict(*question)) is None
+        for of_sentence in asked.values()
+        for key, question in of_sentence.items()
+        if memory.recalled(key) is None
     }
 
     def verdict_on(question: Question) -> Verdict:
         return judge.verdict_on(*question)
 
     for key, verdict in zip(questions, spread(verdict_on, list(questions.values()), A_VERDICT), strict=True):
-        judge.memory.remember(key, verdict)
+        memory.remember(key, verdict)
     if not judge.searches:
         return
 
@@ -47,16 +48,15 @@ def foresee(judge: Judge, sentences: Iterable[Sentence]) -> None:
         except TypeError:
             return None
 
-    wrong = [each for each in listed if isinstance(each, Statement) and _is_wrong(judge, each)]
+    wrong = [
+        sentence
+        for sentence, keys in asked.items()
+        if isinstance(sentence, Statement)
+        and (sentence.fault or any(isinstance(memory.recalled(key), Fails) for key in keys))
+    ]
     for found in spread(repairs_of, wrong, A_REPAIR):
         if found is not None:
-            judge.memory.remember(*found)
-
-
-def _is_wrong(judge: Judge, statement: Statement) -> bool:
-    """Whether the print does not fit together, or is known to fail."""
-    asked = [judge.memory.recalled(judge.memory.key_of_verdict(*question)) for question in _questions(statement)]
-    return bool(statement.fault) or any(isinstance(verdict, Fails) for verdict in asked)
+            memory.remember(*found)
 
 
 def _questions(sentence: Sentence) -> Iterator[Question]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace as with_fields
 from fractions import Fraction
+from functools import lru_cache
 
 from chasles.statements.hypotheses import Hypothesis
 from chasles.vocabulary import (
@@ -31,6 +32,11 @@ from chasles.vocabulary import (
 __all__ = ["Lengths"]
 
 
+@lru_cache(maxsize=4096)
+def _has_length(node: Node) -> bool:
+    return any(isinstance(part, Norm) for part in walk(node))
+
+
 class Lengths:
     """Puts simpler lengths in the place of others; `used` are the hypotheses by which they are equal.
 
@@ -43,6 +49,8 @@ class Lengths:
 
     def __call__(self, node: Node) -> Node:
         """The node with every length in it as simple as it is known."""
+        if not _has_length(node):
+            return node
         # An even power of a norm is a polynomial as it stands, whatever is known of the norm.
         squares: dict[Node, Node] = {part: part for part in walk(node) if _is_square(part)}
         loose = [part for part in _outside(node, squares) if isinstance(part, Norm)]

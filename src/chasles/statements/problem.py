@@ -132,6 +132,8 @@ def _angle_rules(
     statement: Decidable, form: str, rules: list[Equation], conditions: list[Goal], unknowns: dict[Symbol, None]
 ) -> Iterator[Equation]:
     """What conditions say that angles are, whose cosines and sines are taken; these conditions are left out."""
+    if not conditions:
+        return
     if isinstance(statement, Theorem):
         sides = [side for part in statement.forms for each in part.equations() for side in each[1:]]
     else:
