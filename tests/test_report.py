@@ -2,34 +2,25 @@
 
 from __future__ import annotations
 
-import os
 import re
-import shutil
-import subprocess
-import sys
 from collections import Counter
-from collections.abc import Iterator
-from html.parser import HTMLParser
-from pathlib import Path
-from xml.etree.ElementTree import fromstring, tostring
+from itertools import pairwise
+from xml.etree.ElementTree import fromstring
 
-import browser as chromium
 import pytest
 
 from chasles.cli.reporting import reported
 from chasles.proof.judge import Judge
-from chasles.report.html.breaking import in_lines, width_of
 from chasles.report.html.citing import place_of_number
-from chasles.report.html.differences import mark_differences
-from chasles.report.html.formulas import equation_tree, latex_for_mathml, markup, tree_of
 from chasles.report.html.page import page
 from chasles.report.html.palette import DARK, LIGHT, TEXT_ON, contrast
 from chasles.report.html.trusted import Trusted
 from chasles.report.latex_page import escaped, latex_page
 from chasles.statements import Chapter, Claim, Entry, Section, Statement, load, nonzero
-from chasles.vocabulary import column, norm, scalar, symbols_of, vector, walk
+from chasles.vocabulary import column, norm, scalar, vector
 
-VOID = frozenset(("br", "hr", "img", "input", "link", "meta"))
+from .parsed_page import Parsed
+
 RAW_LATEX = re.compile(r"\\[A-Za-z]+|\\[{}|,]|[_^]\{|&#|&amp;")
 SECTION = Section("9.1", "On <Bars> & Others")
 x = vector("x", "x", "any vector")
@@ -40,48 +31,6 @@ EVERYTHING = {
     "wrong": Claim("9.3", 2 * x, 3 * x, says="It fails."),
     "hollow": Claim("9.5", column(x, x), x, says="It does not fit.", reading=column(x, x)),
 }
-
-
-class Parsed(HTMLParser):
-    """What a page is made of: every element's start, the text by element, and what is not closed in order."""
-
-    def __init__(self, text: str) -> None:
-        super().__init__(convert_charrefs=True)
-        self.tags: list[tuple[str, dict[str, str | None]]] = []
-        self.texts: list[tuple[str, str]] = []
-        self.mistakes: list[str] = []
-        self._open: list[str] = []
-        self.feed(text)
-        self.close()
-        self.mistakes += [f"{tag} is never closed" for tag in self._open]
-
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self.tags.append((tag, dict(attrs)))
-        if len(attrs) != len(dict(attrs)):
-            self.mistakes.append(f"an attribute of {tag} is given twice: {attrs}")
-        if tag not in VOID:
-            self._open.append(tag)
-
-    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self.tags.append((tag, dict(attrs)))
-
-    def handle_endtag(self, tag: str) -> None:
-        if not self._open or self._open.pop() != tag:
-            self.mistakes.append(f"{tag} is closed at {self.getpos()}, and is not what was opened last")
-
-    def handle_data(self, data: str) -> None:
-        self.texts.append((self._open[-1] if self._open else "", data))
-
-    @property
-    def ids(self) -> list[str]:
-        return [attributes["id"] or "" for _, attributes in self.tags if "id" in attributes]
-
-    def having(self, name: str) -> Iterator[str]:
-        yield from (attributes[name] or "" for _, attributes in self.tags if name in attributes)
-
-    @property
-    def visible(self) -> str:
-        return "".join(text for tag, text in self.texts if tag not in ("style", "title"))
 
 
 def small(**statements: Statement) -> tuple[str, str]:
@@ -132,7 +81,8 @@ def test_every_number_of_the_book_is_there(html: str, parsed: Parsed) -> None:
 
 def test_places_are_unique_and_links_lead_to_them(parsed: Parsed) -> None:
     assert [name for name, count in Counter(parsed.ids).items() if count > 1] == []
-    assert [link for link in parsed.having("href") if link[:1] != "#" or link[1:] not in set(parsed.ids)] == []
+    known = set(parsed.ids)
+    assert [link for link in parsed.having("href") if link[:1] != "#" or link[1:] not in known] == []
     named = {
         name for attribute in ("aria-labelledby", "for") for value in parsed.having(attribute) for name in value.split()
     }
@@ -143,7 +93,7 @@ def test_headings_are_in_order(parsed: Parsed) -> None:
     levels = [int(tag[1]) for tag, _ in parsed.tags if re.fullmatch("h[1-6]", tag)]
     assert levels[0] == 1
     assert levels.count(1) == 1
-    assert all(after <= before + 1 for before, after in zip(levels, levels[1:], strict=False))
+    assert all(after <= before + 1 for before, after in pairwise(levels))
 
 
 def test_a_screen_reader_finds_its_way(html: str, parsed: Parsed) -> None:
@@ -167,15 +117,6 @@ def test_every_formula_is_mathml(html: str, parsed: Parsed) -> None:
         assert not [part for part in root.iter() if part.tag in ("mi", "mo", "mn") and not (part.text or "").strip()]
         assert not [part for part in root.iter() if "mathvariant" in part.attrib]
     assert [hit for hit in re.findall(r"\\[A-Za-z]+\{?|[_^]\{", parsed.visible) if hit] == []
-
-
-def test_every_statement_converts() -> None:
-    for entry in load():
-        if isinstance(entry.statement, Statement):
-            tree = equation_tree(entry.statement.left, entry.statement.right, entry.statement.sign)
-            letters = "".join(tree.itertext())
-            assert len(letters) >= 3, entry.number
-            assert tree.find(".//merror") is None
 
 
 def test_colours_can_be_told_apart() -> None:
@@ -266,67 +207,6 @@ def parts_by_number(html: str) -> dict[str, str]:
     return {re.findall(r">([^<]*)</a></h4>", article)[0]: article for article in articles}
 
 
-def marked(before: str, after: str) -> tuple[list[str], list[str]]:
-    """What is marked in two formulas, given as LaTeX."""
-    old, new = tree_of(before), tree_of(after)
-    mark_differences(old, new)
-    return tuple(["".join(part.itertext()) for part in tree.iter() if "class" in part.attrib] for tree in (old, new))
-
-
-@pytest.mark.parametrize(
-    ("before", "after", "taken", "added"),
-    [
-        ("a + b", "a + b", [], []),
-        ("a + b", "a + c", ["b"], ["c"]),
-        ("a + b", "a + b + c", [], ["+c"]),
-        (r"a \cdot b", r"\left( a \cdot b \right) c", [], ["(", ")c"]),
-        (r"\frac{a}{b}", r"\frac{a}{c}", ["b"], ["c"]),
-        (r"a b + c", r"c", ["𝑎𝑏+".replace("𝑎", "a").replace("𝑏", "b")], []),
-    ],
-)
-def test_what_differs_is_marked(before: str, after: str, taken: list[str], added: list[str]) -> None:
-    assert marked(before, after) == (taken, added)
-
-
-def test_marks_change_nothing_else() -> None:
-    old, new = tree_of(r"x = a b + c"), tree_of(r"x = \left( a + d \right) b")
-    spelled = ["".join(tree.itertext()) for tree in (old, new)]
-    mark_differences(old, new)
-    assert ["".join(tree.itertext()) for tree in (old, new)] == spelled
-
-
-def test_a_long_formula_is_broken_between_terms() -> None:
-    terms = " + ".join(f"a_{{{k}}} b_{{{k}}} c_{{{k}}} d_{{{k}}}" for k in range(30))
-    tree = tree_of(f"x = {terms}")
-    lines = in_lines(tree)
-    rows = lines.findall("mtr")
-    assert lines.tag == "mtable"
-    assert len(rows) > 1
-    assert max(map(width_of, rows)) < 80
-    assert "".join(lines.itertext()) == "".join(tree_of(f"x = {terms}").itertext())
-    short = tree_of("x = a + b")
-    assert in_lines(short) is short
-
-
-def test_brackets_and_bold_letters_are_what_browsers_draw() -> None:
-    text = markup(tree_of(r"\boldsymbol{\omega}' = \left( \mathbf{1} \right)"))
-    assert "\N{MATHEMATICAL BOLD ITALIC SMALL OMEGA}" in text
-    assert "\N{MATHEMATICAL BOLD DIGIT ONE}" in text
-    assert 'stretchy="false"' in text
-    assert "msup" not in text
-    tall = tostring(tree_of(r"\left( \frac{a}{b} \right)"), encoding="unicode")
-    assert 'stretchy="true"' in tall
-
-
-def test_the_mathml_says_every_letter_of_the_statement() -> None:
-    for entry in load().select(["3.18", "3.96e", "3.148"]):
-        assert isinstance(entry.statement, Statement)
-        latex = latex_for_mathml(entry.statement.right)
-        for symbol in symbols_of(entry.statement.right):
-            assert symbol.letter in latex
-        assert len(list(walk(entry.statement.right))) > 3
-
-
 def test_the_latex_is_balanced(texts: dict[str, str]) -> None:
     text = texts["chapter.tex"]
     opened: list[str] = []
@@ -340,73 +220,3 @@ def test_the_latex_is_balanced(texts: dict[str, str]) -> None:
     assert bare.count("{") == bare.count("}")
     assert len(re.findall(r"\\left(?![a-z])", text)) == len(re.findall(r"\\right(?![a-z])", text))
     assert all(f"{{({number})}}" in text for number in load().numbers if number.startswith("3."))
-
-
-@pytest.mark.slow
-@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="no pdflatex: apt-get install texlive-latex-recommended")
-def test_the_latex_compiles(texts: dict[str, str], tmp_path: Path) -> None:
-    (tmp_path / "chapter.tex").write_text(texts["chapter.tex"], "utf-8")
-    command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "chapter.tex"]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, errors="replace", check=False)
-    assert done.returncode == 0, done.stdout[-2000:]
-    assert "Overfull \\hbox" not in done.stdout
-    assert (tmp_path / "chapter.pdf").stat().st_size > 1e5
-
-
-@pytest.mark.slow
-def test_two_hash_seeds_give_the_same_bytes(texts: dict[str, str], tmp_path: Path) -> None:
-    command = [sys.executable, "-m", "chasles", "report", "--out", str(tmp_path)]
-    environment = {**os.environ, "PYTHONHASHSEED": "7", "CHASLES_PROCESSES": "1"}
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["chapter.tex", "index.html"]
-    assert {name: (tmp_path / name).read_text("utf-8") for name in texts} == texts
-
-
-@pytest.mark.slow
-@pytest.mark.skipif(
-    not (chromium.CHROMIUM and chromium.DRIVER), reason="no browser: apt-get install chromium chromium-driver"
-)
-def test_a_browser_shows_it_all(html: str, tmp_path: Path) -> None:
-    place = tmp_path / "index.html"
-    place.write_text(html, "utf-8")
-    count = html.count("<math")
-    with chromium.browser() as window:
-        for width, dark in ((390, True), (1280, False)):
-            window.open(place.as_uri(), width, dark)
-            window.run("for (const each of document.querySelectorAll('details')) each.open = true")
-            assert window.run("return [innerWidth, document.documentElement.scrollWidth]") == [width, width]
-            drawn = window.run(DRAWN)
-            assert drawn["formulas"] == count
-            assert drawn["flat"] == []
-            assert drawn["clipped"] == []
-            assert not re.search(r"\\[A-Za-z]+|[_^]\{", drawn["text"])
-        window.run("document.getElementById('verdict-fails').click()")
-        assert window.run(SHOWN) == ["(3.96e)", "(3.148)"]
-        window.run("document.getElementById('only-within-3-5').click()")
-        assert window.run(SHOWN) == ["(3.96e)"]
-        window.run("location.hash = 'n-3-18'")
-        assert "(3.18)" in window.run(SHOWN)
-        window.picture(tmp_path / "page.png")
-        window.printed(tmp_path / "page.pdf")
-        assert window.console() == []
-    assert (tmp_path / "page.png").stat().st_size > 1e4
-    assert (tmp_path / "page.pdf").stat().st_size > 1e5
-
-
-DRAWN = """
-const formulas = [...document.querySelectorAll('math')];
-const size = each => each.getBoundingClientRect();
-const tall = each => each.closest('.formula');
-return {
-  formulas: formulas.length,
-  flat: formulas.filter(each => size(each).width < 4 || size(each).height < 4).map(each => each.textContent),
-  clipped: formulas.filter(each => tall(each) && tall(each).scrollHeight > tall(each).clientHeight + 1)
-                   .map(each => each.textContent),
-  text: document.body.innerText,
-};
-"""
-SHOWN = """
-return [...document.querySelectorAll('.chapter .number')].filter(each => each.checkVisibility())
-    .map(each => each.querySelector('h4').innerText);
-"""

@@ -16,6 +16,7 @@ from chasles.report.html.trusted import checked_again
 from chasles.report.latex_page import latex_page
 from chasles.report.words import seconds
 from chasles.statements import Chapter
+from chasles.statements.derivation import Derivation
 
 __all__ = ["Reported", "reported"]
 
@@ -51,7 +52,7 @@ def reported(book: Chapter) -> Reported:
     """The report on the whole chapter. Raises Failure for declarations that contradict each other."""
     started = perf_counter()
     outcome, judge = decide(book.entries, book)
-    roads = walked(all_roads(), judge)
+    roads = walked(_roads_of(book), judge)
     decisions = {entry.name: decision for entry, decision in outcome.decided}
     again = outcome.rechecked
     assert again is not None
@@ -61,6 +62,16 @@ def reported(book: Chapter) -> Reported:
         "chapter.tex": latex_page(book, decisions),
     }
     return Reported(texts, outcome, roads, perf_counter() - started)
+
+
+def _roads_of(book: Chapter) -> dict[str, Derivation]:
+    """The roads that go through statements of this book only."""
+    known = {id(entry.statement) for entry in book}
+    return {
+        name: road
+        for name, road in all_roads().items()
+        if all(id(statement) in known for step in road.steps for statement in step.cited)
+    }
 
 
 def _manifest() -> str:
