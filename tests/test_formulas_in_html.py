@@ -82,3 +82,10 @@ def test_the_mathml_says_every_letter_of_the_statement() -> None:
         for symbol in symbols_of(entry.statement.right):
             assert symbol.letter in latex
         assert len(list(walk(entry.statement.right))) > 3
+
+
+def test_a_left_side_does_not_stand_alone() -> None:
+    wide = " ".join(f"a_{{{k}}}" for k in range(60))
+    tree = tree_of(f"x = {wide}")
+    assert in_lines(tree) is tree
+    assert len(in_lines(tree_of(f"x = {wide} + {wide}")).findall("mtr")) == 2

@@ -65,12 +65,12 @@ def reported(book: Chapter) -> Reported:
 
 
 def _roads_of(book: Chapter) -> dict[str, Derivation]:
-    """The roads that go through statements of this book only."""
+    """The roads that come past statements of this book."""
     known = {id(entry.statement) for entry in book}
     return {
         name: road
         for name, road in all_roads().items()
-        if all(id(statement) in known for step in road.steps for statement in step.cited)
+        if any(id(statement) in known for step in road.steps for statement in step.cited)
     }
 
 

@@ -9,6 +9,8 @@ __all__ = ["in_lines", "width_of"]
 
 MOST = 68
 """About how many letters and signs fit on a line."""
+FEW = 16
+"""A line has at least as many, so that a left side does not stand alone."""
 SIGNS = ("=", "\N{IDENTICAL TO}", "+", "\N{MINUS SIGN}")
 
 
@@ -54,7 +56,8 @@ def _lines(tree: Element) -> Iterator[list[Element]]:
     """The parts line by line: as many terms to a line as fit."""
     line: list[Element] = []
     for term in _terms(tree):
-        if line and sum(map(width_of, (*line, *term))) > MOST:
+        before = sum(map(width_of, line))
+        if before > FEW and before + sum(map(width_of, term)) > MOST:
             yield line
             line = []
         line.extend(term)
