@@ -142,7 +142,8 @@ def test_every_verdict_and_section_has_its_filter(html: str, parsed: Parsed) -> 
     filters = [attributes["id"] for _, attributes in parsed.tags if attributes.get("type") == "radio"]
     assert len(filters) == len(set(filters)) > 10
     for name in filters:
-        assert name in ("verdict-all", "only-all") or f"#{name}:checked" in style
+        what = ".number" if name.startswith("verdict") else ".of-book"
+        assert name in ("verdict-all", "only-all") or f"#{name}:checked) {what}:not(" in style
     classes = {name for value in parsed.having("class") for name in value.split()}
     assert set(re.findall(r":not\(\.([a-z0-9-]+)\)", style)) <= classes
 

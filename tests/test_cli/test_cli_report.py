@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from chasles.cli import reporting
 from chasles.cli.failures import Failure
 from chasles.cli.writing import write_whole
 from chasles.statements import Claim
@@ -45,6 +46,17 @@ def test_a_file_in_the_folder_s_place_is_named(run, chapter_is, tmp_path: Path) 
     assert "cannot write to" in done.stderr
     assert done.stderr.count("\n") == 1
     assert (tmp_path / "file").read_text("utf-8") == "mine"
+
+
+def test_a_damaged_manifest_is_named(run, chapter_is, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    chapter_is(twice=TWICE)
+    (tmp_path / "MANIFEST.toml").write_text("files = [", "utf-8")
+    monkeypatch.setattr(reporting, "files", lambda package: tmp_path)
+    done = run("report", "--out", str(tmp_path / "out"))
+    assert done.exit_code == 1
+    assert "generated/MANIFEST.toml cannot be read" in done.stderr
+    assert "chasles emit" in done.stderr
+    assert not (tmp_path / "out").exists()
 
 
 def test_nothing_changes_where_one_file_cannot_be_written(tmp_path: Path) -> None:

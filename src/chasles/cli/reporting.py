@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib.resources import files
 from time import perf_counter
 
+from chasles.cli.failures import Failure
 from chasles.cli.outcome import Outcome, decide
 from chasles.cli.roads import all_roads
 from chasles.report.html.page import page
@@ -75,9 +77,13 @@ def _roads_of(book: Chapter) -> dict[str, Derivation]:
 
 
 def _manifest() -> str:
-    """What was emitted; nothing where nothing was."""
+    """What was emitted; nothing where nothing was. Raises Failure for a manifest that cannot be read."""
     package, name = MANIFEST
     try:
-        return files(package).joinpath(name).read_text("utf-8")
+        text = files(package).joinpath(name).read_text("utf-8")
+        tomllib.loads(text)
     except (ModuleNotFoundError, FileNotFoundError):
         return ""
+    except (OSError, ValueError) as error:
+        raise Failure(f"generated/{name} cannot be read ({error}): `chasles emit` writes it anew") from error
+    return text
