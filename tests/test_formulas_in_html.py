@@ -84,6 +84,14 @@ def test_the_mathml_says_every_letter_of_the_statement() -> None:
         assert len(list(walk(entry.statement.right))) > 3
 
 
+def test_a_function_of_a_letter_does_not_run_on() -> None:
+    (rotation,) = load().select(["2.49"])
+    assert isinstance(rotation.statement, Statement)
+    latex = latex_for_mathml(rotation.statement.right)
+    assert r"\cos \, \phi \, \left( \mathbf{1}" in latex
+    assert r"\sin \, \phi \, \mathbf{E}" in latex
+
+
 def test_a_left_side_does_not_stand_alone() -> None:
     wide = " ".join(f"a_{{{k}}}" for k in range(60))
     tree = tree_of(f"x = {wide}")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 from html import unescape
+from itertools import pairwise
 from unicodedata import lookup, name
 from xml.etree.ElementTree import Element, SubElement, tostring
 
@@ -18,6 +19,7 @@ from chasles.vocabulary.spelling import Level, Piece, spell
 __all__ = ["equation_tree", "latex_for_mathml", "markup", "math", "tree_of"]
 
 FUNCTIONS = (r"\sin", r"\cos", r"\det", r"\text{")
+CLOSING = (r"\right)", r"\right]", r"\right\}")
 THIN = r"\,"
 ACCENTS = {"~": "\N{SMALL TILDE}", "\N{DOT ABOVE}": "\N{DOT ABOVE}", "\N{DIAERESIS}": "\N{DIAERESIS}"}
 """Marks over a letter; of the tilde there is a small one."""
@@ -36,8 +38,9 @@ class _ForMathML(Latex):
 
     def product(self, factors: list[str]) -> str:
         text = factors[0]
-        for factor in factors[1:]:
-            text += f" {THIN} {factor}" if factor.startswith(FUNCTIONS) else f" {factor}"
+        for before, factor in pairwise(factors):
+            apart = factor.startswith(FUNCTIONS) or _is_bare_call(before)
+            text += f" {THIN} {factor}" if apart else f" {factor}"
         return text
 
     def function(self, name: str, argument: Piece) -> Piece:
@@ -55,6 +58,11 @@ class _ForMathML(Latex):
     def block(self, rows: list[list[str]]) -> str:
         lines = r" \\ ".join(" & ".join(row) for row in rows)
         return rf"\left[ \begin{{matrix}} {lines} \end{{matrix}} \right]"
+
+
+def _is_bare_call(factor: str) -> bool:
+    """Whether it is a function of a letter without brackets, which must not run on into what follows."""
+    return factor.startswith(FUNCTIONS) and not factor.endswith(CLOSING)
 
 
 def latex_for_mathml(node: Node) -> str:
