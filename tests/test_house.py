@@ -126,7 +126,12 @@ def in_wheel(built: Path, code: str) -> str:
 
 
 WHERE = "import chasles.derivations as d, chasles.kernels as k; print(k.backend, len(dir(k)) > 1, d.__file__)"
-EXPECTED = {"chasles/py.typed", "chasles/derivations/__init__.py", "chasles/generated/numpy/kernels.py"}
+EXPECTED = {
+    "chasles/py.typed",
+    "chasles/derivations/__init__.py",
+    "chasles/generated/numpy/kernels.py",
+    "chasles/report/templates/index.html.jinja",
+}
 
 
 @pytest.mark.slow

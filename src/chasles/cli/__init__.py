@@ -9,7 +9,7 @@ from chasles.cli.failures import Guarded
 
 __all__ = ["main"]
 
-COMMANDS = ("list", "show", "decide", "derive", "repair", "solve", "practice", "emit", "verify", "summary")
+COMMANDS = ("list", "show", "decide", "derive", "repair", "solve", "practice", "emit", "verify", "summary", "report")
 
 
 @click.group(

@@ -4,12 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from chasles.statements import Entry, Inverse, Packed, Stack, Statement, Theorem
+from chasles.statements import Chapter, Entry, Inverse, Packed, Stack, Statement, Theorem
 from chasles.statements.kernel import Argument
 from chasles.statements.statement import Equation
 from chasles.vocabulary import Node, latex, plain
 
-__all__ = ["Sentence", "argument_in_words", "in_latex", "in_words", "signature_in_words", "standing_in"]
+__all__ = [
+    "Sentence",
+    "argument_in_words",
+    "hypotheses_in_latex",
+    "in_latex",
+    "in_words",
+    "signature_in_words",
+    "standing_in",
+]
 
 Sentence = Statement | Theorem | Inverse
 
@@ -22,6 +30,11 @@ def in_words(sentence: Sentence) -> tuple[str, ...]:
 def in_latex(sentence: Sentence) -> tuple[str, ...]:
     """The same in LaTeX."""
     return _equations(sentence, latex, lambda sign: sign)
+
+
+def hypotheses_in_latex(book: Chapter) -> dict[str, str]:
+    """The hypotheses of a book in LaTeX, by their text."""
+    return {hypothesis.text: hypothesis.latex for entry in book for hypothesis in entry.statement.assuming}
 
 
 def standing_in(statement: Statement, sides: Equation) -> tuple[str, str]:

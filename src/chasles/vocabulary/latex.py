@@ -10,7 +10,7 @@ from chasles.vocabulary.letters import Identity, Symbol, Zero
 from chasles.vocabulary.nodes import Node, Number
 from chasles.vocabulary.spelling import Level, Piece, spell
 
-__all__ = ["latex"]
+__all__ = ["Latex", "latex"]
 
 BRACKETS = (("(", ")"), ("[", "]"), (r"\{", r"\}"))
 NUMBER = r"(?:\d+|\\frac\{\d+\}\{\d+\})"
@@ -20,7 +20,9 @@ CLOSED = (")", "]", r"\}", r"\|", r"\end{bmatrix}")
 INFIX = {"dot": r"\cdot", "cross": r"\times"}
 
 
-class _Latex:
+class Latex:
+    """The spellings of LaTeX; a dialect of it spells some of them otherwise."""
+
     def symbol(self, symbol: Symbol) -> str:
         return symbol.letter
 
@@ -113,4 +115,4 @@ def _decorations(text: str) -> Iterator[tuple[int, str]]:
 
 def latex(node: Node) -> str:
     """The expression in LaTeX, spelled as its author did."""
-    return spell(node, _Latex()).text
+    return spell(node, Latex()).text

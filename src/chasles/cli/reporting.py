@@ -1,0 +1,89 @@
+"""The report: the chapter decided, checked again and walked, as the files that are to be written."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator
+from dataclasses import dataclass
+from importlib.resources import files
+from time import perf_counter
+
+from chasles.cli.failures import Failure
+from chasles.cli.outcome import Outcome, decide
+from chasles.cli.roads import all_roads
+from chasles.report.html.page import page
+from chasles.report.html.roads import walked
+from chasles.report.html.shown import RoadView
+from chasles.report.html.trusted import checked_again
+from chasles.report.latex_page import latex_page
+from chasles.report.words import seconds
+from chasles.statements import Chapter
+from chasles.statements.derivation import Derivation
+
+__all__ = ["Reported", "reported"]
+
+MANIFEST = ("chasles.generated", "MANIFEST.toml")
+
+
+@dataclass(frozen=True, slots=True)
+class Reported:
+    """The text of each file by its name, and what was done for it."""
+
+    texts: dict[str, str]
+    outcome: Outcome
+    roads: tuple[RoadView, ...]
+    seconds: float
+
+    @property
+    def in_words(self) -> Iterator[str]:
+        """Totals and times."""
+        yield from self.outcome.in_words
+        arriving = sum(road.arrives for road in self.roads)
+        yield f"{arriving} of {len(self.roads)} derivations arrive; all in {seconds(self.seconds)}"
+
+    @property
+    def failures(self) -> Iterator[str]:
+        """A line for each kind of failure; none if all is well."""
+        yield from self.outcome.failures
+        stuck = [road.name for road in self.roads if not road.arrives]
+        if stuck:
+            yield f"derivations that do not arrive: {', '.join(stuck)}"
+
+
+def reported(book: Chapter) -> Reported:
+    """The report on the whole chapter. Raises Failure for declarations that contradict each other."""
+    started = perf_counter()
+    outcome, judge = decide(book.entries, book)
+    roads = walked(_roads_of(book), judge)
+    decisions = {entry.name: decision for entry, decision in outcome.decided}
+    again = outcome.rechecked
+    assert again is not None
+    trusted = checked_again(again.certificates, again.counterexamples, len(again.rejected))
+    texts = {
+        "index.html": page(book, decisions, roads, _manifest(), trusted),
+        "chapter.tex": latex_page(book, decisions),
+    }
+    return Reported(texts, outcome, roads, perf_counter() - started)
+
+
+def _roads_of(book: Chapter) -> dict[str, Derivation]:
+    """The roads that come past statements of this book."""
+    known = {id(entry.statement) for entry in book}
+    return {
+        name: road
+        for name, road in all_roads().items()
+        if any(id(statement) in known for step in road.steps for statement in step.cited)
+    }
+
+
+def _manifest() -> str:
+    """What was emitted; nothing where nothing was. Raises Failure for a manifest that cannot be read."""
+    package, name = MANIFEST
+    try:
+        text = files(package).joinpath(name).read_text("utf-8")
+        tomllib.loads(text)
+    except (ModuleNotFoundError, FileNotFoundError):
+        return ""
+    except (OSError, ValueError) as error:
+        raise Failure(f"generated/{name} cannot be read ({error}): `chasles emit` writes it anew") from error
+    return text

@@ -1,0 +1,147 @@
+"""Formulas as MathML, by latex2mathml, from a LaTeX of ours that says what browsers need to be told."""
+
+from __future__ import annotations
+
+from functools import cache
+from html import unescape
+from itertools import pairwise
+from unicodedata import lookup, name
+from xml.etree.ElementTree import Element, SubElement, tostring
+
+from latex2mathml.converter import convert_to_element
+from markupsafe import Markup
+
+from chasles.report.html.breaking import in_lines, width_of
+from chasles.vocabulary import Node
+from chasles.vocabulary.latex import Latex
+from chasles.vocabulary.spelling import Level, Piece, spell
+
+__all__ = ["equation_tree", "latex_for_mathml", "markup", "math", "tree_of"]
+
+FUNCTIONS = (r"\sin", r"\cos", r"\det", r"\text{")
+CLOSING = (r"\right)", r"\right]", r"\right\}")
+THIN = r"\,"
+ACCENTS = {"~": "\N{SMALL TILDE}", "\N{DOT ABOVE}": "\N{DOT ABOVE}", "\N{DIAERESIS}": "\N{DIAERESIS}"}
+"""Marks over a letter; of the tilde there is a small one."""
+PRIMES = ("\N{PRIME}", "\N{DOUBLE PRIME}")
+"""In fonts these are small and raised as they are: as superscripts they would be so twice."""
+TALL = ("mfrac", "mtable")
+"""Around what brackets grow; elsewhere a bracket that may grow only takes more room."""
+WIDE = 80
+"""What is wider is printed smaller, so that it fits on a page."""
+BOLD = {"bold": "MATHEMATICAL BOLD", "bold-italic": "MATHEMATICAL BOLD ITALIC"}
+"""Browsers know bold letters as characters of their own, and no other `mathvariant` than normal."""
+
+
+class _ForMathML(Latex):
+    """LaTeX in which brackets that grow are pairs, and the space around a function's name is said."""
+
+    def product(self, factors: list[str]) -> str:
+        text = factors[0]
+        for before, factor in pairwise(factors):
+            apart = factor.startswith(FUNCTIONS) or _is_bare_call(before)
+            text += f" {THIN} {factor}" if apart else f" {factor}"
+        return text
+
+    def function(self, name: str, argument: Piece) -> Piece:
+        spelled = super().function(name, argument)
+        command, blank, rest = spelled.text.partition(" ")
+        if spelled.level is Level.PRODUCT and blank:
+            return Piece(f"{command} {THIN} {rest}", spelled.level, spelled.depth)
+        return spelled
+
+    def norm(self, of: Piece) -> Piece:
+        inner = super().norm(of)
+        text = inner.text.removeprefix(r"\|").removesuffix(r"\|")
+        return Piece(rf"\left\| {text} \right\|", inner.level, inner.depth)
+
+    def block(self, rows: list[list[str]]) -> str:
+        lines = r" \\ ".join(" & ".join(row) for row in rows)
+        return rf"\left[ \begin{{matrix}} {lines} \end{{matrix}} \right]"
+
+
+def _is_bare_call(factor: str) -> bool:
+    """Whether it is a function of a letter without brackets, which must not run on into what follows."""
+    return factor.startswith(FUNCTIONS) and not factor.endswith(CLOSING)
+
+
+def latex_for_mathml(node: Node) -> str:
+    """The expression in LaTeX, as it is to be turned into MathML."""
+    return spell(node, _ForMathML()).text
+
+
+def equation_tree(left: Node, right: Node, sign: str = "=") -> Element:
+    """The MathML of an equation."""
+    return tree_of(f"{latex_for_mathml(left)} {sign} {latex_for_mathml(right)}")
+
+
+def math(latex: str) -> Markup:
+    """The formula as MathML within a line of text."""
+    return _inline(latex)
+
+
+@cache
+def _inline(latex: str) -> Markup:
+    return markup(tree_of(latex), block=False)
+
+
+def tree_of(latex: str) -> Element:
+    """The formula's MathML, without the element `math` around it."""
+    root = convert_to_element(latex)
+    _settle(root)
+    return root[0] if len(root) == 1 else root
+
+
+def markup(tree: Element, block: bool = True) -> Markup:
+    """The formula as text of a page; a `block` stands on a line of its own, or on several."""
+    shown = in_lines(tree) if block else tree
+    classes = ' class="wide"' if width_of(shown) > WIDE else ""
+    display = ' display="block"' if block else ""
+    inner = tostring(shown, encoding="unicode")
+    return Markup("<math{}{}>{}</math>").format(Markup(display), Markup(classes), Markup(inner))
+
+
+def _settle(element: Element) -> None:
+    """Characters instead of their codes, accents told as such, no row around a single thing."""
+    element.text = unescape(element.text or "") or None
+    variant = BOLD.get(element.get("mathvariant", ""))
+    if variant and element.text:
+        del element.attrib["mathvariant"]
+        element.text = "".join(_bold(letter, variant) for letter in element.text)
+    for place, child in enumerate(list(element)):
+        _settle(child)
+        element[place] = _simplest(child)
+    if element.tag == "mover" and element[1].text in ACCENTS:
+        element.set("accent", "true")
+        element[1].text = ACCENTS[element[1].text]
+        element[1].set("stretchy", "false")
+    if element.tag == "mrow" and not any(part.tag in TALL for part in element.iter()):
+        for fence in element.findall("mo[@fence]"):
+            fence.set("stretchy", "false")
+
+
+def _simplest(element: Element) -> Element:
+    """The element as it is drawn best: what stands alone in a row, a prime beside its letter and not above it."""
+    if element.tag == "mrow" and len(element) == 1:
+        return element[0]
+    if element.tag in ("msup", "msubsup") and element[-1].text in PRIMES:
+        row = Element("mrow")
+        inner = element[0] if element.tag == "msup" else SubElement(row, "msub")
+        if inner is element[0]:
+            row.append(inner)
+        else:
+            inner.extend((element[0], element[1]))
+        prime = SubElement(row, "mo", lspace="0", rspace="0")
+        prime.text = element[-1].text
+        return row
+    return element
+
+
+def _bold(letter: str, variant: str) -> str:
+    """The bold form of a Greek letter or a digit; the letter itself if there is none."""
+    words = name(letter, "").removeprefix("GREEK ").replace(" LETTER", "")
+    kind = "MATHEMATICAL BOLD" if words.startswith("DIGIT") else variant
+    try:
+        return lookup(f"{kind} {words}")
+    except KeyError:
+        return letter

@@ -1,0 +1,109 @@
+"""How does the chapter stand, in numbers? Totals, a row for each section, what is assumed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from chasles.report.findings import Pairs, stands_in
+from chasles.report.html.citing import Book, Link
+from chasles.report.html.shown import Badge, RoadView, badge_of
+from chasles.report.html.trusted import Trusted
+from chasles.report.summary import Tally, tallies
+from chasles.report.words import VERDICTS, counted
+
+__all__ = ["Overview", "Row", "Share", "overview"]
+
+
+@dataclass(frozen=True, slots=True)
+class Share:
+    """How many statements have a verdict, and where they begin in a bar that is 1000 wide."""
+
+    badge: Badge
+    count: int
+    start: float
+    width: float
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """A section with its counts, in the order of the shares; a dot where there is none."""
+
+    number: str
+    title: str
+    counts: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Overview:
+    """The totals; of the equations, `earlier` are those of earlier chapters.
+
+    `wrong` counts what does not stand as printed, `found`, `declared` and `without` how it is repaired; `postulates`
+    are the laws that are assumed.
+    """
+
+    equations: int
+    earlier: int
+    others: int
+    statements: int
+    in_words: str
+    shares: tuple[Share, ...]
+    rows: tuple[Row, ...]
+    wrong: int
+    found: int
+    declared: int
+    without: int
+    postulates: tuple[Link, ...]
+    roads: int
+    steps: int
+    arriving: int
+    trusted: Trusted
+
+
+def overview(book: Book, decided: Pairs, roads: tuple[RoadView, ...], trusted: Trusted) -> Overview:
+    """The totals of all that was decided and walked."""
+    numbers = book.chapter.numbers
+    equations = sum(number[:1].isdecimal() for number in numbers)
+    own = {section.number.split(".")[0] for section in book.chapter.sections}
+    here = sum(number.split(".")[0] in own for number in numbers)
+    wrong = [(entry, decision) for entry, decision in decided if not decision.verdict.true]
+    how = [found[0].found if (found := stands_in(*each)) else "nothing" for each in wrong]
+    sections = tallies(decided)
+    shares = _shares(sections)
+    return Overview(
+        equations=here,
+        earlier=equations - here,
+        others=len(numbers) - equations,
+        statements=len(decided),
+        in_words=counted(decision.verdict for _, decision in decided),
+        shares=shares,
+        rows=tuple(_row(tally, shares) for tally in sections),
+        wrong=len(wrong),
+        found=how.count("repair"),
+        declared=how.count("declared"),
+        without=how.count("nothing"),
+        postulates=book.links(entry.key for entry, decision in decided if decision.verdict.name == "assumed"),
+        roads=len(roads),
+        steps=sum(len(road.steps) for road in roads),
+        arriving=sum(road.arrives for road in roads),
+        trusted=trusted,
+    )
+
+
+def _shares(sections: list[Tally]) -> tuple[Share, ...]:
+    """The verdicts that occur, side by side."""
+    total = Tally("", "")
+    for section in sections:
+        total.add(section)
+    whole = total.verdicts.total() or 1
+    shares, start = [], 0.0
+    for name in VERDICTS:
+        if count := total.verdicts[name]:
+            width = 1000 * count / whole
+            shares.append(Share(badge_of(name), count, round(start, 1), round(width, 1)))
+            start += width
+    return tuple(shares)
+
+
+def _row(tally: Tally, shares: tuple[Share, ...]) -> Row:
+    counts = (tally.verdicts[share.badge.name] for share in shares)
+    return Row(tally.number, tally.title, tuple(str(count) if count else "·" for count in counts))

@@ -1,0 +1,147 @@
+"""The page as one text: what is shown, put into the template."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+from chasles import __version__
+from chasles.proof.judge import Decision
+from chasles.report.details import number_in_words
+from chasles.report.findings import Decisions, ordered
+from chasles.report.html.citing import Book, place_of_number, slug
+from chasles.report.html.further import further_sections
+from chasles.report.html.graph import graph_of
+from chasles.report.html.kernels import kernel_rows
+from chasles.report.html.overview import overview
+from chasles.report.html.palette import DARK, LIGHT
+from chasles.report.html.shown import Badge, KernelRow, Number, RoadView, badge_of
+from chasles.report.html.statements import part_of
+from chasles.report.html.trusted import Trusted
+from chasles.report.verdict_page import WORST_FIRST
+from chasles.report.words import VERDICTS
+from chasles.statements import Chapter, Entry, Section
+
+__all__ = ["Chosen", "SectionView", "page"]
+
+Pair = tuple[Entry, Decision]
+
+
+@dataclass(frozen=True, slots=True)
+class SectionView:
+    """A section of the book with its numbers; `classes` are what filters look for."""
+
+    place: str
+    number: str
+    title: str
+    classes: str
+    numbers: tuple[Number, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Chosen:
+    """A filter: its name, the class of what it lets through, and its words."""
+
+    place: str
+    lets_through: str
+    words: str
+
+
+def page(chapter: Chapter, decisions: Decisions, roads: tuple[RoadView, ...], manifest: str, trusted: Trusted) -> str:
+    """The whole page; the same decisions, roads and manifest give the same text."""
+    book = Book(chapter)
+    decided = ordered(chapter, decisions)
+    kernels = kernel_rows(book, manifest)
+    sections = tuple(_sections(book, decided, kernels, roads))
+    numbers = [number for section in sections for number in section.numbers]
+    values = {
+        "title": chapter.title,
+        "version": __version__,
+        "overview": overview(book, decided, roads, trusted),
+        "sections": sections,
+        "errata": [(n, part) for n in numbers for part in n.parts if part.slip],
+        "kernels": tuple(kernels.values()),
+        "graph": graph_of(book, [(f"{s.number} {s.title}", s.numbers) for s in sections]),
+        "further": tuple(further_sections(chapter)),
+        "verdict_filters": tuple(_verdict_filters(numbers)),
+        "section_filters": tuple(_section_filters(sections)),
+        "light": LIGHT,
+        "dark": DARK,
+    }
+    return _environment().get_template("index.html.jinja").render(values)
+
+
+def _environment() -> Environment:
+    return Environment(
+        loader=PackageLoader("chasles.report"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+
+
+def _sections(
+    book: Book, decided: Sequence[Pair], kernels: Mapping[str, KernelRow], roads: Sequence[RoadView]
+) -> Iterator[SectionView]:
+    """The sections in the book's order; a road stands where its number does first."""
+    leading: dict[str, list[RoadView]] = {}
+    for road in roads:
+        leading.setdefault(road.number, []).append(road)
+    seen: dict[str, int] = {}
+    for section, members in groupby(decided, lambda pair: pair[0].section):
+        numbers = []
+        for number, group in groupby(members, lambda pair: pair[0].number):
+            seen[number] = seen.get(number, 0) + 1
+            numbers.append(_number(book, number, list(group), kernels, leading.pop(number, ()), seen[number]))
+        yield SectionView(
+            f"section-{slug(section.number)}", section.number, section.title, _within(section), tuple(numbers)
+        )
+
+
+def _number(
+    book: Book,
+    number: str,
+    group: Sequence[Pair],
+    kernels: Mapping[str, KernelRow],
+    roads: Sequence[RoadView],
+    times: int,
+) -> Number:
+    """A number with the parts of it that stand in one section; its verdict is the worst of theirs."""
+    names = [decision.verdict.name for _, decision in group]
+    parts = tuple(part_of(book, entry, decision, _kernels(entry, kernels)) for entry, decision in group)
+    return Number(
+        place=place_of_number(number) if times == 1 else f"{place_of_number(number)}-again-{times}",
+        cited=number_in_words(number),
+        badge=badge_of(min(names, key=WORST_FIRST.index)),
+        classes=" ".join(f"is-{name}" for name in dict.fromkeys(names)),
+        parts=parts,
+        roads=tuple(roads),
+    )
+
+
+def _kernels(entry: Entry, kernels: Mapping[str, KernelRow]) -> tuple[KernelRow, ...]:
+    return tuple(kernels[kernel.name] for kernel in entry.kernels if kernel.name in kernels)
+
+
+def _within(section: Section) -> str:
+    """The classes of a section: itself and those that it is part of, down to the chapter's sections."""
+    pieces = section.number.split(".")
+    return " ".join(f"within-{'-'.join(pieces[: k + 1])}" for k in range(1, max(2, len(pieces))))
+
+
+def _verdict_filters(numbers: Sequence[Number]) -> Iterator[Chosen]:
+    present = {name for number in numbers for name in number.classes.split()}
+    for name in VERDICTS:
+        if f"is-{name}" in present:
+            badge: Badge = badge_of(name)
+            yield Chosen(f"verdict-{name}", f"is-{name}", f"{badge.sign} {badge.word}")
+
+
+def _section_filters(sections: Sequence[SectionView]) -> Iterator[Chosen]:
+    for outermost in dict.fromkeys(section.classes.split()[0] for section in sections):
+        yield Chosen(f"only-{outermost}", outermost, outermost.removeprefix("within-").replace("-", "."))

@@ -1,0 +1,70 @@
+"""The colours of the page, in the light and in the dark; each text stands out from each ground on which it is put."""
+
+from __future__ import annotations
+
+__all__ = ["DARK", "LIGHT", "TEXT_ON", "contrast"]
+
+LIGHT = {
+    "ground": "#ffffff",
+    "raised": "#f5f6f8",
+    "ink": "#1b1f24",
+    "quiet": "#565d68",
+    "rule": "#d5d9e0",
+    "link": "#0b57a4",
+    "good": "#14692f",
+    "good-ground": "#e3f4e7",
+    "bad": "#a3161c",
+    "bad-ground": "#fdeaea",
+    "odd": "#86198f",
+    "odd-ground": "#f9e8fb",
+    "open": "#7a4b00",
+    "open-ground": "#fdf1d7",
+    "plain": "#2a4a7a",
+    "plain-ground": "#e6eefa",
+    "taken-ground": "#fbd5d5",
+    "added-ground": "#c9efd3",
+}
+DARK = {
+    "ground": "#14171b",
+    "raised": "#1e2228",
+    "ink": "#e8eaed",
+    "quiet": "#a6adb8",
+    "rule": "#3a414b",
+    "link": "#8ab8f5",
+    "good": "#86d99a",
+    "good-ground": "#15321e",
+    "bad": "#ff9d98",
+    "bad-ground": "#42191b",
+    "odd": "#e7a6f0",
+    "odd-ground": "#3a1a40",
+    "open": "#f3c667",
+    "open-ground": "#3b2c0c",
+    "plain": "#a9c5f2",
+    "plain-ground": "#1d2c46",
+    "taken-ground": "#5c2326",
+    "added-ground": "#1b4a2b",
+}
+TEXT_ON = (
+    *((text, ground) for text in ("ink", "quiet", "link") for ground in ("ground", "raised")),
+    *((kind, f"{kind}-ground") for kind in ("good", "bad", "odd", "open", "plain")),
+    *((kind, ground) for kind in ("good", "bad", "odd", "open", "plain") for ground in ("ground", "raised")),
+    ("ink", "taken-ground"),
+    ("ink", "added-ground"),
+    ("ink", "bad-ground"),
+    ("quiet", "bad-ground"),
+    ("link", "bad-ground"),
+    ("ground", "link"),
+)
+"""Which colour of text is put on which ground."""
+
+
+def contrast(text: str, ground: str) -> float:
+    """The contrast of two colours given as #rrggbb, from 1 to 21, as WCAG 2 defines it."""
+    lighter, darker = sorted((_luminance(text), _luminance(ground)), reverse=True)
+    return (lighter + 0.05) / (darker + 0.05)
+
+
+def _luminance(colour: str) -> float:
+    parts = [int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5)]
+    linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]

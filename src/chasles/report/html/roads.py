@@ -1,0 +1,88 @@
+"""Derivations as the page shows them: steps with what comes of each; walked by several processes where that helps."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from chasles.proof.judge import Judge
+from chasles.proof.road import Passage, Road, walk
+from chasles.proof.spreading import spread
+from chasles.proof.verdict import Fails
+from chasles.report.details import number_in_words
+from chasles.report.html.formulas import latex_for_mathml, markup, tree_of
+from chasles.report.html.shown import Equation, RoadView, Step, badge_of
+from chasles.report.html.statements import equation
+from chasles.report.words import point_in_words, reason
+from chasles.statements.derivation import Consider, Derivation
+from chasles.vocabulary import Node, plain
+
+__all__ = ["road_view", "walked"]
+
+A_ROAD = 0.3
+"""About how many seconds one takes."""
+
+
+def walked(roads: Mapping[str, Derivation], judge: Judge) -> tuple[RoadView, ...]:
+    """All roads, walked; what the judge has decided already is not decided again."""
+    return tuple(spread(lambda name: road_view(name, walk(roads[name], judge)), tuple(roads), A_ROAD))
+
+
+def road_view(name: str, road: Road) -> RoadView:
+    """A road as the page shows it; it belongs to the number at its end."""
+    derivation = road.derivation
+    passages = zip(derivation.steps, road.passages, strict=False)
+    return RoadView(
+        number=derivation.number if derivation.to is None else derivation.to.number,
+        name=name,
+        says=derivation.says,
+        outcome=_outcome(road),
+        arrives=road.arrives,
+        assuming=tuple(hypothesis.text for hypothesis in derivation.assuming),
+        steps=tuple(_step(passage, isinstance(step, Consider)) for step, passage in passages),
+    )
+
+
+def _step(passage: Passage, considers: bool) -> Step:
+    """A step; of an expression that is only considered, nothing is said twice."""
+    shown = tuple(_equations(passage))
+    if considers:
+        shown = tuple(_expression(right) for _, right in passage.equations)
+    return Step(
+        kind=passage.kind,
+        reason="" if considers else passage.reason,
+        badges=() if passage.comparison is not None else (badge_of(passage.verdict.name),),
+        equations=shown,
+        objections=tuple(_objections(passage)),
+    )
+
+
+def _expression(node: Node) -> Equation:
+    return Equation(markup(tree_of(latex_for_mathml(node))), plain(node))
+
+
+def _equations(passage: Passage) -> Iterator[Equation]:
+    """What comes of the step; of a comparison, what was found and what is printed, where they are not the same."""
+    comparison = passage.comparison
+    if comparison is None:
+        yield from (equation(left, right) for left, right in passage.equations)
+    elif comparison.form != "printed" or comparison.chosen:
+        yield equation(*comparison.found, label="found")
+        yield equation(*comparison.statement.printed, label="printed")
+
+
+def _objections(passage: Passage) -> Iterator[str]:
+    if passage.comparison is not None:
+        printed = passage.comparison.printed
+        if isinstance(printed, Fails):
+            yield f"for example at {point_in_words(printed.counterexample.at) or 'every point'}"
+    elif not passage.verdict.true and reason(passage.verdict) not in passage.reason:
+        yield f"because {reason(passage.verdict)}"
+
+
+def _outcome(road: Road) -> str:
+    if not road.arrives:
+        return f"stops at step {len(road.passages)}"
+    different = [f"{number_in_words(c.statement.number, c.statement.part)}: {c.words}" for c in road.differences]
+    if different:
+        return f"arrives; {'; '.join(different)}"
+    return "arrives; all that is found is as printed" if road.comparisons else "arrives"

@@ -1,0 +1,146 @@
+"""What the page shows of one equation, one repair, one statement, one number: plain values for the templates.
+
+What may be missing is a tuple, so that a template loops over it and decides nothing.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from markupsafe import Markup
+
+from chasles.report.html.citing import Link
+from chasles.report.words import VERDICTS
+
+__all__ = [
+    "Badge",
+    "Equation",
+    "Fact",
+    "KernelRow",
+    "Number",
+    "Part",
+    "Related",
+    "Repaired",
+    "RoadView",
+    "Step",
+    "badge_of",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class Badge:
+    """A verdict: the name of its style, its sign and its word."""
+
+    name: str
+    sign: str
+    word: str
+
+
+def badge_of(name: str) -> Badge:
+    """The badge of a verdict's name."""
+    sign, _, word, _ = VERDICTS[name]
+    return Badge(name, sign, word)
+
+
+@dataclass(frozen=True, slots=True)
+class Equation:
+    """An equation as MathML and in plain text, with a label where it is one of several."""
+
+    math: Markup
+    words: str
+    label: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Fact:
+    """One thing that is said in a word and what follows it."""
+
+    term: str
+    text: Markup
+
+
+@dataclass(frozen=True, slots=True)
+class Related:
+    """Other things on the page to which a word leads."""
+
+    term: str
+    links: tuple[Link, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Repaired:
+    """What stands instead of the print: the equation, its verdict, who found it, what was changed."""
+
+    equation: Equation
+    verdict: Markup
+    found: str
+    changes: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """A step of a road: what is done, by what, the verdict, what comes of it, what stands against it."""
+
+    kind: str
+    reason: str
+    badges: tuple[Badge, ...]
+    equations: tuple[Equation, ...]
+    objections: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class RoadView:
+    """A derivation that was walked; `number` is that to which it belongs."""
+
+    number: str
+    name: str
+    says: str
+    outcome: str
+    arrives: bool
+    assuming: tuple[str, ...]
+    steps: tuple[Step, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class KernelRow:
+    """A kernel: its name, place on the page, number, signature and how many operations of which kinds it takes."""
+
+    name: str
+    place: str
+    number: Link
+    says: str
+    signature: str
+    needs: tuple[Markup, ...]
+    total: int
+    operations: str
+    form: str
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A statement: what it says, the equations as printed, the verdict with what it needs, and all else about it."""
+
+    place: str
+    name: str
+    role: str
+    says: str
+    badge: Badge
+    equations: tuple[Equation, ...]
+    needs: tuple[Markup, ...]
+    why: tuple[Fact, ...]
+    instead: tuple[Repaired, ...]
+    slip: tuple[str, ...]
+    related: tuple[Related, ...]
+    facts: tuple[Fact, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """A number of the book with its parts and the roads that lead there; `classes` are what filters look for."""
+
+    place: str
+    cited: str
+    badge: Badge
+    classes: str
+    parts: tuple[Part, ...]
+    roads: tuple[RoadView, ...]

@@ -1,0 +1,168 @@
+"""What the page says of one statement: the print, the verdict and why, what stands instead, what it rests on."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator, Sequence
+
+from markupsafe import Markup, escape
+
+from chasles.proof.judge import Decision
+from chasles.proof.verdict import Counterexample, Fails, IllFormed
+from chasles.report.by_hand import worked_out
+from chasles.report.details import number_in_words
+from chasles.report.findings import Standing, likely_slip, stands_in
+from chasles.report.html.citing import Book, Link, place_of_number
+from chasles.report.html.differences import mark_differences
+from chasles.report.html.formulas import equation_tree, markup
+from chasles.report.html.shown import Equation, Fact, KernelRow, Part, Related, Repaired, badge_of
+from chasles.report.records import certificate_hash
+from chasles.report.words import point_in_words, reason
+from chasles.statements import Entry, Inverse, Statement, Theorem
+from chasles.vocabulary import Node, plain
+
+__all__ = ["equation", "part_of", "place_of_part"]
+
+Sides = tuple[Node, Node]
+CODE = Markup("<code>{}</code>")
+
+
+def place_of_part(entry: Entry) -> str:
+    """The place of a statement on the page."""
+    return f"{place_of_number(entry.number)}-part-{entry.statement.part}"
+
+
+def part_of(book: Book, entry: Entry, decision: Decision, kernels: Sequence[KernelRow]) -> Part:
+    """All that is said of a statement; `kernels` are those that it asks for."""
+    found = stands_in(entry, decision)
+    wrong = not decision.verdict.true
+    return Part(
+        place=place_of_part(entry),
+        name=entry.name,
+        role=entry.statement.role,
+        says=entry.statement.says,
+        badge=badge_of(decision.verdict.name),
+        equations=_printed(entry.statement, found),
+        needs=tuple(book.condition(text) for text in getattr(decision.verdict, "needs", ())),
+        why=tuple(_why(entry, decision)),
+        instead=tuple(_repaired(book, entry, standing) for standing in found),
+        slip=(f"More likely a slip {likely_slip(entry, decision)}.",) if wrong else (),
+        related=tuple(each for each in _related(book, entry, kernels) if each.links),
+        facts=tuple(_facts(book, entry, decision)),
+    )
+
+
+def equation(left: Node, right: Node, sign: str = "=", label: str = "") -> Equation:
+    """An equation as the page shows it."""
+    return Equation(markup(equation_tree(left, right, sign)), f"{plain(left)} = {plain(right)}", label)
+
+
+def _printed(sentence: Statement | Theorem | Inverse, found: Sequence[Standing]) -> tuple[Equation, ...]:
+    """The equations as printed; what was changed to make one right is marked."""
+    match sentence:
+        case Theorem(forms=forms):
+            return tuple(equation(left, right, "=", label) for f in forms for label, left, right in f.equations())
+        case Inverse(branches=branches):
+            return tuple(equation(left, right, "=", b.says) for b in branches for left, right in b.values)
+        case Statement():
+            tree = equation_tree(sentence.left, sentence.right, sentence.sign)
+            for standing in found[:1]:
+                mark_differences(tree, equation_tree(standing.left, standing.right, standing.sign))
+            return (Equation(markup(tree), f"{plain(sentence.left)} = {plain(sentence.right)}"),)
+
+
+def _why(entry: Entry, decision: Decision) -> Iterator[Fact]:
+    """Why the print does not stand; what the reading or the correction comes to where that fails as well."""
+    match decision.verdict:
+        case IllFormed(words):
+            yield Fact("does not fit", escape(words))
+        case Fails(counterexample):
+            assert isinstance(entry.statement, Statement)
+            yield from _by_hand(entry.statement, decision, counterexample)
+        case verdict if not verdict.true:
+            yield Fact("because", escape(reason(verdict)))
+    correction = decision.correction
+    for tried in () if correction is None else (*correction.others, correction):
+        if isinstance(entry.statement, Statement) and isinstance(tried.verdict, Fails):
+            left, right = tried.sides
+            read = "as likely read" if tried.form == "reading" else "as corrected"
+            yield Fact(read, Markup("<code>{}</code>, which fails too").format(f"{plain(left)} = {plain(right)}"))
+            yield from _by_hand(entry.statement.saying(left, right), decision, tried.verdict.counterexample)
+
+
+def _by_hand(statement: Statement, decision: Decision, found: Counterexample) -> Iterator[Fact]:
+    """The values, the left side and the right side there, and by which definitions."""
+    row, column = found.entry
+    by_hand = worked_out(statement, decision, found)
+    if found.goal:
+        yield Fact("what fails", escape(found.goal))
+    yield Fact("at", CODE.format(point_in_words(found.at) or "every point"))
+    if by_hand.values:
+        yield Fact("so that", CODE.format(point_in_words(by_hand.values)))
+    where = Markup("<code>{}</code> in row {}, column {}{}")
+    yield Fact("the left side is", where.format(found.left, row, column, _by(by_hand.left)))
+    yield Fact("the right side is", Markup("<code>{}</code>{}").format(found.right, _by(by_hand.right)))
+
+
+def _by(definitions: Iterable[Statement]) -> Markup:
+    listed = Markup(", ").join(map(_definition, definitions))
+    return Markup(", by {}").format(listed) if listed else Markup()
+
+
+def _definition(given: Statement) -> Markup:
+    """The number of a definition; if the book does not number it, what it says."""
+    if given.number[0].isdigit():
+        return Markup('<a href="#{}">{}</a>').format(
+            place_of_number(given.number), number_in_words(given.number, given.part)
+        )
+    left, right = given.printed
+    return CODE.format(f"{plain(left)} = {plain(right)}")
+
+
+def _repaired(book: Book, entry: Entry, standing: Standing) -> Repaired:
+    assert isinstance(entry.statement, Statement)
+    before = equation_tree(entry.statement.left, entry.statement.right, entry.statement.sign)
+    after = equation_tree(standing.left, standing.right, standing.sign)
+    mark_differences(before, after)
+    words = f"{plain(standing.left)} = {plain(standing.right)}"
+    found = "The search for a repair found it." if standing.found == "repair" else "It was declared, not found."
+    if standing.modulo:
+        found += f" {standing.modulo[0].upper()}{standing.modulo[1:]}."
+    return Repaired(Equation(markup(after), words), _stands(book, standing), found, standing.changes)
+
+
+def _stands(book: Book, standing: Standing) -> Markup:
+    """In which way it stands: it holds, under what, or it is the definition with which others hold."""
+    if standing.by:
+        links = (
+            Markup('<a href="#{}">{}</a>').format(place_of_number(number), number_in_words(number))
+            for number in standing.by
+        )
+        return Markup("is the definition with which {} hold").format(Markup(", ").join(links))
+    needs = Markup(", ").join(book.condition(text) for text in getattr(standing.verdict, "needs", ()))
+    word = badge_of(standing.verdict.name).word
+    return Markup("{} {}").format(word, needs) if needs else escape(word)
+
+
+def _related(book: Book, entry: Entry, kernels: Sequence[KernelRow]) -> Iterator[Related]:
+    """What the statement rests on, what rests on it, and its kernels."""
+    yield Related("rests on", book.links((basis.number, basis.part) for basis in Book.bases(entry)))
+    yield Related("used by", book.links(user.key for user in book.used_by.get(entry.key, ())))
+    calls = (Link(f"#{kernel.place}", f"{kernel.name} ({kernel.total} operations)") for kernel in kernels)
+    yield Related("kernels", tuple(calls))
+
+
+def _facts(book: Book, entry: Entry, decision: Decision) -> Iterator[Fact]:
+    """What is assumed, what of it is not needed, the certificate, an example, the name."""
+    if assumed := Markup(", ").join(book.condition(h.text) for h in entry.statement.assuming):
+        yield Fact("assuming", assumed)
+    if unused := Markup(", ").join(book.condition(text) for text in getattr(decision.verdict, "unused", ())):
+        yield Fact("not needed", unused)
+    if decision.certificate is not None:
+        size = len(json.dumps(decision.certificate, separators=(",", ":"), ensure_ascii=False).encode())
+        text = Markup("<code>{}</code>, {} bytes, checked again without the prover")
+        yield Fact("certificate", text.format(certificate_hash(decision.certificate), f"{size:,}"))
+    standing = decision.correction.verdict if decision.correction and not decision.verdict.true else decision.verdict
+    if witness := getattr(standing, "witness", None):
+        yield Fact("for example at", CODE.format(point_in_words(witness)))
+    yield Fact("declared as", CODE.format(entry.name))

@@ -1,0 +1,41 @@
+"""On what do the verdicts rest? How long the checker is, counted in its source, and what else has to be believed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from importlib.resources import files
+
+__all__ = ["CHECKER", "Trusted", "checked_again", "source_lines"]
+
+CHECKER = ("certificate.py", "refutation.py", "recheck")
+"""The checker of certificates and of counterexamples, below `chasles.proof`."""
+
+
+@dataclass(frozen=True, slots=True)
+class Trusted:
+    """How many certificates and counterexamples were checked again, how many were rejected, by how long a checker."""
+
+    certificates: int
+    counterexamples: int
+    rejected: int
+    lines: int
+
+
+def checked_again(certificates: int, counterexamples: int, rejected: int) -> Trusted:
+    """What was checked again, and how long the checker is."""
+    return Trusted(certificates, counterexamples, rejected, source_lines())
+
+
+def source_lines() -> int:
+    """The lines of the checker's source that are neither blank nor comments."""
+    lines = (line.strip() for text in _sources() for line in text.splitlines())
+    return sum(1 for line in lines if line and not line.startswith("#"))
+
+
+def _sources() -> Iterator[str]:
+    folder = files("chasles.proof")
+    for name in CHECKER:
+        place = folder / name
+        found = [place] if place.is_file() else sorted(place.iterdir(), key=lambda each: each.name)
+        yield from (source.read_text("utf-8") for source in found if source.name.endswith(".py"))

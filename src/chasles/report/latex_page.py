@@ -1,0 +1,141 @@
+"""The chapter as a LaTeX document: every equation as printed, with its verdict and what stands instead."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+from chasles.proof.judge import Decision
+from chasles.proof.verdict import Verdict
+from chasles.report.details import number_in_words, objections_to_print
+from chasles.report.equations import hypotheses_in_latex, in_latex
+from chasles.report.findings import Decisions, Pairs, Standing, likely_slip, ordered, stands_in
+from chasles.report.words import VERDICTS, counted
+from chasles.statements import Chapter, Entry
+from chasles.vocabulary import latex
+
+__all__ = ["escaped", "latex_page"]
+
+SPECIAL = str.maketrans(
+    {
+        "\\": r"\textbackslash{}",
+        "~": r"\textasciitilde{}",
+        "^": r"\textasciicircum{}",
+        **{mark: f"\\{mark}" for mark in "{}_#$%&"},
+    }
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Instead:
+    """What stands instead of a print, in LaTeX, and what is said of it; `lead` comes before it."""
+
+    lead: str
+    formula: str
+    verdict: str
+    changes: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Item:
+    """A statement: number, verdict, words and formulas, in LaTeX; `number` is empty but for the first part."""
+
+    number: str
+    verdict: str
+    needs: str
+    says: str
+    formulas: tuple[str, ...]
+    why: tuple[str, ...]
+    instead: tuple[Instead, ...]
+    slip: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Heading:
+    """A section of the book with its statements."""
+
+    number: str
+    title: str
+    items: tuple[Item, ...]
+
+
+def latex_page(chapter: Chapter, decisions: Decisions) -> str:
+    """The document; the same decisions give the same text."""
+    decided = ordered(chapter, decisions)
+    values = {
+        "title": escaped(chapter.title),
+        "statements": len(decided),
+        "totals": escaped(counted(decision.verdict for _, decision in decided)),
+        "headings": tuple(_headings(decided, hypotheses_in_latex(chapter))),
+    }
+    return _environment().get_template("chapter.tex.jinja").render(values)
+
+
+def escaped(text: str) -> str:
+    """The text as it stands: nothing in it is a command of LaTeX."""
+    return text.translate(SPECIAL)
+
+
+def _environment() -> Environment:
+    """Templates whose marks do not look like LaTeX."""
+    return Environment(
+        loader=PackageLoader("chasles.report"),
+        undefined=StrictUndefined,
+        block_start_string="<%",
+        block_end_string="%>",
+        variable_start_string="<<",
+        variable_end_string=">>",
+        comment_start_string="<#",
+        comment_end_string="#>",
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=False,
+    )
+
+
+def _headings(decided: Pairs, hypotheses: Mapping[str, str]) -> Iterator[Heading]:
+    for section, group in groupby(decided, lambda pair: pair[0].section):
+        members = list(group)
+        numbers = ["", *(entry.number for entry, _ in members)]
+        pairs = zip(members, numbers, strict=False)
+        items = (_item(entry, decision, before, hypotheses) for (entry, decision), before in pairs)
+        yield Heading(escaped(section.number), escaped(section.title), tuple(items))
+
+
+def _item(entry: Entry, decision: Decision, before: str, hypotheses: Mapping[str, str]) -> Item:
+    """A statement; `before` is the number of the one before it."""
+    found = stands_in(entry, decision)
+    wrong = not decision.verdict.true
+    return Item(
+        number="" if entry.number == before else escaped(number_in_words(entry.number)),
+        verdict=VERDICTS[decision.verdict.name][2],
+        needs=_needs(decision.verdict, hypotheses),
+        says=escaped(entry.statement.says),
+        formulas=in_latex(entry.statement),
+        why=tuple(escaped(f"{label}: {text}") for label, text in objections_to_print(decision)),
+        instead=tuple(_instead(standing, hypotheses, first=standing is found[0]) for standing in found),
+        slip=(escaped(f"More likely a slip {likely_slip(entry, decision)}."),) if wrong else (),
+    )
+
+
+def _instead(standing: Standing, hypotheses: Mapping[str, str], *, first: bool) -> Instead:
+    numbers: Sequence[str] = tuple(map(number_in_words, standing.by))
+    verdict = f"{VERDICTS[standing.verdict.name][2]} {_needs(standing.verdict, hypotheses)}".rstrip()
+    if numbers:
+        verdict = escaped(f"is the definition with which {', '.join(numbers)} hold")
+    return Instead(
+        "Right is" if first else "or",
+        f"{latex(standing.left)} {standing.sign} {latex(standing.right)}",
+        verdict,
+        tuple(map(escaped, standing.changes)),
+    )
+
+
+def _needs(verdict: Verdict, hypotheses: Mapping[str, str]) -> str:
+    """The hypotheses that the proof uses, as formulas; in words where one is not told as a formula."""
+    needs = getattr(verdict, "needs", ())
+    return ", ".join(f"${hypotheses[text]}$" if hypotheses.get(text) else escaped(text) for text in needs)
