@@ -466,3 +466,49 @@ def test_heads_say_what_is_proved() -> None:
     assert "error bound 7.1 u of the largest entry, for every unit e and every phi; u = 2^-53" in said
     assert "error bound not proved: it divides by a sum whose terms may cancel" in said
     assert "u of the largest entry" in (kernels.rotation_from_axis_angle.__doc__ or "")
+
+
+def place_of(
+    e: np.ndarray[Any, Any], phi: float, least: Fraction
+) -> tuple[int, tuple[int, ...], int, int, list[float]]:
+    """The face, the signs, the quarter and the side on which inputs lie, and their coordinates there."""
+    axis = int(np.argmax(abs(e)))
+    signs = tuple(1 if x >= 0 else -1 for x in e)
+    quarter = math.floor(phi * float(least) / (math.pi / 2) + 0.5)
+    t = phi / math.pi - quarter / 2 / float(least)
+    coordinates = [float(e[k] / abs(e[axis])) for k in range(3) if k != axis]
+    return axis, signs, quarter % 4, 1 if t >= 0 else -1, [*coordinates, abs(t)]
+
+
+@pytest.mark.parametrize("name", ["rotation_from_axis_angle", "natural_rate_matrix", "linear_rate_matrix"])
+def test_every_input_lies_in_a_piece_and_none_is_worse_than_proved(book: Book, name: str) -> None:
+    pytest.importorskip("flint")
+    request, program = book.made[name]
+    outline = outlined(program)
+    cover = covered(outline, proving._units(request))
+    groups = [outline.entries(0)]
+    search = _Search(outline, SINGLE, lambda running: against_largest(running, groups, SINGLE.roundoff))
+    (guarantee,) = Bound.from_data(LISTED[name]["bound"]).guarantees
+    generator = np.random.default_rng(5)
+    factor = next(iter(outline.angles.values()))[2]
+    for n in range(120):
+        e = np.array(AXES[n % len(AXES)]) if n % 2 else generator.standard_normal(3)
+        e = e / np.linalg.norm(e)
+        phi = float(generator.choice(ANGLES)) if n % 3 else float(generator.uniform(-9, 9))
+        axis, signs, quarter, side, box = place_of(e, phi, factor)
+        ((face, turn),) = (
+            pieces
+            for pieces in product(*cover.choices)
+            if (pieces[0].axis, pieces[0].signs, pieces[1].quarter, pieces[1].side) == (axis, signs, quarter, side)
+        )
+        ranges = [*face.ranges, *turn.ranges]
+        assert all(low - 1e-12 <= x <= high + 1e-12 for x, (low, high) in zip(box, ranges, strict=True))
+        inner = [min(max(x, low), high) for x, (low, high) in zip(box, ranges, strict=True)]
+        point = tuple((x, x) for x in inner)
+        for k in range(3):
+            assert abs(float(face.values(point[:2])[0, k].value.mid()) - e[k]) < 1e-6
+        if inner[2]:
+            for found, expected in zip(turn.functions(point[2:], factor), (math.sin, math.cos), strict=True):
+                value = float(found.value.mid()) * inner[2] ** found.power
+                assert value == pytest.approx(expected(float(factor) * phi), abs=1e-12)
+            assert search.bound((face, turn), point) <= float(guarantee.units)

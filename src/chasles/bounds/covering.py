@@ -29,6 +29,9 @@ CLOSE = 1.05
 WIDEST = 1.5
 """How much larger it may be where the budget is spent, lest it says more of the boxes than of the program."""
 
+EVERY = 8
+"""How many boxes are halved between two looks at a point."""
+
 Box = tuple[Interval, ...]
 Measure = Callable[[Running], float]
 
@@ -52,8 +55,8 @@ class Cover:
                 yield pieces, tuple(interval for piece in pieces for interval in piece.ranges)
 
 
-def covered(outline: Outline, units: Sequence[int], direction: int | None = None) -> Cover:
-    """The cover of the program's angles, of the unit vectors among its arguments, and of a direction.
+def covered(outline: Outline, units: Sequence[int]) -> Cover:
+    """The cover of the program's angles and of the unit vectors among its arguments.
 
     Raises NoBound for a program without angles, one that uses an angle itself, and one that divides by functions of
     two angles.
@@ -67,8 +70,7 @@ def covered(outline: Outline, units: Sequence[int], direction: int | None = None
     singular = [place for place in places if place in _dividing(outline)]
     if len(singular) > 1:
         raise NoBound("it divides by functions of several angles")
-    choices: list[tuple[Piece, ...]] = [tuple(faces(argument, True)) for argument in units]
-    choices += [tuple(faces(direction, False))] if direction is not None else []
+    choices: list[tuple[Piece, ...]] = [tuple(faces(argument)) for argument in units]
     for argument, entry in places:
         least = min(f for a, e, f in outline.angles.values() if (a, e) == (argument, entry))
         made = (
@@ -77,7 +79,7 @@ def covered(outline: Outline, units: Sequence[int], direction: int | None = None
             for side in (1, -1)
         )
         choices.append(tuple(made))
-    return Cover(tuple(choices), symmetry(outline, _signs(outline, (*units, *([direction] if direction else [])))))
+    return Cover(tuple(choices), symmetry(outline, _signs(outline, units)))
 
 
 def _signs(outline: Outline, vectors: Sequence[int]) -> list[Sign]:
@@ -185,7 +187,7 @@ def largest(outline: Outline, model: Model, cover: Cover, measure: Measure, budg
     reached = 0.0
     while search.count < budget:
         worst = search.boxes[0]
-        if search.count % 8 == 0:
+        if search.count % EVERY == 0:
             point = tuple(((low + high) / 2,) * 2 for low, high in worst.box)
             here = search.bound(worst.pieces, point)
             reached = max(reached, here if math.isfinite(here) else 0.0)

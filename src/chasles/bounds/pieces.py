@@ -16,7 +16,7 @@ from typing import Any
 from chasles.bounds.scaled import Scaled, between
 from chasles.bounds.symmetry import Sign
 
-__all__ = ["SLACK", "AnglePiece", "FacePiece", "Piece"]
+__all__ = ["SLACK", "AnglePiece", "FacePiece", "Interval", "Piece", "faces"]
 
 SLACK = 2.0**-21
 """How far a unit vector's length may be from 1: some roundoffs of single precision."""
@@ -26,15 +26,11 @@ Interval = tuple[float, float]
 
 @dataclass(frozen=True, slots=True)
 class FacePiece:
-    """A quarter of a face of the cube: entry `axis` is the largest in size, and all entries have the given signs.
-
-    Where `normalised` it covers unit vectors, else vectors whose largest entry has the size 1.
-    """
+    """A quarter of a face of the cube: entry `axis` is the largest in size, and all entries have the given signs."""
 
     argument: int
     axis: int
     signs: tuple[int, int, int]
-    normalised: bool = True
 
     @property
     def ranges(self) -> tuple[Interval, ...]:
@@ -57,15 +53,11 @@ class FacePiece:
 
         a, b = box
         others = [k for k in range(3) if k != self.axis]
-        sign, zero = self.signs[self.axis], arb(0)
-        if not self.normalised:
-            entries = {self.axis: arb(sign), others[0]: between(*a), others[1]: between(*b)}
-        else:
-            length = between(1 - SLACK, 1 + SLACK)
-            square = 1 + between(*_squared(a)) + between(*_squared(b))
-            largest = sign * length / square.sqrt()
-            entries = {self.axis: largest, others[0]: length * _slope(a, b), others[1]: length * _slope(b, a)}
-        return {(self.argument, k): Scaled(0, value, zero) for k, value in entries.items()}
+        length = between(1 - SLACK, 1 + SLACK)
+        square = 1 + between(*_squared(a)) + between(*_squared(b))
+        largest = self.signs[self.axis] * length / square.sqrt()
+        entries = {self.axis: largest, others[0]: length * _slope(a, b), others[1]: length * _slope(b, a)}
+        return {(self.argument, k): Scaled(0, value, arb(0)) for k, value in entries.items()}
 
 
 def _squared(x: Interval) -> Interval:
@@ -75,7 +67,7 @@ def _squared(x: Interval) -> Interval:
 
 
 def _slope(x: Interval, other: Interval) -> Any:
-    """X / sqrt(1 + x^2 + y^2), which grows with x and shrinks in size with y."""
+    """What x / sqrt(1 + x^2 + y^2) runs over: it grows with x, and its size shrinks with that of y."""
     from flint import arb
 
     near, far = _squared(other)
@@ -151,8 +143,8 @@ def _turned(sine: Scaled, cosine: Scaled, quarters: int) -> tuple[Scaled, Scaled
 Piece = FacePiece | AnglePiece
 
 
-def faces(argument: int, normalised: bool) -> Iterator[FacePiece]:
+def faces(argument: int) -> Iterator[FacePiece]:
     """All quarters of faces."""
     for axis in range(3):
         for signs in product((1, -1), repeat=3):
-            yield FacePiece(argument, axis, (signs[0], signs[1], signs[2]), normalised)
+            yield FacePiece(argument, axis, (signs[0], signs[1], signs[2]))

@@ -22,10 +22,11 @@ class Symmetry:
         self._places = places
         self._rows = _echelon(changes)
 
-    def canonical(self, negative: list[Sign]) -> int:
-        """A number that is the same for two choices of signs just if a symmetry takes one into the other."""
+    def canonical(self, negative: list[Sign]) -> tuple[int, tuple[Sign, ...]]:
+        """What is the same for two choices of signs just if a symmetry takes one into the other."""
+        fixed = tuple(sign for sign in negative if sign not in self._places)
         word = sum(1 << self._places[sign] for sign in negative if sign in self._places)
-        return _reduced(word, self._rows)
+        return _reduced(word, self._rows), fixed
 
 
 def symmetry(outline: Outline, signs: list[Sign]) -> Symmetry:
@@ -52,11 +53,11 @@ def symmetry(outline: Outline, signs: list[Sign]) -> Symmetry:
                 parity[number] = of[0]
             case Op.MULTIPLY | Op.DIVIDE:
                 parity[number] = of[0] ^ of[1]
-            case Op.SQUARE_ROOT:
-                equations.append(of[0])
-                parity[number] = 0
+            case Op.NEGATE:
+                parity[number] = of[0]
             case _:
-                parity[number] = of[0] if of else 0
+                equations += of
+                parity[number] = 0
     kernel = _kernel(equations, len(places))
     kept = (1 << len(signs)) - 1
     return Symmetry({sign: k for sign, k in places.items() if k < len(signs)}, [word & kept for word in kernel])
