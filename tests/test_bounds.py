@@ -20,7 +20,7 @@ from chasles.generated.numpy import kernels as readable
 
 from chasles import generated, kernels
 from chasles.bounds import DOUBLE, SINGLE, Bound, Guarantee, Model, bound_of, key_of, proving, remembered
-from chasles.bounds.covering import _Search, covered
+from chasles.bounds.covering import _Search, covered, largest
 from chasles.bounds.norms import against_largest
 from chasles.bounds.outline import NoBound, Outline, is_power_of_two, outlined
 from chasles.bounds.termwise import shares
@@ -512,3 +512,33 @@ def test_every_input_lies_in_a_piece_and_none_is_worse_than_proved(book: Book, n
                 value = float(found.value.mid()) * inner[2] ** found.power
                 assert value == pytest.approx(expected(float(factor) * phi), abs=1e-12)
             assert search.bound((face, turn), point) <= float(guarantee.units)
+
+
+def test_a_root_is_bounded_over_boxes_as_it_is_by_counting() -> None:
+    pytest.importorskip("flint")
+    cosine, one = Step(Op.COSINE, (0,)), Step(Op.CONSTANT, value=Fraction(1))
+    steps = (X, cosine, Step(Op.MULTIPLY, (1, 1)), one, Step(Op.ADD, (2, 3)), Step(Op.SQUARE_ROOT, (4,)))
+    outline = outlined(program(*steps))
+    counted = float(shares(outline, SINGLE)[5].error / SINGLE.roundoff)
+    found = largest(
+        outline,
+        SINGLE,
+        covered(outline, ()),
+        lambda running: against_largest(running, [(5,)], SINGLE.roundoff),
+        2000,
+    )
+    worst = 0.0
+    for angle in np.linspace(0.01, 3.2, 40):
+        value, got = worst_roundings(outline, [[CONTEXT.mpf(float(angle))], [CONTEXT.mpf(1)]], SINGLE, 5)
+        worst = max(worst, float(abs(got / value - 1) / float(SINGLE.roundoff)))
+    assert worst <= found <= counted
+    assert found <= 1.5 * worst
+
+
+@pytest.mark.parametrize("loss", [0.0, 1e-3])
+def test_an_angle_moves_no_more_than_the_ratio_of_coordinates(loss: float) -> None:
+    error = float(shares(outlined(program(X, Y, Step(Op.ARCTANGENT2, (0, 1)))), SINGLE)[2].error)
+    assert error == 2 * float(SINGLE.roundoff)
+    for angle in np.linspace(-3.1, 3.1, 63):
+        moved = math.atan2(math.sin(angle) * (1 + loss), math.cos(angle) * (1 - loss))
+        assert abs(moved - angle) <= abs(angle) * ((1 + loss) / (1 - loss) - 1) + 1e-15

@@ -18,7 +18,6 @@ from chasles.lowering.program import Op, Step
 
 __all__ = ["SAFE", "Running"]
 
-LARGEST_POWER = 8
 SAFE = 1e-12
 """By how much a float is moved outwards that stands for the end of a ball: thousands of its own roundings."""
 
@@ -48,7 +47,7 @@ class Running:
         self._unit, self._function = exactly(model.roundoff), exactly(model.loss(Op.SINE))
         # What a derivative changes by where the step's own rounding is taken into account.
         self.wobble = arb(1, 2 * float(max(model.roundoff, model.loss(Op.SINE))))
-        self._shrink = [(arb(small[0]) ** k).union(arb(small[1]) ** k) for k in range(1, LARGEST_POWER + 1)]
+        self._small = arb(small[0]), arb(small[1])
         self.values: dict[int, Scaled] = {}
         self.near: dict[int, Scaled] = {}
         self.rounded: set[int] = set()
@@ -61,7 +60,10 @@ class Running:
 
     def lowered(self, x: Any, power: int, to: int) -> Any:
         """A multiple of one power of t as a multiple of a lower one."""
-        return x if power == to else x * self._shrink[power - to - 1]
+        if power == to:
+            return x
+        low, high = self._small
+        return x * (low ** (power - to)).union(high ** (power - to))
 
     def _step(self, number: int, step: Step) -> Scaled:
         if number in self.outline.angles:
