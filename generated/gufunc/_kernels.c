@@ -21,6 +21,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  0\n"
+            "  error bound exact, for all inputs\n"
             "  derivation  sha256 1dcc0e58f219711b3c3f86b749f8c10b4db63734a02b20de3d9c405c9765483d\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -38,6 +39,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     |e| = 1\n"
             "  operations  24: 6 add, 4 subtract, 12 multiply, 1 sine, 1 cosine\n"
+            "  error bound 7.1 u of the largest entry, for every unit e and every phi; u = 2^-53, in single\n"
+            "                precision 2^-24\n"
             "  derivation  sha256 dd485fc9fc55c9da723bbd623b2225ec82c9e8dbfe322dbf4dfe768c7d30e93a\n"
             "  signature   (3),()->(3,3)\n"
             "",
@@ -58,6 +61,8 @@ const Kernel chasles_kernels[] = {
             "  assumes     nothing\n"
             "  expects     Q is a rotation\n"
             "  operations  21: 9 add, 3 subtract, 9 multiply\n"
+            "  error bound 5.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 af99d11eca408718e24cab7a00a1fd908df2c4445259caf108fa6366c29b6560\n"
             "  signature   (3,3),(3),(3),(3)->(3)\n"
             "",
@@ -77,6 +82,8 @@ const Kernel chasles_kernels[] = {
             "  assumes     phi != 0\n"
             "              |e| = 1\n"
             "  operations  6: 2 add, 3 multiply, 1 divide\n"
+            "  error bound 4.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 a00b650de0c575f7c9b2294f993cd4d248ffaaa64b28a7f2d4581cd5c90cdf7f\n"
             "  signature   (3),(),(3)->()\n"
             "",
@@ -95,6 +102,8 @@ const Kernel chasles_kernels[] = {
             "  assumes     phi != 0\n"
             "              |e| = 1\n"
             "  operations  17: 3 add, 1 subtract, 11 multiply, 1 divide, 1 sine\n"
+            "  error bound 10.0 u of the largest entry, for every unit e and every phi; u = 2^-53, in single\n"
+            "                precision 2^-24\n"
             "  derivation  sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c\n"
             "  signature   (3),()->(3,3)\n"
             "",
@@ -116,6 +125,8 @@ const Kernel chasles_kernels[] = {
             "              |e| = 1\n"
             "  made of     an offered form, proved equal to the statement\n"
             "  operations  39: 5 add, 12 subtract, 19 multiply, 1 divide, 1 sine, 1 cosine\n"
+            "  error bound 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 fd931c592a794abc154e30cb8754cc954c9fa9f827a0928a1e82185b1b2a8b81\n"
             "  signature   (3),(),(3),(3)->(3)\n"
             "",
@@ -133,6 +144,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     p_1 != p_2\n"
             "  operations  21: 2 add, 6 subtract, 9 multiply, 3 divide, 1 square root\n"
+            "  error bound 7.51 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 32c3975b5a0a9106d94e083a43fadc2be5fbb7bda4c600d797436f2a818ba4e5\n"
             "  signature   (3),(3)->(6)\n"
             "",
@@ -151,6 +164,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  15: 3 add, 6 subtract, 6 multiply\n"
+            "  error bound 4.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 6d53a1bee79a6a2a63aafa29de9b2815a5d19f7d96ef743e8fd201bd98bf5faf\n"
             "  signature   (6),(3),(3)->(6)\n"
             "",
@@ -170,6 +185,8 @@ const Kernel chasles_kernels[] = {
             "  expects     triad is a rotation\n"
             "              triad' is a rotation\n"
             "  operations  45: 18 add, 27 multiply\n"
+            "  error bound 3.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 17b2c6690d171cd369c93be59a7a8c3b70bc0108c48d7358142e2312ebf805ee\n"
             "  signature   (3,3),(3,3)->(3,3)\n"
             "",
@@ -189,6 +206,8 @@ const Kernel chasles_kernels[] = {
             "  expects     triad is a rotation\n"
             "              triad' is a rotation\n"
             "  operations  45: 18 add, 27 multiply\n"
+            "  error bound 3.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 0c12a1c3d699670fac6168e45da2070083d35015f2bd6eac4cd2f1464da2b780\n"
             "  signature   (3,3),(3,3)->(3,3)\n"
             "",
@@ -205,6 +224,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 3 subtract, 3 multiply\n"
+            "  error bound 1.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 8c4348a6af61531ef5e1d340b707a886d5ae17216e0e81a5fdda49099e70eece\n"
             "  signature   (3,3)->(3)\n"
             "",
@@ -224,6 +244,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  15: 3 add, 6 subtract, 6 multiply\n"
+            "  error bound 4.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 b5acf63f8b2ae232595725548e5ba32264be6bf6d52d501066130e78c9ed0486\n"
             "  signature   (3),(3),(3),(3)->(3)\n"
             "",
@@ -242,6 +264,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds under\n"
             "  assumes     omega != 0\n"
             "  operations  29: 2 add, 9 subtract, 15 multiply, 3 divide\n"
+            "  error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 1562849f177e6c267d458290e7a5bbddc3b1feee4c93b5c27822ff1e01156afe\n"
             "  signature   (3),(3),(3)->(3)\n"
             "",
@@ -260,6 +284,8 @@ const Kernel chasles_kernels[] = {
             "  assumes     |e| = 1\n"
             "              phi != 0\n"
             "  operations  26: 6 add, 3 subtract, 14 multiply, 1 divide, 1 sine, 1 cosine\n"
+            "  error bound 8.7 u of the largest entry, for every unit e and every phi; u = 2^-53, in single\n"
+            "                precision 2^-24\n"
             "  derivation  sha256 ae8848864c3fe36678c44ede0fea89f8af655c143bdb95acf6bb13cd98cc80e0\n"
             "  signature   (3),()->(4,3)\n"
             "",
@@ -277,6 +303,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     |e| = 1\n"
             "  operations  30: 4 add, 7 subtract, 17 multiply, 1 sine, 1 cosine\n"
+            "  error bound 5.6 u of the largest entry, for every unit e and every phi; u = 2^-53, in single\n"
+            "                precision 2^-24\n"
             "  derivation  sha256 dc969a2458fb1ccbe6cf9ba4bd5c14c48137796a5e63b6fdffe960bc3f43a806\n"
             "  signature   (3),()->(4,3)\n"
             "",
@@ -294,6 +322,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     |e| = 1\n"
             "  operations  8: 6 multiply, 1 sine, 1 cosine\n"
+            "  error bound 3.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 6c847b4baa2596c76e6ab0bd3e04d8ba67a999fd27b87b011fca1a1dab6d4147\n"
             "  signature   (3),()->(4,3)\n"
             "",
@@ -313,6 +342,8 @@ const Kernel chasles_kernels[] = {
             "  expects     |[q, q_0]| = 1\n"
             "              1 + q_0 != 0\n"
             "  operations  20: 7 add, 3 subtract, 9 multiply, 1 divide\n"
+            "  error bound 5.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 19e234a754a5568e2a2452e2008c17414b949e07381e92256366ba6cc7d976bb\n"
             "  signature   (3),()->(3,3)\n"
             "",
@@ -331,6 +362,8 @@ const Kernel chasles_kernels[] = {
             "  assumes     |e| = 1\n"
             "  expects     |[q, q_0]| = 1\n"
             "  operations  29: 8 add, 4 subtract, 17 multiply\n"
+            "  error bound 5.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 767311161fbd53fb1cb19724605fdf117b3445cf5f7cf313ccc6ecbf4a40f8c5\n"
             "  signature   (3),()->(3,3)\n"
             "",
@@ -349,6 +382,9 @@ const Kernel chasles_kernels[] = {
             "  assumes     |e| = 1\n"
             "  expects     Q is a rotation\n"
             "  operations  10: 2 add, 4 subtract, 4 multiply\n"
+            "  error bound q: 1.01 u of itself, for all inputs\n"
+            "              q_0: 3.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single\n"
+            "                precision 2^-24\n"
             "  derivation  sha256 dd83557748f8a3babd3f50468d387276f7ffb668b7fc29c093a7976e71eaabef\n"
             "  signature   (3,3)->(3),()\n"
             "",
@@ -367,6 +403,7 @@ const Kernel chasles_kernels[] = {
             "  assumes     Q is a rotation\n"
             "              phi != 0\n"
             "  operations  53: 21 add, 6 subtract, 18 multiply, 5 divide, 2 square root, 1 arctangent2\n"
+            "  error bound not proved: it chooses between cases by values that are rounded\n"
             "  derivation  sha256 167078e6ba9dff78870c0f0ddc85370ad11a1b0b824ddf316c3c9f19bd756081\n"
             "  signature   (3,3)->(3),()\n"
             "",
@@ -384,6 +421,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds under\n"
             "  assumes     Q is a rotation\n"
             "  operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root\n"
+            "  error bound not proved: it chooses between cases by values that are rounded\n"
             "  derivation  sha256 acb16a335b8480158c7d6e339e4c3de8c51cf3bffd9594c8aa4b639840b77580\n"
             "  signature   (3,3)->(3),()\n"
             "",
@@ -406,6 +444,7 @@ const Kernel chasles_kernels[] = {
             "              phi != 0\n"
             "  made of     an offered form, proved equal to the statement\n"
             "  operations  101: 29 add, 18 subtract, 45 multiply, 6 divide, 2 square root, 1 arctangent2\n"
+            "  error bound not proved: it chooses between cases by values that are rounded\n"
             "  derivation  sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf\n"
             "  signature   (3,3),(3),(3)->(6),(),()\n"
             "",
@@ -426,6 +465,9 @@ const Kernel chasles_kernels[] = {
             "  assumes     omega != 0\n"
             "  made of     an offered form, proved equal to the statement\n"
             "  operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root\n"
+            "  error bound axis: 15.51 u of the sum of its terms' sizes, for all inputs\n"
+            "              pitch: 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single\n"
+            "                precision 2^-24\n"
             "  derivation  sha256 9598a1865cb19c5ccd2eed55d55180fed3cbd74f42a42a3309e82ecfc3b6e7f7\n"
             "  signature   (3),(3),(3)->(6),()\n"
             "",
@@ -443,6 +485,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     ill-formed as printed, defined as read\n"
             "  assumes     |e| = 1\n"
             "  operations  6: 1 subtract, 3 multiply, 1 sine, 1 cosine\n"
+            "  error bound 2.6 u of the largest entry, for every unit e and every phi; u = 2^-53, in single\n"
+            "                precision 2^-24\n"
             "  derivation  sha256 8f59c5ef77909eadf927c6b687cd3bab0b77e8cdc9373e233171e72268eed1b1\n"
             "  signature   (3),()->(3,4)\n"
             "",
@@ -461,6 +505,7 @@ const Kernel chasles_kernels[] = {
             "  assumes     |e| = 1\n"
             "              phi != pi\n"
             "  operations  7: 4 multiply, 1 divide, 1 sine, 1 cosine\n"
+            "  error bound 6.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 89a180463935f0c42617efa0988e0354bd46d74d20a13999139be0c69246d5f3\n"
             "  signature   (3),()->(3,4)\n"
             "",
@@ -478,6 +523,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     ill-formed as printed, defined as read\n"
             "  assumes     |e| = 1\n"
             "  operations  8: 6 multiply, 1 sine, 1 cosine\n"
+            "  error bound 3.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 2f21b7ee20e1702180f136497178c100314ca7d0df136dd2feb59d1f89a6b375\n"
             "  signature   (3),()->(3,4)\n"
             "",
@@ -497,6 +543,8 @@ const Kernel chasles_kernels[] = {
             "  assumes     |e| = 1\n"
             "              phi != 0\n"
             "  operations  34: 5 add, 6 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine\n"
+            "  error bound 12.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 e2dfaa3aa3fac1f79b45222f3204af5a75f395308f6b3f9290346729c641eaf1\n"
             "  signature   (3),(),(6)->(7)\n"
             "",
@@ -515,6 +563,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
             "  operations  44: 5 add, 10 subtract, 27 multiply, 1 sine, 1 cosine\n"
+            "  error bound 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 30ffb709cd3b1987574a6cb20949774164c18855b55a74fc172537bd3a7138a3\n"
             "  signature   (3),(),(6)->(7)\n"
             "",
@@ -533,6 +583,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
             "  operations  28: 5 add, 3 subtract, 18 multiply, 1 sine, 1 cosine\n"
+            "  error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 17b8436529f6b3c4a1aefcc8236971431106d820c1c98937a7defcd8b9830b55\n"
             "  signature   (3),(),(6)->(7)\n"
             "",
@@ -551,6 +603,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
             "  operations  27: 6 add, 4 subtract, 15 multiply, 1 sine, 1 cosine\n"
+            "  error bound 8.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 c1c920878c5f917138095dea1943d4f0605d07dd2521a120e9e0a574400414d0\n"
             "  signature   (3),(),(7)->(6)\n"
             "",
@@ -570,6 +624,8 @@ const Kernel chasles_kernels[] = {
             "  assumes     |e| = 1\n"
             "              phi != pi\n"
             "  operations  25: 3 add, 6 subtract, 13 multiply, 1 divide, 1 sine, 1 cosine\n"
+            "  error bound 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 649387c3a4635aed7b72ec7a0c9cd67fa1407b285288b83838890827853ca799\n"
             "  signature   (3),(),(7)->(6)\n"
             "",
@@ -588,6 +644,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
             "  operations  29: 3 add, 6 subtract, 18 multiply, 1 sine, 1 cosine\n"
+            "  error bound 7.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 f7009c929bd74e6e8423e03290dcaa8570b236828a6884c7d6bd52463508ac87\n"
             "  signature   (3),(),(7)->(6)\n"
             "",
@@ -606,6 +664,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  15: 3 add, 6 subtract, 6 multiply\n"
+            "  error bound 4.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 4e8860fe94d4e257f6a09561ef25e7c999ddca2a00337fe8774fc0c2b9433a22\n"
             "  signature   (6),(3),(3)->(6)\n"
             "",
@@ -623,6 +683,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     Q is a rotation\n"
             "  operations  15: 6 add, 3 subtract, 6 multiply\n"
+            "  error bound 2.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 600ac9c19e353f65970adc87c2c9e1aba7f40174fd2c1780126b444caebb2a29\n"
             "  signature   (3),(3)->(3,3)\n"
             "",
@@ -643,6 +705,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  36: 6 add, 12 subtract, 18 multiply\n"
+            "  error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 52077d75d24e72b9e016304332b02aeb13ece6765a6f5dff5b9cb8261bc6ae26\n"
             "  signature   (3),(3),(3),(3),(3)->(3)\n"
             "",
@@ -663,6 +727,8 @@ const Kernel chasles_kernels[] = {
             "              phi != 0\n"
             "  made of     an offered form, proved equal to the statement\n"
             "  operations  70: 15 add, 12 subtract, 40 multiply, 1 divide, 1 sine, 1 cosine\n"
+            "  error bound 22.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 c61d5578f7455d9deb930e9132cffeae9f18b18b83cb0ba9b49a6c83cd285a96\n"
             "  signature   (3),(),(3)->(4,3)\n"
             "",
@@ -682,6 +748,8 @@ const Kernel chasles_kernels[] = {
             "  assumes     |e| = 1\n"
             "  made of     an offered form, proved equal to the statement\n"
             "  operations  73: 12 add, 16 subtract, 43 multiply, 1 sine, 1 cosine\n"
+            "  error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 e58c3cd056fca600a3d8fabc77cc08383708b30fcd3f10997c5760ad3d813719\n"
             "  signature   (3),(),(3)->(4,3)\n"
             "",
@@ -702,6 +770,8 @@ const Kernel chasles_kernels[] = {
             "  assumes     |e| = 1\n"
             "  made of     an offered form, proved equal to the statement\n"
             "  operations  28: 2 add, 6 subtract, 18 multiply, 1 sine, 1 cosine\n"
+            "  error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 cbbc7c4a0ec6ff7289faa80a566dfa4879a785dc3e1fcb665d781015958b3b92\n"
             "  signature   (3),(),(3)->(4,3)\n"
             "",
@@ -722,6 +792,8 @@ const Kernel chasles_kernels[] = {
             "  assumes     phi != 0\n"
             "              |e| = 1\n"
             "  operations  55: 8 add, 10 subtract, 34 multiply, 1 divide, 1 sine, 1 cosine\n"
+            "  error bound 12.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 71e01d77b3ea46f745a9336a2825937c48ecfb5c8f22e156a02b1d41218c2c74\n"
             "  signature   (3),(),(3)->(3,4)\n"
             "",
@@ -742,6 +814,8 @@ const Kernel chasles_kernels[] = {
             "  assumes     |e| = 1\n"
             "              phi != pi\n"
             "  operations  34: 5 add, 6 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine\n"
+            "  error bound 18.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 b5286c2c91a7b4cfdc8d341b90ed08a2a37fc92a9f25530860458e82f6eaacf3\n"
             "  signature   (3),(),(3)->(3,4)\n"
             "",
@@ -761,6 +835,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds under\n"
             "  assumes     |e| = 1\n"
             "  operations  26: 2 add, 6 subtract, 16 multiply, 1 sine, 1 cosine\n"
+            "  error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 c80e798e741899e2d32fd6b3e16a5b786d0f82ee47987a537c4755eed1b60850\n"
             "  signature   (3),(),(3)->(3,4)\n"
             "",
@@ -782,6 +858,8 @@ const Kernel chasles_kernels[] = {
             "              phi != 0\n"
             "  made of     an offered form, proved equal to the statement\n"
             "  operations  96: 19 add, 19 subtract, 55 multiply, 1 divide, 1 sine, 1 cosine\n"
+            "  error bound 27.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 d4b56350899a19bcc149b55d1279747465f4ffc9ff92ea858cdd2e564e99ca62\n"
             "  signature   (3),(),(6),(6)->(7)\n"
             "",
@@ -802,6 +880,8 @@ const Kernel chasles_kernels[] = {
             "  assumes     |e| = 1\n"
             "  made of     an offered form, proved equal to the statement\n"
             "  operations  76: 11 add, 18 subtract, 45 multiply, 1 sine, 1 cosine\n"
+            "  error bound 13.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 1588dcded7d741e99e263e63960b704faab031996a2d165fbbe2b322357ed2e9\n"
             "  signature   (3),(),(6),(6)->(7)\n"
             "",
@@ -823,6 +903,8 @@ const Kernel chasles_kernels[] = {
             "  assumes     |e| = 1\n"
             "  made of     an offered form, proved equal to the statement\n"
             "  operations  45: 5 add, 9 subtract, 29 multiply, 1 sine, 1 cosine\n"
+            "  error bound 8.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 0f21a42c6c8b20a3978874f3add6fcde6371416fd40cc41c5da50d8f4cd6babd\n"
             "  signature   (3),(),(6),(6)->(7)\n"
             "",
@@ -843,6 +925,8 @@ const Kernel chasles_kernels[] = {
             "  assumes     |e| = 1\n"
             "  made of     an offered form, proved equal to the statement\n"
             "  operations  51: 13 add, 7 subtract, 29 multiply, 1 sine, 1 cosine\n"
+            "  error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 46142537f8f2d352235601f0fe20d7417a8415c4299de5fde88c9772c1d5b072\n"
             "  signature   (3),(),(7),(7)->(6)\n"
             "",
@@ -864,6 +948,8 @@ const Kernel chasles_kernels[] = {
             "              phi != pi\n"
             "  made of     an offered form, proved equal to the statement\n"
             "  operations  52: 6 add, 15 subtract, 27 multiply, 2 divide, 1 sine, 1 cosine\n"
+            "  error bound 18.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 e60a5e59bbc9bfff80fda29a99e2165c18777756e0d5ef482d146ef9b36646a2\n"
             "  signature   (3),(),(7),(7)->(6)\n"
             "",
@@ -884,6 +970,8 @@ const Kernel chasles_kernels[] = {
             "  assumes     |e| = 1\n"
             "  made of     an offered form, proved equal to the statement\n"
             "  operations  29: 3 add, 6 subtract, 18 multiply, 1 sine, 1 cosine\n"
+            "  error bound 7.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 8f9dc9af1023fade3eb622411945883078b1f62098c7b9178f68aed0ef63d94d\n"
             "  signature   (3),(),(7),(7)->(6)\n"
             "",
@@ -905,6 +993,8 @@ const Kernel chasles_kernels[] = {
             "  assumes     nothing\n"
             "  expects     Q is a rotation\n"
             "  operations  45: 18 add, 3 subtract, 24 multiply\n"
+            "  error bound 7.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 b4941bd3b3f57c83b14de8fd13a10f996bcfeb8ee7bfc4215c85ab50fb9b8b33\n"
             "  signature   (3),(3,3),(3),(3),(3)->(3)\n"
             "",
@@ -930,6 +1020,8 @@ const Kernel chasles_kernels[] = {
             "  expects     Q is a rotation\n"
             "  made of     an offered form, proved equal to the statement\n"
             "  operations  87: 30 add, 9 subtract, 48 multiply\n"
+            "  error bound 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 985f244a1c015e00a6d544a9a346e7446722d3d1972e549159bc1a6a90456d40\n"
             "  signature   (3),(3,3),(3),(3),(3),(3),(3)->(3)\n"
             "",
@@ -950,6 +1042,9 @@ const Kernel chasles_kernels[] = {
             "  assumes     f != 0\n"
             "  made of     an offered form, proved equal to the statement\n"
             "  operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root\n"
+            "  error bound axis: 15.51 u of the sum of its terms' sizes, for all inputs\n"
+            "              pitch: 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single\n"
+            "                precision 2^-24\n"
             "  derivation  sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef\n"
             "  signature   (3),(3),(3)->(6),()\n"
             "",
@@ -967,6 +1062,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  11: 5 add, 6 multiply\n"
+            "  error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 580a9557b1b4b779955409e7506c76202ce3a1e9982d422e1491bf0bcad680ef\n"
             "  signature   (6),(6)->()\n"
             "",
@@ -984,6 +1081,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  11: 5 add, 6 multiply\n"
+            "  error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 69eafb582289fe007146884f233005913bd49126222273503197968fd6ef8dd3\n"
             "  signature   (6),(6)->()\n"
             "",
@@ -1002,6 +1101,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds\n"
             "  assumes     nothing\n"
             "  operations  15: 3 add, 6 subtract, 6 multiply\n"
+            "  error bound 4.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 9cbbd4d64a694c0150c2c0a241ceaa9fe43fa91e335dce95c4c39681e8ecce3c\n"
             "  signature   (6),(3),(3)->(6)\n"
             "",
@@ -1022,6 +1123,8 @@ const Kernel chasles_kernels[] = {
             "  assumes     m > 0\n"
             "  expects     I_C is symmetric\n"
             "  operations  24: 6 add, 9 subtract, 9 multiply\n"
+            "  error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87\n"
             "  signature   (3,3),(),(3),(3)->(3,3)\n"
             "",
@@ -1043,6 +1146,8 @@ const Kernel chasles_kernels[] = {
             "  assumes     m > 0\n"
             "  expects     I_C is symmetric\n"
             "  operations  21: 6 add, 6 subtract, 9 multiply\n"
+            "  error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87\n"
             "  signature   (6),(),(3),(3)->(6)\n"
             "",
@@ -1063,6 +1168,8 @@ const Kernel chasles_kernels[] = {
             "  expects     I_C is symmetric\n"
             "              m > 0\n"
             "  operations  18: 6 add, 12 multiply\n"
+            "  error bound 3.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 6db3e3a77ef9af159d0c096ec679c53626cff81d41ccfbcc2a4db4833ae93473\n"
             "  signature   (3,3),(),(6)->(6)\n"
             "",
@@ -1084,6 +1191,8 @@ const Kernel chasles_kernels[] = {
             "  expects     I_C is symmetric\n"
             "              m > 0\n"
             "  operations  18: 6 add, 12 multiply\n"
+            "  error bound 3.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 6db3e3a77ef9af159d0c096ec679c53626cff81d41ccfbcc2a4db4833ae93473\n"
             "  signature   (6),(),(6)->(6)\n"
             "",
@@ -1104,6 +1213,8 @@ const Kernel chasles_kernels[] = {
             "  expects     I_C is symmetric\n"
             "              m > 0\n"
             "  operations  35: 11 add, 24 multiply\n"
+            "  error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 69297c38ebd3f2599e0000c019f576151ae0e8d563b8a02661f982c45230000e\n"
             "  signature   (3,3),(),(6)->()\n"
             "",
@@ -1125,6 +1236,8 @@ const Kernel chasles_kernels[] = {
             "  expects     I_C is symmetric\n"
             "              m > 0\n"
             "  operations  35: 11 add, 24 multiply\n"
+            "  error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 69297c38ebd3f2599e0000c019f576151ae0e8d563b8a02661f982c45230000e\n"
             "  signature   (6),(),(6)->()\n"
             "",
@@ -1146,6 +1259,8 @@ const Kernel chasles_kernels[] = {
             "  expects     I_C is symmetric\n"
             "              m > 0\n"
             "  operations  45: 15 add, 3 subtract, 27 multiply\n"
+            "  error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 4e831789b8f20b1f8ebea121e0d8d47b7074e8225c3fd379d0994cdf87959c79\n"
             "  signature   (3,3),(),(6),(6)->(6)\n"
             "",
@@ -1168,6 +1283,8 @@ const Kernel chasles_kernels[] = {
             "  expects     I_C is symmetric\n"
             "              m > 0\n"
             "  operations  45: 15 add, 3 subtract, 27 multiply\n"
+            "  error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 4e831789b8f20b1f8ebea121e0d8d47b7074e8225c3fd379d0994cdf87959c79\n"
             "  signature   (6),(),(6),(6)->(6)\n"
             "",
@@ -1190,6 +1307,7 @@ const Kernel chasles_kernels[] = {
             "              m > 0\n"
             "  expects     I_C is positive-definite\n"
             "  operations  82: 14 add, 15 subtract, 51 multiply, 2 divide\n"
+            "  error bound not proved: it divides by a sum whose terms may cancel\n"
             "  derivation  sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb\n"
             "  signature   (3,3),(),(6),(6)->(6)\n"
             "",
@@ -1213,6 +1331,7 @@ const Kernel chasles_kernels[] = {
             "              m > 0\n"
             "  expects     I_C is positive-definite\n"
             "  operations  73: 14 add, 12 subtract, 45 multiply, 2 divide\n"
+            "  error bound not proved: it divides by a sum whose terms may cancel\n"
             "  derivation  sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb\n"
             "  signature   (6),(),(6),(6)->(6)\n"
             "",
@@ -1234,6 +1353,8 @@ const Kernel chasles_kernels[] = {
             "  expects     I_C is symmetric\n"
             "              m > 0\n"
             "  operations  24: 6 add, 9 subtract, 9 multiply\n"
+            "  error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9\n"
             "  signature   (3,3),(),(3),(3)->(6,6)\n"
             "",
@@ -1256,6 +1377,8 @@ const Kernel chasles_kernels[] = {
             "  expects     I_C is symmetric\n"
             "              m > 0\n"
             "  operations  21: 6 add, 6 subtract, 9 multiply\n"
+            "  error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9\n"
             "  signature   (6),(),(3),(3)->(6,6)\n"
             "",
@@ -1272,6 +1395,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 49974e148b9969b7a23a303df375f906766eda03e5d7416d35c36a35c77fea06\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1288,6 +1412,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 15ec222e6a4c0d4af15dcf0f4f9d944364836080f80ed845b4661afb074e1ca1\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1304,6 +1429,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 cd8589089d7d47765a04b183158736b0b971b8a8d922838283fa2c2975eb5d89\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1321,6 +1447,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds under\n"
             "  assumes     sin(theta_2) != 0\n"
             "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 6b432c618a3b5cb7132a0a1625419f24b2800b22e52d8f8b5202e756b67ea148\n"
             "  signature   (3),(3)->(3)\n"
             "",
@@ -1337,6 +1465,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 f87af8285d9801669ca9041e726f9817a40f9c95ddf51a655b261236297c04af\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1353,6 +1482,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 1d2f362d906c9640bebb7713dd74f3809ce202cd977dff0cc4c827b77ce9d4d3\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1369,6 +1499,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 d605f1f844caa8fe73209313f2debbc7dad841db4b625533c1925d350b88b35f\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1386,6 +1517,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds under\n"
             "  assumes     cos(theta_2) != 0\n"
             "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 379cc15712b3f593e6a56a0586d8cb970b2c344caf9eff56d13b4aa0f2bc0fcb\n"
             "  signature   (3),(3)->(3)\n"
             "",
@@ -1402,6 +1535,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 509556f6df445dd3c7fe5324e0ad671112ed8aaa27442b8973ddf4f722eb8d9b\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1418,6 +1552,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 063a79927c0f405045ca7f3a4600867811265ae8101b11b64e443152cd0965cf\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1434,6 +1569,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 5092f84c7bbb66afac08e51bc82a4ea4bdc4738a19463c52fc60c25d1976c154\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1451,6 +1587,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds under\n"
             "  assumes     sin(theta_2) != 0\n"
             "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 d60392e777e2f94766ccb4868d6a376f4b8f702f6466c7841c3f0e7493778009\n"
             "  signature   (3),(3)->(3)\n"
             "",
@@ -1467,6 +1605,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 6a4fd734359cc43f74679d358abf691bfd6612dbcd721aa9a209c64050a5d383\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1483,6 +1622,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 f4bf5edc3a0e9199cc30c83f6cab51d6bfce7ab2a3d75f59608b337bed74824b\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1499,6 +1639,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 34b232afb99ddc1be46962d797e1c08bda20904a656a165ee2fc2232e4beec57\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1516,6 +1657,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds under\n"
             "  assumes     cos(theta_2) != 0\n"
             "  operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 47b386989c7014707637badfc0f665d8b17c2674e34c6dc85b34228d94dd802e\n"
             "  signature   (3),(3)->(3)\n"
             "",
@@ -1532,6 +1675,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 42de6926cd35f5c06da566065b065c8ba754cee65703557fa42410e42dde4a35\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1548,6 +1692,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 ab9e4f4d487ee038942cc83869848be5fa4c534a19c656164684f27e1b65ac10\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1564,6 +1709,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 2a86c48257dda6a27e84a7fb3b0817bd24bdff1a56c2bfeb6119d778d89bbab6\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1581,6 +1727,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds under\n"
             "  assumes     sin(theta_2) != 0\n"
             "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 8c7b412f940aadc89ad8c5ce3785c5c0ca8dcbf9e58aac6572334181799e61e2\n"
             "  signature   (3),(3)->(3)\n"
             "",
@@ -1597,6 +1745,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 aac4d38f938bc0f3b21fc5113a3e553f105a0b99bd2a46001cf5af56197be36a\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1613,6 +1762,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 f673622637ac9520cdbbfacd9038ad6a42d7de01d522fe1daa4e4ed5a188d584\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1629,6 +1779,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 a7f0e1639e85f122dde538fce97f31e9e4f583cf9ea5d074345d45245ff26ea8\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1646,6 +1797,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds under\n"
             "  assumes     cos(theta_2) != 0\n"
             "  operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 bf11bed82696038fa225e27a75acb0d41b63af31adb0153ca5a712167c4d8284\n"
             "  signature   (3),(3)->(3)\n"
             "",
@@ -1662,6 +1815,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 73ccad1507926c77a4de1804d6ccee68b6eedcb0a87a5d797076c3aaa328556a\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1678,6 +1832,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 6bc14177fe8f581b737fd8108f75cca27c80f0c6043e24f8d305941c720fb93e\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1694,6 +1849,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 ba974c498d2395f78752b5b9af3bd25c9bc8814b82f34bc12080e7f58fc39384\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1711,6 +1867,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds under\n"
             "  assumes     cos(theta_2) != 0\n"
             "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 404a3dd7a9f43dbf16ca707d83946fda23f95d1982dc848908ed679160d5cc5f\n"
             "  signature   (3),(3)->(3)\n"
             "",
@@ -1727,6 +1885,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 fc249fbe7ecf26a2cf23c7eb4a1ae340b6f6d6b71fd0a11c005275bed3b0541a\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1743,6 +1902,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 ba3b9e2e5d19a42bcccf4fe889ac0ad5e1476885d7d3f35174490738c07caa93\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1759,6 +1919,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 2906ed860e470e86a10fba075e603a757d21feeb996fd012d6a5c352f1f248cf\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1776,6 +1937,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds under\n"
             "  assumes     sin(theta_2) != 0\n"
             "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 fbcf58ed5fb921bfdeae731af0d22be0b18c057d4ab3433941bb486f4f2ac07a\n"
             "  signature   (3),(3)->(3)\n"
             "",
@@ -1792,6 +1955,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 00df5b3e078a442b89ec92320b9be4d00f69c8c69b5377ceed30ce97167894d8\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1808,6 +1972,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 66b9e91ee2080f4af362adbd4cfbd2f6493f2d49f04e969606b8e5e66a892530\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1824,6 +1989,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 ee0e5dc36786ec147d7731e28a73445f4829a353e033fb0bdf99f16a9ae96d67\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1841,6 +2007,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds under\n"
             "  assumes     cos(theta_2) != 0\n"
             "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 f15319cb143e29fdad80688ea5d83794cf5328509c5cd1fb52fa078f77b2a785\n"
             "  signature   (3),(3)->(3)\n"
             "",
@@ -1857,6 +2025,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 90292a7b1973bd54561384a1b0aca95f4b081c5031f08a71f5bf1eeb509996f8\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1873,6 +2042,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 d6bac485f18ebb57e7adb1eb90896adee410e33308c5db55212969aa010526ee\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1889,6 +2059,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 22c895ea0aa33cf27a73432cf9b7edd645045c890d81351055832ab2e86d2ae0\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1906,6 +2077,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds under\n"
             "  assumes     sin(theta_2) != 0\n"
             "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 9730082636217a13ed6443b9376e26c825640305348e897e3b1e8d20d25ad893\n"
             "  signature   (3),(3)->(3)\n"
             "",
@@ -1922,6 +2095,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 77eae5b015783de7dba57287593533e40a4bf6d57321c5d7151d36cf1a028acc\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1938,6 +2112,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 0adf0d7abfcbe1f817931814b81c15a9c846b1c73dcdb818878d86351c757b6d\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1954,6 +2129,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 6a7529b4dd785268409cc92077030a4cad8a64439e696ba9dfa305974e76a7df\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -1971,6 +2147,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds under\n"
             "  assumes     cos(theta_2) != 0\n"
             "  operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 f6fb3a6381c9037e8d1dbd8e1df9c051262d4c72bd9738451555e59c302f0f09\n"
             "  signature   (3),(3)->(3)\n"
             "",
@@ -1987,6 +2165,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine\n"
+            "  error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 35a70c6c05dd2903cd2f50766b4e415a63eb2ffed2c6d3e412124e8647c7b716\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -2003,6 +2182,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 2df872f3e6c29262a9a735f3e6450ce704e08a1b40b33a555d7636f417131edb\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -2019,6 +2199,7 @@ const Kernel chasles_kernels[] = {
             "  verdict     defined\n"
             "  assumes     nothing\n"
             "  operations  6: 2 multiply, 2 sine, 2 cosine\n"
+            "  error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24\n"
             "  derivation  sha256 0e8fa3809441be1ebd1a102ce8fc5b78357d823973bbc7bac7e1da5c7ce38790\n"
             "  signature   (3)->(3,3)\n"
             "",
@@ -2036,6 +2217,8 @@ const Kernel chasles_kernels[] = {
             "  verdict     holds under\n"
             "  assumes     sin(theta_2) != 0\n"
             "  operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine\n"
+            "  error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
+            "                2^-24\n"
             "  derivation  sha256 c8e47ebca1883ce144424c202eb73e0d953be9339e55743f954ebc4ff9aaa9f5\n"
             "  signature   (3),(3)->(3)\n"
             "",

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
+from chasles.bounds import Bound
 from chasles.lowering.declaration import Decide, requested
 from chasles.lowering.equality import differences
 from chasles.lowering.lower import program_of
 from chasles.lowering.offered import counterexample, in_words
+from chasles.lowering.program import Program
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Request
 from chasles.proof.decision import HOW, Decision
@@ -17,11 +21,14 @@ from chasles.targets.demands import demands_of
 from chasles.targets.kernel import EmissionError, Heading, Kernel
 from chasles.targets.self_checks import checks_of
 
-__all__ = ["kernel_of"]
+__all__ = ["Prove", "kernel_of"]
+
+Prove = Callable[[Program, Request], Bound]
+"""What is proved of a program's errors."""
 
 
-def kernel_of(entry: Entry, decide: Decide, asked: Asked | None = None) -> Kernel:
-    """The kernel `asked` of a statement, or the first that it asks for; `decide` gives verdicts.
+def kernel_of(entry: Entry, decide: Decide, asked: Asked | None = None, prove: Prove | None = None) -> Kernel:
+    """The kernel `asked` of a statement, or the first that it asks for; `decide` gives verdicts, `prove` error bounds.
 
     Raises EmissionError where the statement does not stand, where no program can be made of it, and where the program
     is not proved to equal what stands.
@@ -39,7 +46,7 @@ def kernel_of(entry: Entry, decide: Decide, asked: Asked | None = None) -> Kerne
     heading = _heading(entry, decide(entry.statement), request, asked)
     needed = [hypothesis for hypothesis in request.hypotheses if hypothesis.text in heading.hypotheses]
     demands = demands_of(request, (*needed, *asked.expected))
-    return Kernel(program, heading, checks_of(request, program), demands)
+    return Kernel(program, heading, checks_of(request, program), demands, prove(program, request) if prove else None)
 
 
 def _unequal(entry: Entry, request: Request, wrong: tuple[str, ...]) -> str:

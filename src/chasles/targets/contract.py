@@ -12,6 +12,7 @@ __all__ = ["cited", "contract", "operations", "summary"]
 
 _WIDTH = 100
 _LABEL = 12
+ROUNDOFF = "2^-53, in single precision 2^-24"
 _FIXED_SPACE = "\u00a0"
 
 
@@ -41,6 +42,7 @@ def contract(kernel: Kernel, inputs: Sequence[str], outputs: Sequence[str]) -> t
         *_labelled("expects", heading.expected),
         *_labelled("made of", ["an offered form, proved equal to the statement"] if heading.form == "offered" else ()),
         *_labelled("operations", [operations(program)]),
+        *_labelled("error bound", _bounded(kernel)),
         *_labelled("derivation", [f"sha256 {heading.derivation}"]),
     )
 
@@ -55,6 +57,15 @@ def summary(kernel: Kernel, what: str) -> tuple[str, ...]:
         *_indented(f"verdict: {heading.verdict}; assumes {assumed}", "  "),
         *_indented(f"{kernel.program.operations.total()} operations; derivation sha256 {heading.derivation}", "  "),
     )
+
+
+def _bounded(kernel: Kernel) -> tuple[str, ...]:
+    """What is proved of the errors, a line for each result, and what u is."""
+    if kernel.bound is None:
+        return ()
+    *lines, last = kernel.bound.in_words
+    names_units = any(guarantee.against != "nothing" for guarantee in kernel.bound.guarantees)
+    return (*lines, f"{last}; u = {ROUNDOFF}" if names_units else last)
 
 
 def _labelled(label: str, items: Iterable[str]) -> tuple[str, ...]:

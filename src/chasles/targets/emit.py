@@ -9,6 +9,7 @@ from pathlib import Path, PurePosixPath
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, TemplateError
 
+from chasles.bounds import Bound
 from chasles.lowering.program import Op
 from chasles.targets.contract import cited, operations
 from chasles.targets.kernel import EmissionError, Kernel, signature
@@ -76,12 +77,25 @@ def _entry(kernel: Kernel) -> dict[str, object]:
         "section": _quoted(heading.section),
         "form": _quoted(heading.form),
         "checks": len(kernel.checks),
+        "bound": _bound(kernel.bound),
         "row": [
             _cell(text)
             for text in (cited(heading.number), heading.verdict, assumes, operations(kernel.program).split(":")[0])
         ],
         "code": f"`{signature(kernel.program)}`",
     }
+
+
+def _bound(bound: Bound | None) -> str:
+    """An inline table of what is proved of the errors; empty where that was not asked for."""
+    if bound is None:
+        return "{}"
+    data = bound.as_data()
+    guarantees = ", ".join(
+        f"{{ {', '.join(f'{key} = {_quoted(value)}' for key, value in item.items())} }}" for item in data["guarantees"]
+    )
+    program, reason = _quoted(data["program"]), _quoted(data["reason"])
+    return f"{{ program = {program}, reason = {reason}, guarantees = [{guarantees}] }}"
 
 
 def _filled(templates: Path, page: Page) -> str:

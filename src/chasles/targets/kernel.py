@@ -10,6 +10,7 @@ import re
 from dataclasses import dataclass
 from fractions import Fraction
 
+from chasles.bounds import Bound
 from chasles.lowering.program import Op, Program
 
 __all__ = [
@@ -111,7 +112,7 @@ class Demand:
 
 @dataclass(frozen=True, slots=True)
 class Kernel:
-    """A program ready to be spelled in every language.
+    """A program ready to be spelled in every language, with what is proved of its errors, if that was asked for.
 
     Raises ValueError where a check has other sizes than the program, or the program cannot be spelled: nothing to
     read or to give, an entry that an argument lacks, a truth value where a number belongs.
@@ -121,6 +122,7 @@ class Kernel:
     heading: Heading
     checks: tuple[Check, ...] = ()
     demands: tuple[Demand, ...] = ()
+    bound: Bound | None = None
 
     def __post_init__(self) -> None:
         program = self.program

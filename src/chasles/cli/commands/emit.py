@@ -42,7 +42,7 @@ def command(check: bool, out: Path | None, json: bool) -> int:
     started = perf_counter()
     book = chapter()
     judge = Judge(book=book)
-    kernels = commissioned(book.entries, judge)
+    kernels = commissioned(book.entries, judge, folder)
     texts = emitted(kernels, pages(book, judge))
     head = f"{len(kernels)} kernels, each proved equal to its statement"
     try:

@@ -1,0 +1,21 @@
+"""BOUNDS: how far rounding can take a program's results from its exact values, proved for all inputs of a domain.
+
+Compared are the computed result and what the program's formula gives for the same inputs without any rounding; where
+the kernel's hypotheses hold, that is the value of its statement. A unit u is the roundoff: 2^-53 for double precision,
+2^-24 for single precision.
+
+The rounding model: additions, subtractions, multiplications, divisions and square roots are correctly rounded to
+nearest; sine, cosine and arctangent are within one unit in the last place of their exact value, and exact at zero; a
+product may be contracted with the sum that follows it; no step overflows or underflows; operations come in the
+program's order. A vector counts as a unit vector if its length is within 2^-21 of 1. Where the result is not a number,
+as at a singular point, nothing is said.
+"""
+
+from __future__ import annotations
+
+from chasles.bounds.bound import AGAINST, Bound, Guarantee
+from chasles.bounds.memory import remembered
+from chasles.bounds.model import DOUBLE, SINGLE, Model
+from chasles.bounds.proving import bound_of, key_of
+
+__all__ = ["AGAINST", "DOUBLE", "SINGLE", "Bound", "Guarantee", "Model", "bound_of", "key_of", "remembered"]

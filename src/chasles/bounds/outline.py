@@ -1,0 +1,107 @@
+"""A program as a bound reads it: guards of divisions looked through, angles as exact multiples of inputs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from chasles.lowering.program import Op, Program, Step
+
+__all__ = ["NoBound", "Outline", "outlined"]
+
+
+class NoBound(Exception):
+    """A bound of this kind cannot be proved of this program; the message says why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Outline:
+    """The steps that results need, in order, by number; `angles` are the inputs' multiples whose sine is taken.
+
+    `sources` says of which step a number is the value, where a guard passes it on; `angles[k]` is the argument, its
+    entry and the factor of the angle of which step k is the sine or cosine.
+    """
+
+    program: Program
+    needed: tuple[int, ...]
+    sources: dict[int, int]
+    angles: dict[int, tuple[int, int, Fraction]]
+
+    def operands(self, number: int) -> tuple[int, ...]:
+        """The operands of a step, looked up through guards."""
+        return tuple(self.sources.get(k, k) for k in self.program.steps[number].operands)
+
+    def entries(self, result: int) -> tuple[int, ...]:
+        """The steps that hold a result."""
+        return tuple(self.sources.get(k, k) for k in self.program.results[result].entries)
+
+
+def outlined(program: Program) -> Outline:
+    """The program's outline. Raises NoBound for a choice between cases and for an angle that is rounded."""
+    steps = program.steps
+    sources = {k: step.operands[2] for k, step in enumerate(steps) if _is_guard(k, step, program)}
+    needed: set[int] = set()
+    angles: dict[int, tuple[int, int, Fraction]] = {}
+    ahead = [sources.get(k, k) for result in program.results for k in result.entries]
+    while ahead:
+        number = ahead.pop()
+        if number in needed:
+            continue
+        needed.add(number)
+        step = steps[number]
+        if step.op in (Op.SELECT, Op.NOT_A_NUMBER):
+            raise NoBound("it chooses between cases by values that are rounded")
+        if step.op in (Op.SINE, Op.COSINE):
+            angles[number] = _angle(step.operands[0], program)
+            continue
+        ahead += [sources.get(k, k) for k in step.operands]
+    return Outline(program, tuple(sorted(needed)), sources, angles)
+
+
+def _is_guard(number: int, step: Step, program: Program) -> bool:
+    """Whether a selection is 0 where a divisor is zero, and is read by divisions by that divisor alone.
+
+    There the quotient is no number; everywhere else it is that of the operand selected.
+    """
+    if step.op is not Op.SELECT:
+        return False
+    steps = program.steps
+    test, zero = (steps[k] for k in step.operands[:2])
+    if test.op is not Op.EQUAL or not _is_zero(zero):
+        return False
+    tested = [k for k in test.operands if not _is_zero(steps[k])]
+    readers = [reader for reader in steps if number in reader.operands]
+    read = any(number in result.entries for result in program.results)
+    return not read and all(
+        reader.op is Op.DIVIDE
+        and reader.operands[1] != number
+        and (reader.operands[1] in tested or _root_of(steps[reader.operands[1]]) in tested)
+        for reader in readers
+    )
+
+
+def _is_zero(step: Step) -> bool:
+    return step.op is Op.CONSTANT and step.value == 0
+
+
+def _root_of(step: Step) -> int | None:
+    return step.operands[0] if step.op is Op.SQUARE_ROOT else None
+
+
+def _angle(number: int, program: Program) -> tuple[int, int, Fraction]:
+    """The input and the power of two times which it is the angle."""
+    step, factor = program.steps[number], Fraction(1)
+    while step.op is Op.MULTIPLY:
+        constant, inner = (program.steps[k] for k in step.operands)
+        if constant.op is not Op.CONSTANT or not is_power_of_two(constant.value):
+            break
+        step, factor = inner, factor * constant.value
+    if step.op is not Op.INPUT:
+        raise NoBound("it takes the sine of a rounded angle")
+    return step.argument, step.entry, factor
+
+
+def is_power_of_two(value: Fraction) -> bool:
+    """Whether multiplying by the value rounds nothing."""
+    above, below = value.numerator, value.denominator
+    return above > 0 and above & (above - 1) == 0 and below & (below - 1) == 0

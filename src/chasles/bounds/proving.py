@@ -1,0 +1,136 @@
+"""Which bound is proved of a program? The strongest of those that can be."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from decimal import ROUND_CEILING, Decimal
+from fractions import Fraction
+from hashlib import sha256
+
+from chasles.bounds.bound import Bound, Guarantee
+from chasles.bounds.covering import covered, largest
+from chasles.bounds.model import SINGLE, Model
+from chasles.bounds.norms import Group, against_largest
+from chasles.bounds.outline import NoBound, Outline, outlined
+from chasles.bounds.running import Running
+from chasles.bounds.termwise import Share, shares
+from chasles.lowering.program import Program
+from chasles.lowering.request import Request
+from chasles.statements.kernel import nodes_of
+from chasles.vocabulary.nodes import measured
+
+__all__ = ["bound_of", "key_of"]
+
+METHOD = 1
+"""Changes with every change of what is proved of a program, so that remembered bounds are not taken for new ones."""
+BOXES = 16000
+DIGITS = Decimal("0.01")
+COVERED_DIGITS = Decimal("0.1")
+"""To what units are rounded upwards: coarser where the end depends on the order in which boxes are halved."""
+ALL = "all inputs"
+
+
+def bound_of(program: Program, request: Request, model: Model = SINGLE) -> Bound:
+    """What is proved of the program's errors under the model, in units of its roundoff.
+
+    Of two kinds of bounds the first that can be proved is given. Every entry against itself, by counting roundings; or
+    against the largest entry, by covering all inputs with boxes, where all inputs are unit vectors and angles; or
+    against the sum of its terms' sizes, by counting. What is proved for single precision holds in double precision.
+    Raises ModuleNotFoundError where boxes are needed and python-flint is not installed.
+    """
+    key = key_of(program, request, model)
+    try:
+        outline = outlined(program)
+        counted = _counted(outline, model)
+        if any(guarantee.against == "terms" for guarantee in counted):
+            return Bound(key, _over_boxes(outline, request, model) or counted)
+        return Bound(key, counted)
+    except NoBound as reason:
+        return Bound(key, reason=str(reason))
+
+
+def key_of(program: Program, request: Request, model: Model = SINGLE) -> str:
+    """The hash of all that the bound depends on."""
+    parts = (METHOD, program.arguments, program.steps, program.results, _units(request), _places(request), model)
+    return sha256(repr(parts).encode()).hexdigest()
+
+
+def _counted(outline: Outline, model: Model) -> tuple[Guarantee, ...]:
+    """By counting roundings. Raises NoBound."""
+    found = shares(outline, model)
+    results = enumerate(outline.program.results)
+    return tuple(_guarantee(r.name, [found[k] for k in outline.entries(i)], model) for i, r in results)
+
+
+def _guarantee(result: str, entries: list[Share], model: Model) -> Guarantee:
+    error = max(share.error for share in entries)
+    against = "terms" if not all(share.single for share in entries) else "itself" if error else "nothing"
+    return Guarantee(result, against, _upwards(error / model.roundoff, DIGITS), ALL)
+
+
+def _over_boxes(outline: Outline, request: Request, model: Model) -> tuple[Guarantee, ...]:
+    """By covering the inputs; nothing where that does not work."""
+    program, units = outline.program, _units(request)
+    angles = {argument for argument, _, _ in outline.angles.values()}
+    if set(range(len(program.arguments))) != {*units, *angles}:
+        return ()
+    groups = [list(_groups(outline, index, places)) for index, places in enumerate(_places(request))]
+    found = []
+    try:
+        cover = covered(outline, units)
+        for result, members in zip(program.results, groups, strict=True):
+
+            def measure(running: Running, members: list[Group] = members) -> float:
+                return against_largest(running, members, model.roundoff)
+
+            error = largest(outline, model, cover, measure, BOXES)
+            found.append(
+                Guarantee(result.name, "largest", _upwards(Fraction(error), COVERED_DIGITS), _inputs(program, units))
+            )
+    except NoBound:
+        return ()
+    return tuple(found)
+
+
+def _inputs(program: Program, units: tuple[int, ...]) -> str:
+    """All that is covered: "every unit e and every phi", "all angles"."""
+    every = [
+        f"every unit {item.name}" if k in units else f"all {item.name}" if item.shape else f"every {item.name}"
+        for k, item in enumerate(program.arguments)
+    ]
+    return " and ".join(every)
+
+
+def _groups(outline: Outline, result: int, places: tuple[tuple[int, ...], ...]) -> Iterator[Group]:
+    entries = outline.entries(result)
+    for group in places:
+        yield tuple(dict.fromkeys(entries[place] for place in group))
+
+
+def _units(request: Request) -> tuple[int, ...]:
+    """The arguments that are unit vectors of space."""
+    subjects = {h.subjects[0] for h in request.hypotheses if h.kind == "unit"}
+    arguments = enumerate(request.arguments)
+    return tuple(k for k, a in arguments if len(nodes_of(a)) == 1 and nodes_of(a)[0] in subjects and _is_column(a))
+
+
+def _is_column(argument: object) -> bool:
+    return getattr(argument, "shape", None) == (3, 1)
+
+
+def _places(request: Request) -> tuple[tuple[tuple[int, ...], ...], ...]:
+    """The places of each output's entries, those of one physical dimension together."""
+    found = []
+    for output in request.outputs:
+        alike: dict[str, list[int]] = {}
+        grid = measured(output.value).grid
+        for place, (_, row, column) in enumerate(output.places):
+            alike.setdefault(repr(grid[row][column]), []).append(place)
+        found.append(tuple(map(tuple, alike.values())))
+    return tuple(found)
+
+
+def _upwards(value: Fraction, to: Decimal) -> str:
+    """The numeral, rounded upwards."""
+    exact = Decimal(value.numerator) / Decimal(value.denominator) * (1 + Decimal("1e-20"))
+    return str(exact.quantize(to, ROUND_CEILING)) if value else "0"

@@ -1,0 +1,114 @@
+"""How far is a result from the sum of its terms' sizes? An a-priori bound for all inputs, by counting roundings.
+
+Along with each step goes the sum of the sizes of its terms: the same step with every operand replaced by its size, and
+sums in the place of differences. The computed value differs from the exact one by at most a multiple of that sum,
+which is kept as an exact fraction. A sum of two exact values counts as one term; a value of one term, or of terms that
+are none of them negative, is that sum itself up to its sign, and so has a relative error.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from chasles.bounds.model import Model
+from chasles.bounds.outline import NoBound, Outline, is_power_of_two
+from chasles.lowering.program import Op, Step
+
+__all__ = ["Share", "shares"]
+
+
+@dataclass(frozen=True, slots=True)
+class Share:
+    """The error in parts of the sum of the terms' sizes; `single` where that sum is the size of the value itself."""
+
+    error: Fraction = Fraction(0)
+    single: bool = True
+    nonnegative: bool = False
+
+
+def shares(outline: Outline, model: Model) -> dict[int, Share]:
+    """The share of every step that results need. Raises NoBound where a divisor or a radicand may cancel."""
+    found: dict[int, Share] = {}
+    steps = outline.program.steps
+    for number in outline.needed:
+        step = steps[number]
+        if number in outline.angles:
+            found[number] = Share(model.loss(step.op))
+            continue
+        operands = outline.operands(number)
+        found[number] = _share(step, [found[k] for k in operands], operands, outline, model)
+    return found
+
+
+def _share(step: Step, of: list[Share], numbers: tuple[int, ...], outline: Outline, model: Model) -> Share:
+    match step.op:
+        case Op.INPUT:
+            return Share()
+        case Op.CONSTANT:
+            exact = model.is_exact(step.value)
+            return Share(Fraction(0) if exact else model.roundoff, nonnegative=step.value >= 0)
+        case Op.NEGATE:
+            return Share(of[0].error, of[0].single)
+        case Op.ADD | Op.SUBTRACT:
+            return _sum(step.op, of, model)
+        case Op.MULTIPLY:
+            return _product(of, numbers, outline, model)
+        case Op.DIVIDE:
+            return _quotient(of, model)
+        case Op.SQUARE_ROOT:
+            return _root(of[0], model)
+        case Op.ARCTANGENT2:
+            return _direction(of, model)
+        case op:
+            raise NoBound(f"nothing is known of the operation {op}")
+
+
+def _sum(op: Op, of: list[Share], model: Model) -> Share:
+    x, y = of
+    if not x.error and not y.error:
+        return Share(model.roundoff, nonnegative=op is Op.ADD and x.nonnegative and y.nonnegative)
+    positive = op is Op.ADD and x.nonnegative and y.nonnegative
+    error = _after(1 + max(x.error, y.error), model.loss(op))
+    return Share(error, positive and x.single and y.single, positive)
+
+
+def _product(of: list[Share], numbers: tuple[int, ...], outline: Outline, model: Model) -> Share:
+    x, y = of
+    single = x.single and y.single
+    square = numbers[0] == numbers[1]
+    nonnegative = (square or (x.nonnegative and y.nonnegative)) and single
+    for share, number in ((y, numbers[0]), (x, numbers[1])):
+        step = outline.program.steps[number]
+        if step.op is Op.CONSTANT and is_power_of_two(step.value):
+            return Share(share.error, single, nonnegative)
+    return Share(_after((1 + x.error) * (1 + y.error), model.loss(Op.MULTIPLY)), single, nonnegative)
+
+
+def _quotient(of: list[Share], model: Model) -> Share:
+    x, y = of
+    if not y.single:
+        raise NoBound("it divides by a sum whose terms may cancel")
+    error = _after((1 + x.error) / (1 - y.error), model.loss(Op.DIVIDE))
+    return Share(error, x.single, x.nonnegative and y.nonnegative)
+
+
+def _root(of: Share, model: Model) -> Share:
+    if not of.single or not of.nonnegative:
+        raise NoBound("it takes the root of a sum whose terms may cancel")
+    # |sqrt(1 + d) - 1| <= |d| / 2 + d^2 / 2 for |d| <= 1.
+    return Share(_after(1 + of.error / 2 + of.error**2 / 2, model.loss(Op.SQUARE_ROOT)), True, True)
+
+
+def _direction(of: list[Share], model: Model) -> Share:
+    """The angle of a point: it moves, relatively, by no more than the ratio of the point's coordinates does."""
+    y, x = of
+    if not (x.single and y.single):
+        raise NoBound("it takes the angle of a point whose coordinates may cancel")
+    error = max((1 + y.error) / (1 - x.error), (1 + x.error) / (1 - y.error))
+    return Share(_after(error, model.loss(Op.ARCTANGENT2)))
+
+
+def _after(growth: Fraction, loss: Fraction) -> Fraction:
+    """The error once an operation has added its own to values that have grown by a factor."""
+    return growth * (1 + loss) - 1
