@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import sys
 from pathlib import Path
 
@@ -16,6 +17,7 @@ sys.path.insert(0, str(ROOT))
 from benchmarks.formulas import KERNELS  # noqa: E402
 from benchmarks.peers import OURS, PEERS  # noqa: E402
 from benchmarks.points import batch, references  # noqa: E402
+from benchmarks.tables import details, summary  # noqa: E402
 
 WRAPPERS = {"sympy_ufuncify", "sympy_autowrap"}
 SLOW = WRAPPERS | {"numba_jit", "casadi_c", "symforce_cpp", "sympy_codegen_c", "sympy_cse_c"}
@@ -39,3 +41,12 @@ def test_a_peer_gives_the_right_values(name: str) -> None:
             call(*inputs, out=out)
             np.testing.assert_allclose(out, right, rtol=1e-12, atol=1e-13)
         np.testing.assert_allclose(call(*(x[2] for x in inputs)), right[2], rtol=1e-12, atol=1e-13)
+
+
+def test_the_page_is_that_of_the_evidence() -> None:
+    evidence = json.loads((ROOT / "benchmarks" / "evidence" / "kernels.json").read_text("utf-8"))
+    assert (ROOT / "benchmarks" / "README.md").read_text("utf-8") == summary(evidence)
+    assert all(title in details(evidence) for title in evidence["peers"].values())
+    missed = json.loads(json.dumps(evidence))
+    missed["kernels"]["natural_rate_matrix"]["times_faster"]["10000"]["ratio"] = 0.5
+    assert "0.5 (>= 5: **miss**)" in summary(missed)
