@@ -1,5 +1,6 @@
 # make          sets up .venv; decides the chapter, emits, compiles and verifies the kernels
 # make test     sets up .venv; runs the tests (ARGS="-k twist" narrows them)
+# make bench    sets up .venv and the peers; times the kernels beside them (ARGS="--rounds 3" and the like)
 # make lint | types | compile | wheel | clean
 #
 # PYTHON=python3.12 chooses the interpreter, CC=clang the compiler. Where a compiler and Python.h are at hand, kernels
@@ -17,7 +18,7 @@ INSTALL := SKBUILD_BUILD_DIR=$(VENV)/build $(PIP) install --no-build-isolation -
 BUILD_FILES := pyproject.toml CMakeLists.txt $(wildcard cmake/*) src/chasles/__init__.py
 C_FILES := $(wildcard generated/c/include/* generated/c/src/* generated/gufunc/*)
 
-.PHONY: all chapter compile test lint types wheel clean
+.PHONY: all chapter compile test bench lint types wheel clean
 .DELETE_ON_ERROR:
 
 all: chapter
@@ -34,6 +35,11 @@ compile: $(VENV)/.compiled
 
 test: $(VENV)/.compiled $(VENV)/.tools
 	@$(BIN)/python -m pytest -n 2 $(ARGS)
+
+bench: $(VENV)/.compiled $(VENV)/.tools $(VENV)/.peers
+	@$(BIN)/python -m benchmarks.kernels $(ARGS)
+	@$(BIN)/python benchmarks/against_sympy.py --budget 1 --every 20
+	@$(BIN)/python benchmarks/deciding.py 1
 
 lint: $(VENV)/.tools
 	@$(BIN)/ruff check
@@ -67,6 +73,13 @@ $(VENV)/.compiled: $(BUILD_FILES) $(C_FILES) | $(VENV)/.buildtools
 	@echo "Installing chasles and compiling its kernels"
 	@test -n '$(C_FILES)' && sh cmake/can_compile.sh '$(CC)' $(BIN)/python && able=1 || able=0; \
 	    CHASLES_REQUIRE_C=$${CHASLES_REQUIRE_C:-$$able} $(INSTALL) '.[fast]'
+	@touch $@
+
+# A peer without a wheel for this interpreter must not keep out the others.
+$(VENV)/.peers: pyproject.toml | $(VENV)/.compiled
+	@echo "Installing the peers"
+	@$(INSTALL) '.[bench]' || for peer in matplotlib casadi symforce wrenfold numba scipy cython setuptools; do \
+	    $(PIP) install $$peer || echo "$$peer cannot be installed here: it is left out"; done
 	@touch $@
 
 $(VENV)/.tools: pyproject.toml | $(VENV)/.compiled

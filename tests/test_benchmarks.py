@@ -1,0 +1,52 @@
+"""The peers of the benchmarks compute what chasles computes: like is compared with like."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+if not (ROOT / "benchmarks").exists():
+    pytest.skip("needs the checkout", allow_module_level=True)
+sys.path.insert(0, str(ROOT))
+
+from benchmarks.formulas import KERNELS  # noqa: E402
+from benchmarks.peers import OURS, PEERS  # noqa: E402
+from benchmarks.points import batch, references  # noqa: E402
+from benchmarks.tables import details, summary  # noqa: E402
+
+WRAPPERS = {"sympy_ufuncify", "sympy_autowrap"}
+SLOW = WRAPPERS | {"numba_jit", "casadi_c", "symforce_cpp", "sympy_codegen_c", "sympy_cse_c"}
+
+
+@pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.slow) if n in SLOW else n for n in (OURS, *PEERS)])
+def test_a_peer_gives_the_right_values(name: str) -> None:
+    peer = pytest.importorskip(f"benchmarks.peers.{name}", exc_type=ImportError)
+    # SymPy's wrappers run a build of seconds for each kernel.
+    made = peer.make(KERNELS if name not in WRAPPERS else KERNELS[3:5])
+    assert made
+    for kernel in KERNELS:
+        if kernel.name not in made:
+            continue
+        inputs = batch(kernel, 5)
+        right = np.array(references(kernel, inputs), dtype=float)
+        call = made[kernel.name].call
+        if made[kernel.name].batched:
+            np.testing.assert_allclose(call(*inputs), right, rtol=1e-12, atol=1e-13)
+            out = np.full_like(right, np.nan)
+            call(*inputs, out=out)
+            np.testing.assert_allclose(out, right, rtol=1e-12, atol=1e-13)
+        np.testing.assert_allclose(call(*(x[2] for x in inputs)), right[2], rtol=1e-12, atol=1e-13)
+
+
+def test_the_page_is_that_of_the_evidence() -> None:
+    evidence = json.loads((ROOT / "benchmarks" / "evidence" / "kernels.json").read_text("utf-8"))
+    assert (ROOT / "benchmarks" / "README.md").read_text("utf-8") == summary(evidence)
+    assert all(title in details(evidence) for title in evidence["peers"].values())
+    missed = json.loads(json.dumps(evidence))
+    missed["kernels"]["natural_rate_matrix"]["times_faster"]["10000"]["ratio"] = 0.5
+    assert "0.5 (>= 5: **miss**)" in summary(missed)
