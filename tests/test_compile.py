@@ -5,9 +5,11 @@ from __future__ import annotations
 import os
 import pickle
 import shutil
+import signal
 import subprocess
 import sys
 from pathlib import Path
+from time import monotonic, sleep
 
 import numpy as np
 import pytest
@@ -128,6 +130,17 @@ def test_a_piecewise_is_as_in_c_at_nan_and_where_no_piece_applies(backend):
         for result in either([np.nan], [1.0]):
             assert np.isnan(result).all()
         assert np.isnan(either([1.0], [np.nan])[0]).all()
+
+
+def test_pieces_that_share_conditions_and_terms(backend, draw):
+    inside = sp.And(x**2 + y**2 < z, sp.Or(x > y, sp.Eq(y, z)))
+    first = sp.Piecewise((sp.sqrt(x**2 + y**2), inside), (x + y, x**2 + y**2 < z), (z, True))
+    second = sp.Piecewise((first, sp.Not(inside)), (2 * (x + y), True))
+    points = draw(-1.5, 1.5, (3, 300))
+    found = chasles.compile([first, second], (x, y, z))(*points)
+    for values, expression in zip(found, (first, second), strict=True):
+        expected = [float(expression.subs(dict(zip((x, y, z), point, strict=True)))) for point in points.T[:40]]
+        np.testing.assert_allclose(values[:40], expected, rtol=1e-14)
 
 
 def test_what_is_divided_by_zero_is_not_a_number(backend):
@@ -412,6 +425,31 @@ def test_a_compiler_that_fails_is_warned_of(empty_cache, tmp_path, monkeypatch):
     assert kernel.backend == "numpy"
     assert kernel(2.0, 3.0) == 29.0
     assert not list(empty_cache.glob("*.index"))
+
+
+@needs_c
+@pytest.mark.slow
+def test_a_killed_compilation_leaves_nothing_that_is_believed(tmp_path):
+    slow = tmp_path / "slow"
+    slow.write_text(f'#!/bin/sh\n[ "$1" = --version ] && exec cc --version\ntouch {tmp_path}/begun\nexec sleep 60\n')
+    slow.chmod(0o755)
+    environment = os.environ | {"CHASLES_CACHE": str(tmp_path / "cache"), "CC": str(slow), "TMPDIR": str(tmp_path)}
+    process = subprocess.Popen([sys.executable, "-c", SCRIPT], env=environment, start_new_session=True)
+    deadline = monotonic() + 60
+    while not (tmp_path / "begun").exists() and monotonic() < deadline:
+        sleep(0.05)
+    os.killpg(process.pid, signal.SIGKILL)
+    assert process.wait() == -signal.SIGKILL
+    assert ended(started(tmp_path / "cache"))[0] == 1
+    assert ended(started(tmp_path / "cache"))[0] == 0
+
+
+def test_the_numpy_backend_compiles_nothing(tmp_path):
+    script = SCRIPT.replace('== "c"', '== "numpy"')
+    environment = os.environ | {"CHASLES_CACHE": str(tmp_path), "CHASLES_BACKEND": "numpy"}
+    done = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True)
+    assert done.stdout.startswith("0 ")
+    assert not list(tmp_path.iterdir())
 
 
 @needs_c
