@@ -11,13 +11,13 @@ from typing import Any
 import sympy
 from sympy.matrices.expressions.matexpr import MatrixElement
 
+from chasles.compiling.scalars import shown
 from chasles.lowering.program import Argument
 from chasles.lowering.refusal import LoweringError
 
 __all__ = ["Input", "Output", "inputs_of", "outputs_of", "require_kernel_name"]
 
 TAKEN = ("best_level", "block", "data", "entry", "loop", "run", "shape")
-_SHOWN = 60
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +110,7 @@ def _input(item: Any, taken: list[str]) -> Input:
         shape, entries = (), (item,)
     for entry in entries:
         if not isinstance(entry, sympy.Symbol | MatrixElement):
-            raise LoweringError(f"an input must be a symbol or hold symbols; {_shown(entry)} is none")
+            raise LoweringError(f"an input must be a symbol or hold symbols; {shown(entry)} is none")
     name = wanted or _name(whole.name if whole else "", [str(getattr(entry, "name", entry)) for entry in entries])
     name = name if name and not iskeyword(name) else f"input_{len(taken) + 1}"
     while name in taken:
@@ -158,7 +158,7 @@ def _value(item: Any) -> Any:
     except sympy.SympifyError:
         raise LoweringError(f"{item!r} is no SymPy expression") from None
     if not isinstance(value, sympy.Expr | sympy.MatrixBase | sympy.MatrixExpr):
-        raise LoweringError(f"{_shown(value)} is no scalar and no matrix ({type(value).__name__})")
+        raise LoweringError(f"{shown(value)} is no scalar and no matrix ({type(value).__name__})")
     return value
 
 
@@ -180,14 +180,14 @@ def _closed(entry: sympy.Expr, table: Mapping[sympy.Basic, sympy.Basic]) -> symp
     stray = (entry.free_symbols - known) | (closed.free_symbols - set(table.values()))
     if stray:
         said = ", ".join(sorted(map(str, stray)))
-        raise LoweringError(f"{said} in {_shown(entry)} is not among the inputs")
+        raise LoweringError(f"{said} in {shown(entry)} is not among the inputs")
     return closed
 
 
 def _explicit(value: Any) -> Any:
     """The matrix in its entries."""
     if not all(getattr(extent, "is_Integer", False) or isinstance(extent, int) for extent in value.shape):
-        raise LoweringError(f"{_shown(value)} has the shape {value.shape}: extents must be numbers")
+        raise LoweringError(f"{shown(value)} has the shape {value.shape}: extents must be numbers")
     return value.as_explicit()
 
 
@@ -197,8 +197,3 @@ def _core(shape: tuple[Any, ...]) -> tuple[int, ...]:
     if rows * columns == 0:
         raise LoweringError(f"a matrix of {rows} rows and {columns} columns has no entries")
     return tuple(extent for extent in (rows, columns) if extent > 1)
-
-
-def _shown(value: Any) -> str:
-    text = " ".join(str(value).split())
-    return text if len(text) <= _SHOWN else f"{text[:_SHOWN]}..."

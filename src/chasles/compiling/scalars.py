@@ -15,7 +15,7 @@ from sympy.core.relational import Relational
 from chasles.lowering.builder import Builder
 from chasles.lowering.refusal import LoweringError
 
-__all__ = ["Scalars"]
+__all__ = ["Scalars", "shown"]
 
 DIGITS = 60
 NEGLIGIBLE = sympy.Float("1e-40")
@@ -95,7 +95,7 @@ class Scalars:
         if isinstance(value, sympy.Float) and abs(value) < NEGLIGIBLE and expression.equals(0):
             return self.build.zero
         if not isinstance(value, sympy.Rational | sympy.Float) or not value.is_finite:
-            raise LoweringError(f"the constant {_shown(expression)} is no finite real number")
+            raise LoweringError(f"the constant {shown(expression)} is no finite real number")
         exact = sympy.Rational(value)
         return self.build.constant(Fraction(int(exact.p), int(exact.q)))
 
@@ -168,7 +168,7 @@ class Scalars:
             case Relational():
                 return self._compared(condition, one, other)
         raise LoweringError(
-            f"the condition {_shown(condition)} is no comparison of numbers; write it with <, <=, >, >=, Eq, Ne, And, "
+            f"the condition {shown(condition)} is no comparison of numbers; write it with <, <=, >, >=, Eq, Ne, And, "
             "Or and Not"
         )
 
@@ -188,16 +188,17 @@ class Scalars:
 
 
 def _refusal(expression: sympy.Basic) -> str:
-    shown = _shown(expression)
+    said = shown(expression)
     if isinstance(expression, AppliedUndef):
-        return f"{shown} is an unknown function: put what it is in its place, or a symbol that is an input"
+        return f"{said} is an unknown function: put what it is in its place, or a symbol that is an input"
     if isinstance(expression, sympy.Derivative | sympy.Integral | sympy.Sum | sympy.Product | sympy.Limit):
-        return f"{shown} is not carried out ({type(expression).__name__}): call .doit() first"
+        return f"{said} is not carried out ({type(expression).__name__}): call .doit() first"
     if isinstance(expression, sympy.Pow):
-        return f"the power {shown}: exponents must be whole numbers or halves of them"
-    return f"no program computes {shown} ({type(expression).__name__}); it computes {KNOWN}"
+        return f"the power {said}: exponents must be whole numbers or halves of them"
+    return f"no program computes {said} ({type(expression).__name__}); it computes {KNOWN}"
 
 
-def _shown(expression: sympy.Basic) -> str:
-    text = str(expression)
+def shown(value: object) -> str:
+    """The beginning of what it reads, on one line."""
+    text = " ".join(str(value).split())
     return text if len(text) <= _SHOWN else f"{text[:_SHOWN]}..."
