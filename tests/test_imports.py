@@ -24,6 +24,7 @@ ORDER = (
     "targets",
     "kernels",
     "checked",
+    "compiling",
     "numerics",
     "report",
     "cli",

@@ -2317,10 +2317,19 @@ static PyModuleDef_Slot slots[] = {
     {0, NULL},
 };
 
+static PyMethodDef methods[] = {
+    {"make_ufunc", chasles_make_ufunc, METH_VARARGS,
+     "make_ufunc(name, doc, signature, inputs, outputs, loop, data, data_of_double)\n\n"
+     "The ufunc of the inner loop at the address `loop`, called with the one address for float32 and with the other for\n"
+     "float64. What lies there must outlive the ufunc."},
+    {NULL, NULL, 0, NULL},
+};
+
 static struct PyModuleDef definition = {
     PyModuleDef_HEAD_INIT,
     .m_name = "_kernels",
     .m_doc = "Rigid-body kernels as generalised ufuncs. Made by `chasles emit`.",
+    .m_methods = methods,
     .m_slots = slots,
 };
 

@@ -17,6 +17,7 @@
 #define NPY_TARGET_VERSION NPY_2_0_API_VERSION
 #endif
 #define PY_ARRAY_UNIQUE_SYMBOL chasles_array_api
+#define PY_UFUNC_UNIQUE_SYMBOL chasles_ufunc_api
 #include <numpy/ndarraytypes.h>
 #include <numpy/ufuncobject.h>
 
@@ -39,5 +40,8 @@ extern int chasles_level;
 
 /* A module with a light function for each kernel; NULL with an exception set where that fails. */
 PyObject *chasles_light_functions(void);
+
+/* The ufunc of a loop compiled elsewhere: see `methods`; NULL with an exception set where that fails. */
+PyObject *chasles_make_ufunc(PyObject *module, PyObject *arguments);
 
 #endif

@@ -1,8 +1,9 @@
 """A textbook chapter on rigid-body kinematics, statics and dynamics as checked code and fast kernels.
 
 ``chasles.prove`` decides an equation, ``chasles.load`` reads the chapter, ``chasles.solve`` works an exercise,
-``chasles.kernels`` holds the compiled formulas, ``chasles.checked`` the same with their inputs tested. Each is imported
-on first use, so that ``import chasles`` costs neither SymPy nor NumPy.
+``chasles.kernels`` holds the compiled formulas, ``chasles.checked`` the same with their inputs tested, and
+``chasles.compile`` makes a kernel of an expression of your own. Each is imported on first use, so that
+``import chasles`` costs neither SymPy nor NumPy.
 """
 
 from __future__ import annotations
@@ -15,15 +16,21 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from chasles import checked as checked
     from chasles import kernels as kernels
+    from chasles.compiling import compile as compile
     from chasles.exact.solving import solve as solve
     from chasles.prove import prove as prove
     from chasles.statements import load as load
 
 __version__ = "0.1.0"
-__all__ = ["__version__", "checked", "kernels", "load", "prove", "solve"]
+__all__ = ["__version__", "checked", "compile", "kernels", "load", "prove", "solve"]
 
 # Name -> the module that holds a function of that name.
-_FUNCTIONS = {"prove": "chasles.prove", "load": "chasles.statements", "solve": "chasles.exact.solving"}
+_FUNCTIONS = {
+    "prove": "chasles.prove",
+    "load": "chasles.statements",
+    "solve": "chasles.exact.solving",
+    "compile": "chasles.compiling",
+}
 _PACKAGES = ("checked", "kernels")
 
 

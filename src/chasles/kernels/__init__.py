@@ -61,6 +61,8 @@ def _choose(wanted: str) -> tuple[str, ModuleType]:
 backend, _module = _choose(environ.get("CHASLES_BACKEND", ""))
 instructions: str = getattr(_module, "instructions", "")
 one: Any = getattr(_module, "one", _module)
+make_ufunc: Any = getattr(_module, "make_ufunc", None)
+"""For `chasles.compile`: the ufunc of an inner loop compiled elsewhere; None where nothing is compiled."""
 _names = frozenset(name for name in getattr(_module, "__all__", dir(_module)) if not name.startswith("_"))
 
 

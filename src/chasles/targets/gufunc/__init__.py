@@ -1,7 +1,8 @@
 """Generalised ufuncs: one CPython extension module over the batches of the C library, in float64 and float32.
 
 The loops themselves are the C library's; here stand the ufuncs that hand batches to them, and the light functions of
-`chasles.kernels.one`, which take one element or a contiguous batch without the ufunc machinery.
+`chasles.kernels.one`, which take one element or a contiguous batch without the ufunc machinery, and the factory that
+makes a ufunc of a loop that `chasles.compile` has compiled.
 """
 
 from __future__ import annotations
@@ -55,7 +56,7 @@ def _shown(item: Argument | Result) -> str:
 
 def _pages(kernels: tuple[Kernel, ...]) -> Iterator[Page]:
     values = {"command": COMMAND, "ufuncs": [_ufunc(kernel) for kernel in kernels], "count": len(kernels)}
-    for name in ("kernels.h", "_kernels.c", "light.c"):
+    for name in ("kernels.h", "_kernels.c", "light.c", "factory.c"):
         yield Page(name, f"{name}.jinja", values)
 
 

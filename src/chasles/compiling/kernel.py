@@ -1,0 +1,120 @@
+"""What does a user get? A kernel: a ufunc where it was compiled, else its NumPy text, and all that is known of it."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable
+from functools import wraps
+from hashlib import sha256
+from typing import Any
+from warnings import warn
+
+import numpy
+
+from chasles import kernels
+from chasles.compiling.bound import error_bound
+from chasles.compiling.compiler import Compiler, CompilerFailed, found
+from chasles.compiling.sources import Sources, sources_of
+from chasles.compiling.store import loaded
+from chasles.lowering.program import Op, Program
+from chasles.targets.kernel import Heading, Kernel, signature
+
+__all__ = ["CompiledKernel", "kernel_of"]
+
+
+class CompiledKernel:
+    """A function of arrays: core axes come last, batch axes before them broadcast; float32 stays float32.
+
+    Attributes:
+        name: what it is called.
+        signature: its core shapes, as NumPy writes them.
+        backend: "c" or "numpy".
+        ufunc: the `numpy.ufunc` of the "c" backend, else None.
+        program: the straight-line program of which all texts are made.
+        operations: how often each operation occurs, by its name.
+        c_source: C99 functions of one item, in both precisions, to be used anywhere.
+        numpy_source: the same as a Python function of arrays.
+    """
+
+    def __init__(self, program: Program, sources: Sources, ufunc: Any, function: Callable[..., Any]) -> None:
+        self.name = program.name
+        self.signature = signature(program)
+        self.backend = "numpy" if ufunc is None else "c"
+        self.ufunc = ufunc
+        self.program = program
+        counts = program.operations
+        self.operations = {op.value: counts[op] for op in Op if counts[op]}
+        self.c_source = sources.c
+        self.numpy_source = sources.numpy
+        self.__doc__ = function.__doc__
+        self._function = function
+
+    def __call__(self, *inputs: Any, **options: Any) -> Any:
+        """The results for the inputs; a tuple where there are several."""
+        return self._function(*inputs, **options)
+
+    def error_bound(self) -> Any:
+        """What is proved of the rounding errors: see `chasles.bounds`.
+
+        Raises `LookupError` where this installation proves no bounds of single programs.
+        """
+        return error_bound(self.program)
+
+    def __repr__(self) -> str:
+        return f"<chasles kernel {self.name} {self.signature}, {self.backend}>"
+
+    def __reduce__(self) -> tuple[Callable[[Program], CompiledKernel], tuple[Program]]:
+        return kernel_of, (self.program,)
+
+
+def kernel_of(program: Program) -> CompiledKernel:
+    """The kernel of a program: compiled, from the cache where that has it; the NumPy text where nothing compiles.
+
+    A compiler that fails is warned of. Raises `LoweringError` where no target can spell the program.
+    """
+    digest = sha256(repr(program).encode()).hexdigest()
+    heading = Heading("Expression", "given to chasles.compile.", "nothing is claimed", (), digest, section="expression")
+    sources = sources_of(Kernel(program, heading))
+    written = _written_out(program, sources)
+    ufunc = _ufunc(program, sources, written.__doc__ or "")
+    return CompiledKernel(program, sources, ufunc, _undisturbed(written) if ufunc is None else ufunc)
+
+
+def _ufunc(program: Program, sources: Sources, doc: str) -> Any:
+    """The ufunc of the compiled program; None where there is no compiler, or no extension that makes ufuncs."""
+    compiler = found(kernels.instructions) if kernels.make_ufunc is not None else None
+    if compiler is None:
+        return None
+    try:
+        library = loaded(_key(sources, compiler), lambda folder: compiler.shared_object(sources.files, folder))
+    except (CompilerFailed, OSError) as error:
+        warn(f"{program.name} runs as NumPy kernel: it could not be compiled: {error}", RuntimeWarning, stacklevel=4)
+        return None
+    data = library.chasles_data
+    data.restype = ctypes.c_void_p
+    loop = ctypes.cast(library.chasles_entry, ctypes.c_void_p).value
+    sizes = len(program.arguments), len(program.results)
+    return kernels.make_ufunc(program.name, doc, signature(program), *sizes, loop, data(0), data(1))
+
+
+def _key(sources: Sources, compiler: Compiler) -> str:
+    return sha256(repr((compiler.key, sorted(sources.files.items()))).encode()).hexdigest()
+
+
+def _written_out(program: Program, sources: Sources) -> Callable[..., Any]:
+    """The function that the NumPy text defines."""
+    names: dict[str, Any] = {"__name__": f"{__name__}.{program.name}"}
+    exec(compile(sources.numpy, f"<chasles.compile: {program.name}>", "exec"), names)
+    function: Callable[..., Any] = names[program.name]
+    return function
+
+
+def _undisturbed(function: Callable[..., Any]) -> Callable[..., Any]:
+    """The function without warnings of what is computed for a piece that is not taken."""
+
+    @wraps(function)
+    def called(*inputs: Any, **options: Any) -> Any:
+        with numpy.errstate(all="ignore"):
+            return function(*inputs, **options)
+
+    return called

@@ -1,0 +1,471 @@
+"""What `chasles.compile` makes of a user's SymPy expressions: values, shapes, the cache, the fallback, the errors."""
+
+from __future__ import annotations
+
+import os
+import pickle
+import shutil
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from time import monotonic, sleep
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import chasles
+from chasles import kernels
+from chasles.compiling import LoweringError, compiler, store
+
+x, y, z = sp.symbols("x y z")
+X = sp.MatrixSymbol("X", 3, 3)
+v = sp.Matrix(sp.symbols("v1:4"))
+
+needs_c = pytest.mark.skipif(
+    kernels.backend != "c" or shutil.which("cc") is None, reason="needs the extension and a C compiler"
+)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def cache(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("cache")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("CHASLES_CACHE", str(folder))
+        yield folder
+
+
+@pytest.fixture
+def empty_cache(tmp_path, monkeypatch):
+    monkeypatch.setenv("CHASLES_CACHE", str(tmp_path))
+    monkeypatch.setattr(store, "_loaded", {})
+    return tmp_path / "compiled"
+
+
+@pytest.fixture(params=[pytest.param("c", marks=needs_c), "numpy"])
+def backend(request, monkeypatch):
+    """Everything is to hold of the compiled kernels and of those where there is no compiler."""
+    if request.param == "numpy":
+        monkeypatch.setenv("CC", "no-such-compiler")
+    return request.param
+
+
+@pytest.fixture
+def draw():
+    return np.random.default_rng(20).uniform
+
+
+EXPRESSIONS = [
+    (x + 2 * y - z / 3, "sum"),
+    (x * y / (1 + z**2) - sp.Rational(2, 7) * x**3, "fraction"),
+    (sp.sqrt(x**2 + y**2 + 1) ** 3 / sp.sqrt(2 + z**2), "half powers"),
+    (sp.sin(x) * sp.cos(y) + sp.tan(z / 2), "trigonometry"),
+    (sp.atan2(y, x) + sp.atan(z) + sp.asin(x / 4) - sp.acos(y / 4), "arctangents"),
+    (sp.Abs(x) + sp.sign(y) * sp.Max(x, y, z) - sp.Min(x, y, 1), "choices"),
+    (sp.pi * x + sp.sqrt(2) * y + sp.Float("0.1") * z + sp.exp(1), "constants"),
+    (x**7 - y ** (-3) + z ** sp.Integer(2) / y ** sp.Rational(2), "powers"),
+    (
+        sp.Piecewise((x, x < -1), (y, x <= 0), (z, sp.And(x > 1, y > 0)), (x * y, sp.Or(y > 1, z >= 1)), (-1, True)),
+        "if",
+    ),
+    (sp.Piecewise((x, sp.Not(sp.And(sp.Ne(x, 1), x < y))), (y, True)), "not"),
+]
+
+
+@pytest.mark.parametrize("dtype", [np.float64, np.float32])
+def test_values_are_those_of_lambdify(dtype, backend, draw):
+    points = [draw(-3, 3, 200).astype(dtype) for _ in range(3)]
+    kernel = chasles.compile([expression for expression, _ in EXPRESSIONS], (x, y, z))
+    assert kernel.backend == backend
+    eps = np.finfo(dtype).eps
+    for found, (expression, said) in zip(kernel(*points), EXPRESSIONS, strict=True):
+        expected = sp.lambdify((x, y, z), expression, "numpy")(*(p.astype(np.float64) for p in points))
+        assert found.dtype == dtype
+        scale = 30 + np.abs(expected).max()
+        np.testing.assert_allclose(found, expected, rtol=64 * eps, atol=16 * scale * eps, err_msg=said)
+
+
+def test_a_matrix_with_constant_entries_broadcasts(backend, draw):
+    turn = sp.Matrix([[sp.cos(x), -sp.sin(x), 0], [sp.sin(x), sp.cos(x), 0], [0, 0, 1]])
+    kernel = chasles.compile(turn * y, (x, y), name="turn")
+    assert kernel.signature == "(),()->(3,3)"
+    angles, sizes = draw(-3, 3, (5, 1)), draw(1, 2, 4)
+    found = kernel(angles, sizes)
+    assert found.shape == (5, 4, 3, 3)
+    exact = sp.lambdify((x, y), turn * y)
+    for i, j in np.ndindex(5, 4):
+        np.testing.assert_allclose(found[i, j], exact(angles[i, 0], sizes[j]), rtol=1e-14, atol=1e-15)
+
+
+def test_a_constant_has_the_shape_of_the_batch(backend):
+    assert chasles.compile([sp.Integer(3), sp.eye(2)], x)(np.zeros(4))[1].shape == (4, 2, 2)
+
+
+def test_several_outputs_and_matrix_inputs(backend, draw):
+    kernel = chasles.compile(
+        [X * v, (v.T * X * v)[0, 0], X.T, sp.Trace(X)], {"A": X, "p": v}, outputs=("image", "form", "turned", "trace")
+    )
+    assert kernel.signature == "(3,3),(3)->(3),(),(3,3),()"
+    A, p = draw(-1, 1, (6, 3, 3)), draw(-1, 1, (2, 1, 3))
+    image, form, turned, trace = kernel(A, p)
+    np.testing.assert_allclose(image, (A @ p[..., None])[..., 0], atol=1e-14)
+    np.testing.assert_allclose(
+        form, np.einsum("abi,bij,abj->ab", np.broadcast_to(p, (2, 6, 3)), A, np.broadcast_to(p, (2, 6, 3))), atol=1e-14
+    )
+    np.testing.assert_array_equal(turned, np.broadcast_to(np.swapaxes(A, -1, -2), (2, 6, 3, 3)))
+    np.testing.assert_allclose(trace, np.broadcast_to(np.trace(A, axis1=1, axis2=2), (2, 6)), atol=1e-14)
+
+
+def test_a_piece_that_is_not_taken_says_nothing(backend):
+    sinc = chasles.compile(sp.Piecewise((sp.sin(x) / x, sp.Ne(x, 0)), (1, True)), x)
+    np.testing.assert_array_equal(sinc([0.0, -0.0, 1e-300]), 1.0)
+
+
+def test_a_piecewise_is_as_in_c_at_nan_and_where_no_piece_applies(backend):
+    kernel = chasles.compile(sp.Piecewise((1, x < 0), (2, x > 0)), x)
+    with np.errstate(invalid="ignore"):
+        np.testing.assert_array_equal(kernel([-1.0, 3.0, 0.0, np.nan]), [1, 2, np.nan, np.nan])
+        either = chasles.compile([sp.Max(x, y), sp.Min(x, y), sp.Abs(x), sp.sign(x)], (x, y))
+        for result in either([np.nan], [1.0]):
+            assert np.isnan(result).all()
+        assert np.isnan(either([1.0], [np.nan])[0]).all()
+
+
+def test_pieces_that_share_conditions_and_terms(backend, draw):
+    inside = sp.And(x**2 + y**2 < z, sp.Or(x > y, sp.Eq(y, z)))
+    first = sp.Piecewise((sp.sqrt(x**2 + y**2), inside), (x + y, x**2 + y**2 < z), (z, True))
+    second = sp.Piecewise((first, sp.Not(inside)), (2 * (x + y), True))
+    points = draw(-1.5, 1.5, (3, 300))
+    found = chasles.compile([first, second], (x, y, z))(*points)
+    for values, expression in zip(found, (first, second), strict=True):
+        expected = [float(expression.subs(dict(zip((x, y, z), point, strict=True)))) for point in points.T[:40]]
+        np.testing.assert_allclose(values[:40], expected, rtol=1e-14)
+
+
+def test_what_is_divided_by_zero_is_not_a_number(backend):
+    with np.errstate(all="ignore"):
+        assert np.isnan(chasles.compile(1 / (1 + 1 / x), x)(0.0))
+
+
+JACOBIANS = [
+    [x * sp.sin(y) / sp.sqrt(1 + z**2), sp.atan2(x, 2 + z**2)],
+    [sp.Matrix([x**2 * y, sp.tan(y * z) - z])],
+    [sp.Matrix([[x, sp.Abs(y)], [sp.Max(x, z), sp.Piecewise((x * y, z > 0), (y**2, True))]])],
+]
+
+
+@pytest.mark.parametrize("expressions", JACOBIANS)
+def test_derivatives_are_those_of_sympy(expressions, backend, draw):
+    kernel = chasles.compile(expressions, (x, y, z), jacobian=True)
+    points = draw(0.1, 1.2, (3, 20)) * np.where(draw(-1, 1, (3, 20)) < 0, -1, 1)
+    found = kernel(*points)
+    for expression, jacobian in zip(expressions, found[len(expressions) :], strict=True):
+        entries = list(expression) if isinstance(expression, sp.MatrixBase) else [expression]
+        for column in range(20):
+            at = {s: sp.Float(float(value), 30) for s, value in zip((x, y, z), points[:, column], strict=True)}
+            expected = np.array([[_slope(e, s, at) for s in (x, y, z)] for e in entries])
+            np.testing.assert_allclose(jacobian[column].reshape(expected.shape), expected, rtol=1e-13, atol=1e-13)
+
+
+def _slope(expression, symbol, at):
+    """By a central difference of 30 digits."""
+    step = sp.Float("1e-9", 30)
+    up, down = (expression.subs({**at, symbol: at[symbol] + s}).evalf(30) for s in (step, -step))
+    return float((up - down) / (2 * step))
+
+
+@pytest.mark.parametrize(
+    ("expression", "inputs", "signature"),
+    [
+        (x**2, x, "()->(),()"),
+        (x**2, (x, y), "(),()->(),(2)"),
+        (v, [v], "(3)->(3),(3,3)"),
+        (v.dot(v), [v], "(3)->(),(3)"),
+        (X, [X], "(3,3)->(3,3),(9,9)"),
+    ],
+)
+def test_shapes_of_jacobians(expression, inputs, signature, backend):
+    assert chasles.compile(expression, inputs, jacobian=True).signature == signature
+
+
+@needs_c
+def test_it_is_a_ufunc():
+    kernel = chasles.compile(sp.Matrix([x, y]), (x, y), name="pair")
+    assert isinstance(kernel.ufunc, np.ufunc)
+    assert kernel.ufunc.types == ["ff->f", "dd->d"]
+    out = np.empty((3, 2))
+    assert kernel([1, 2, 3], 4, out=out) is out
+    np.testing.assert_array_equal(kernel([1, 2, 3], 4, axes=[(), (), (0,)]), out.T)
+    with pytest.raises(ValueError, match="mismatch"):
+        chasles.compile(v, [v])(np.zeros(4))
+
+
+@needs_c
+def test_ufuncs_are_freed_with_what_they_point_to():
+    for _ in range(50):
+        ufunc = chasles.compile(x + 1, x).ufunc
+        assert ufunc(1.0) == 2.0
+        del ufunc
+
+
+def test_a_kernel_travels(backend):
+    kernel = pickle.loads(pickle.dumps(chasles.compile(x * y, (x, y), name="product")))
+    assert kernel(2.0, 3.0) == 6.0
+    assert kernel.name == "product"
+
+
+@needs_c
+def test_the_c_source_stands_alone(tmp_path):
+    kernel = chasles.compile([sp.Matrix([x, x / y]), sp.Piecewise((1, x > 0))], (x, y), name="two")
+    (tmp_path / "two.c").write_text(kernel.c_source)
+    flags = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror", "-c"]
+    subprocess.run(["cc", *flags, "two.c", "-o", "two.o"], cwd=tmp_path, check=True)
+
+
+def test_the_numpy_source_stands_alone():
+    kernel = chasles.compile(sp.Matrix([x, 1]), x, name="column")
+    names: dict[str, object] = {}
+    exec(kernel.numpy_source, names)
+    np.testing.assert_array_equal(names["column"](np.arange(2.0)), [[0, 1], [1, 1]])
+
+
+def test_operations_are_counted_and_shared():
+    first = sp.sin(x + y) * (x + y) + z
+    kernel = chasles.compile([first, first**2], (x, y, z))
+    assert kernel.operations == {"add": 2, "multiply": 2, "sine": 1}
+
+
+def test_a_bound_that_is_not_to_be_had_says_so():
+    kernel = chasles.compile(x + y, (x, y))
+    try:
+        import chasles.bounds as bounds
+    except ModuleNotFoundError:
+        bounds = None
+    if hasattr(bounds, "bound_of_program"):
+        assert kernel.error_bound() is not None
+    else:
+        with pytest.raises(LookupError, match="error bound"):
+            kernel.error_bound()
+
+
+def test_names_of_the_users_are_never_in_the_way(backend):
+    words = ("at", "steps", "g", "groups", "item0", "LANES", "sines", "loop", "xp", "double", "k", "step0", "prepared")
+    symbols = sp.symbols(words)
+    kernel = chasles.compile(sum(map(sp.sin, symbols)), symbols, outputs="batch")
+    assert kernel.backend == backend
+    assert kernel(*range(len(words))) == pytest.approx(np.sin(range(len(words))).sum(), rel=1e-14)
+
+
+def test_symbols_of_one_name_are_told_apart():
+    positive = sp.Symbol("x", positive=True)
+    with pytest.raises(LoweringError, match="x comes twice"):
+        chasles.compile(x + positive, (x, positive))
+    with pytest.raises(LoweringError, match="x in x is not among the inputs"):
+        chasles.compile(positive, x)
+
+
+def test_latex_and_unicode_names_are_made_plain(backend):
+    phi, psi = sp.Symbol(r"\phi'"), sp.Symbol("ψ")
+    assert chasles.compile(phi - psi, (phi, psi))(3.0, 2.0) == 1.0
+
+
+REFUSED = [
+    (lambda: chasles.compile(sp.gamma(x), x), r"gamma\(x\) \(gamma\)"),
+    (lambda: chasles.compile(sp.Function("f")(x), x), r"f\(x\) is an unknown function"),
+    (lambda: chasles.compile(sp.Derivative(sp.sin(x), x), x), r"call \.doit\(\)"),
+    (lambda: chasles.compile(x ** sp.Rational(1, 3), x), r"x\*\*\(1/3\)"),
+    (lambda: chasles.compile(x**y, (x, y)), "exponents must be"),
+    (lambda: chasles.compile(x + y, x), "y in x [+] y is not among the inputs"),
+    (lambda: chasles.compile(X * v, [v]), "X in .* is not among the inputs"),
+    (lambda: chasles.compile(x + sp.I, x), "no finite real number"),
+    (lambda: chasles.compile(x + sp.oo, x), "no finite real number|not among|no program"),
+    (
+        lambda: chasles.compile(sp.Piecewise((1, sp.Contains(x, sp.Interval(0, 1), evaluate=False)), (x, True)), x),
+        "condition",
+    ),
+    (lambda: chasles.compile(sp.MatrixSymbol("Y", sp.Symbol("n"), 2), x), "extents must be numbers"),
+    (lambda: chasles.compile(sp.Matrix(0, 3, []), x), "no entries"),
+    (lambda: chasles.compile("x", x), "is a text"),
+    (lambda: chasles.compile(object(), x), "no SymPy expression"),
+    (lambda: chasles.compile([], x), "nothing to compile"),
+    (lambda: chasles.compile(x, []), "inputs is empty"),
+    (lambda: chasles.compile(x, "x"), "inputs must be symbols"),
+    (lambda: chasles.compile(x, x + 1), "is none"),
+    (lambda: chasles.compile(x, (x, sp.Matrix([x, y]))), "x comes twice"),
+    (lambda: chasles.compile([x, x], x, outputs=("a",)), "names 1 results, and there are 2"),
+    (lambda: chasles.compile([x, x], x, outputs=("a", "a")), "one name"),
+    (lambda: chasles.compile(x, x, outputs="a b"), "cannot be a name"),
+    (lambda: chasles.compile(x, x, name="lambda"), "cannot be a name"),
+    (lambda: chasles.compile(x, x, name="run"), "cannot be called"),
+    (lambda: chasles.compile(x / (y - y + 0 * y), (x, y)), "no finite real number|zero by construction|no program"),
+    (lambda: chasles.compile(x + sp.Float("1e-60"), x), "normal range of float"),
+    (lambda: chasles.compile(sp.Matrix(25, 25, lambda i, j: x + i * j), x), "at most"),
+]
+
+
+@pytest.mark.parametrize("number", range(len(REFUSED)))
+def test_what_is_refused_is_named(number):
+    wrong, said = REFUSED[number]
+    with pytest.raises(LoweringError, match=said) as caught:
+        wrong()
+    assert "Traceback" not in str(caught.value)
+
+
+SCRIPT = """
+import sys
+from chasles.compiling import compiler
+ran = []
+made = compiler.Compiler.shared_object
+compiler.Compiler.shared_object = lambda self, *rest: ran.append(1) or made(self, *rest)
+import sympy, chasles
+x, y = sympy.symbols("x y")
+kernel = chasles.compile(sympy.sin(x) * y + 1, (x, y))
+assert kernel.backend == "c"
+print(len(ran), kernel(0.5, 2.0))
+"""
+
+
+def started(folder: Path) -> subprocess.Popen[str]:
+    environment = os.environ | {"CHASLES_CACHE": str(folder)}
+    return subprocess.Popen([sys.executable, "-c", SCRIPT], env=environment, stdout=subprocess.PIPE, text=True)
+
+
+def ended(process: subprocess.Popen[str]) -> tuple[int, float]:
+    text, _ = process.communicate(timeout=120)
+    assert process.returncode == 0
+    ran, value = text.split()
+    return int(ran), float(value)
+
+
+@pytest.fixture
+def compilations(monkeypatch):
+    ran = []
+    made = compiler.Compiler.shared_object
+
+    def counted(self, *rest):
+        ran.append(rest)
+        return made(self, *rest)
+
+    monkeypatch.setattr(compiler.Compiler, "shared_object", counted)
+    return ran
+
+
+@needs_c
+def test_it_is_compiled_once(empty_cache, compilations, monkeypatch):
+    for _ in range(2):
+        assert chasles.compile(x * y + 7, (x, y))(2.0, 3.0) == 13.0
+    monkeypatch.setattr(store, "_loaded", {})
+    assert chasles.compile(x * y + 7, (x, y))(2.0, 3.0) == 13.0
+    assert len(compilations) == 1
+    assert chasles.compile(x * y + 8, (x, y))(2.0, 3.0) == 14.0
+    assert len(compilations) == 2
+
+
+@needs_c
+@pytest.mark.slow
+def test_processes_at_once_and_one_after_another(tmp_path):
+    value = 2 * np.sin(0.5) + 1
+    both = [ended(process) for process in [started(tmp_path), started(tmp_path)]]
+    assert [found for _, found in both] == pytest.approx([value, value], rel=1e-15)
+    assert ended(started(tmp_path)) == (0, both[0][1])
+    assert not list(tmp_path.rglob("*.part"))
+
+
+@needs_c
+@pytest.mark.parametrize("harm", ["truncated", "changed", "removed", "index", "index of nothing", "half-written"])
+def test_a_harmed_cache_is_made_anew(harm, empty_cache, compilations, monkeypatch):
+    assert chasles.compile(x - 3 * y, (x, y))(2.0, 3.0) == -7.0
+    [index], [made] = empty_cache.glob("*.index"), empty_cache.glob("*.so")
+    content = made.read_bytes()
+    match harm:
+        case "truncated":
+            made.unlink()
+            made.write_bytes(content[: len(content) // 2])
+        case "changed":
+            made.unlink()
+            made.write_bytes(content.replace(b"chasles", b"selsahc"))
+        case "removed":
+            made.unlink()
+        case "index":
+            index.write_bytes(b"\xff\x00/../x")
+        case "index of nothing":
+            index.write_text("0" * 64)
+        case "half-written":
+            index.unlink()
+            (empty_cache / "killed.part").write_bytes(content[:100])
+            os.utime(empty_cache / "killed.part", (0, 0))
+    monkeypatch.setattr(store, "_loaded", {})
+    assert chasles.compile(x - 3 * y, (x, y))(2.0, 3.0) == -7.0
+    assert len(compilations) == 2
+    assert not list(empty_cache.glob("*.part"))
+    monkeypatch.setattr(store, "_loaded", {})
+    assert chasles.compile(x - 3 * y, (x, y))(2.0, 3.0) == -7.0
+    assert len(compilations) == 2
+
+
+@needs_c
+@pytest.mark.parametrize("place", ["", "/proc/nowhere"])
+def test_without_a_cache_it_compiles_all_the_same(place, empty_cache, compilations, monkeypatch):
+    monkeypatch.setenv("CHASLES_CACHE", place)
+    kernel = chasles.compile(x + 5 * y, (x, y))
+    assert kernel.backend == "c"
+    assert kernel(2.0, 3.0) == 17.0
+    assert len(compilations) == 1
+
+
+@needs_c
+def test_a_compiler_that_fails_is_warned_of(empty_cache, tmp_path, monkeypatch):
+    broken = tmp_path / "broken"
+    broken.write_text('#!/bin/sh\n[ "$1" = --version ] && echo broken 1.0 || { echo "error: no" >&2; exit 1; }\n')
+    broken.chmod(0o755)
+    monkeypatch.setenv("CC", str(broken))
+    with pytest.warns(RuntimeWarning, match="could not be compiled.*error: no"):
+        kernel = chasles.compile(x + 9 * y, (x, y))
+    assert kernel.backend == "numpy"
+    assert kernel(2.0, 3.0) == 29.0
+    assert not list(empty_cache.glob("*.index"))
+
+
+@needs_c
+@pytest.mark.slow
+def test_a_killed_compilation_leaves_nothing_that_is_believed(tmp_path):
+    slow = tmp_path / "slow"
+    slow.write_text(f'#!/bin/sh\n[ "$1" = --version ] && exec cc --version\ntouch {tmp_path}/begun\nexec sleep 60\n')
+    slow.chmod(0o755)
+    environment = os.environ | {"CHASLES_CACHE": str(tmp_path / "cache"), "CC": str(slow), "TMPDIR": str(tmp_path)}
+    process = subprocess.Popen([sys.executable, "-c", SCRIPT], env=environment, start_new_session=True)
+    deadline = monotonic() + 60
+    while not (tmp_path / "begun").exists() and monotonic() < deadline:
+        sleep(0.05)
+    os.killpg(process.pid, signal.SIGKILL)
+    assert process.wait() == -signal.SIGKILL
+    assert ended(started(tmp_path / "cache"))[0] == 1
+    assert ended(started(tmp_path / "cache"))[0] == 0
+
+
+def test_the_numpy_backend_compiles_nothing(tmp_path):
+    script = SCRIPT.replace('== "c"', '== "numpy"')
+    environment = os.environ | {"CHASLES_CACHE": str(tmp_path), "CHASLES_BACKEND": "numpy"}
+    done = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True)
+    assert done.stdout.startswith("0 ")
+    assert not list(tmp_path.iterdir())
+
+
+@needs_c
+@pytest.mark.slow
+@pytest.mark.parametrize("flag", ["CC=clang", "CHASLES_INSTRUCTIONS=baseline"])
+def test_other_compilers_and_levels_give_the_same(flag, tmp_path):
+    name, value = flag.split("=")
+    if name == "CC" and shutil.which(value) is None:
+        pytest.skip(f"needs {value}")
+    environment = os.environ | {"CHASLES_CACHE": str(tmp_path), name: value}
+    done = subprocess.run([sys.executable, "-c", SCRIPT], env=environment, capture_output=True, text=True, check=True)
+    ran, found = done.stdout.split()
+    assert ran == "1"
+    assert float(found) == pytest.approx(2 * np.sin(0.5) + 1, rel=1e-15)
+
+
+def test_importing_chasles_stays_light():
+    light = "import sys, chasles; assert not {'sympy', 'numpy', 'ctypes'} & set(sys.modules), sys.modules.keys()"
+    subprocess.run([sys.executable, "-c", light], check=True)
