@@ -13,6 +13,7 @@ from chasles.statements.exercises import exercise, exercise_numbers
 TABLE = {entry["number"]: entry for entry in tomllib.loads(
     (Path(__file__).parents[1] / "exercises.toml").read_text(encoding="utf-8"))["exercise"]}  # fmt: skip
 CASES = [(number, status) for number, entry in TABLE.items() for status in entry["cases"]]
+FIRST_KEYS = [(number, entry["given"][0]) for number, entry in TABLE.items() if entry["given"]]
 
 
 def test_the_table_has_every_exercise() -> None:
@@ -40,7 +41,7 @@ def test_what_is_printed(run, tmp_path: Path, number: str, status: str) -> None:
     assert isinstance(printed["steps"], int)
 
 
-@pytest.mark.parametrize(("number", "key"), [(number, entry["given"][0]) for number, entry in TABLE.items() if entry["given"]])  # fmt: skip
+@pytest.mark.parametrize(("number", "key"), FIRST_KEYS)
 @pytest.mark.parametrize("value", ['"?"', "[[]]", "true"])
 def test_malformed_data_end_with_two_and_one_line(run, tmp_path: Path, number: str, key: str, value: str) -> None:
     data = tmp_path / "data.json"
