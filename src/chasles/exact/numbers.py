@@ -147,8 +147,9 @@ def _chebyshev(cosine: Any, times: int) -> Any:
 
 def _with_atoms(expression: Any) -> Any:
     """A quotient of polynomials in what is no surd, with surds in normal form as coefficients."""
-    if not expression.free_symbols and expression.count_ops() > MOST_OPERATIONS:
-        raise NotDecided(f"a number grows beyond {MOST_OPERATIONS} operations")
+    is_number = not expression.free_symbols
+    if is_number:
+        _require_short(expression)
     for function, by_sine_and_cosine in _QUOTIENTS.items():
         expression = expression.replace(function, by_sine_and_cosine)
     atoms = sorted(_atoms(expression), key=sp.default_sort_key)
@@ -162,10 +163,17 @@ def _with_atoms(expression: Any) -> Any:
         return sp.Integer(0)
     constant, powers = below.as_independent(*symbols, as_Add=False)
     if powers.is_Add or constant.is_Add:
+        if is_number:
+            _require_short(above, below)
         above, below = sp.fraction(sp.cancel(above / below))
         constant, powers = below.as_independent(*symbols, as_Add=False)
     quotient = _polynomial(_on_circles(above / constant, circles), symbols) / powers
     return quotient.xreplace(dict(zip(symbols, atoms, strict=True)))
+
+
+def _require_short(*expressions: Any) -> None:
+    if sum(expression.count_ops() for expression in expressions) > MOST_OPERATIONS:
+        raise NotDecided(f"a number grows beyond {MOST_OPERATIONS} operations")
 
 
 def _on_circles(polynomial: Any, circles: list[tuple[Any, Any]]) -> Any:
