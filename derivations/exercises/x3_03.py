@@ -1,5 +1,29 @@
 """Exercise 3.3: the surface swept by all lines that meet three given lines."""
 
+from chasles.derivations.exercises.three_lines import (
+    M,
+    constant_part,
+    determinant_of_M,
+    determinant_of_quadric,
+    e1,
+    e2,
+    e3,
+    g,
+    h,
+    linear_part,
+    locus_is_a_quadric,
+    moments,
+    mu_12,
+    mu_23,
+    mu_31,
+    mutual_moments,
+    p1,
+    p2,
+    p3,
+    quadratic_part,
+    triple,
+    whole,
+)
 from chasles.derivations.notation import p
 
 from chasles.exact.data import DataError
@@ -9,77 +33,13 @@ from chasles.exact.numbers import is_zero, sign
 from chasles.exact.picture import Curve, Line, Picture, Point
 from chasles.exact.quadrics import PARAMETER, kind_of, signature_of, transversal
 from chasles.exact.sheet import Sheet
-from chasles.statements import Claim, Definition
 from chasles.statements.exercise import Datum, Exercise, ListOf, Tuple, vector_shape
 from chasles.vocabulary import (
-    LENGTH,
-    Node,
-    cross,
     det,
-    dot,
     inverse,
-    matrix,
     number,
     over,
-    paren,
-    row,
-    scalar,
-    square,
-    vector,
 )
-
-p1, p2, p3 = (vector(f"p_{k}", f"p_{k}", f"position of a point of line {k}", LENGTH) for k in (1, 2, 3))
-e1, e2, e3 = (vector(f"e_{k}", f"e_{k}", f"direction of line {k}, of any length") for k in (1, 2, 3))
-n1, n2, n3 = (vector(f"n_{k}", f"n_{k}", f"moment of line {k} about the origin", LENGTH) for k in (1, 2, 3))
-m1, m2, m3 = (vector(f"m_{k}", f"m_{k}", f"moment of line {k} about P", LENGTH) for k in (1, 2, 3))
-mu_12, mu_23, mu_31 = (scalar(f"mu_{k}", rf"\mu_{{{k}}}", f"moment of lines {k}", LENGTH) for k in (12, 23, 31))
-M = square("M", "M", "matrix of the quadric", LENGTH)
-g = vector("g", "g", "linear part of the quadric", LENGTH**2)
-h = scalar("h", "h", "constant of the quadric", LENGTH**3)
-triple = det(row(e1, e2, e3))
-whole = matrix((M, over(1, 2) * g), (over(1, 2) * g.T, h))
-
-
-def _symmetric(n: Node, c: Node) -> Node:
-    return n @ c.T + c @ n.T
-
-
-moments = tuple(
-    Definition("Ex 3.3", n, cross(a, e), part=k, says=f"The moment of line {k} about the origin.")
-    for k, (n, a, e) in enumerate(((n1, p1, e1), (n2, p2, e2), (n3, p3, e3)), 1)
-)
-moments_about_p = tuple(
-    Definition("Ex 3.3", m, cross(a - p, e), part=k, says=f"The moment of line {k} about P.")
-    for k, (m, a, e) in enumerate(((m1, p1, e1), (m2, p2, e2), (m3, p3, e3)), 4)
-)
-mutual_moments = tuple(
-    Definition("Ex 3.3", mu, dot(cross(a - b, d), e), part=k, says="The moment of one line about another.")
-    for k, (mu, a, b, d, e) in enumerate(((mu_12, p1, p2, e1, e2), (mu_23, p2, p3, e2, e3), (mu_31, p3, p1, e3, e1)), 7)
-)
-c23, c31, c12 = cross(e2, e3), cross(e3, e1), cross(e1, e2)
-quadratic_part = Definition(
-    "Ex 3.3", M, over(1, 2) * paren(_symmetric(n1, c23) + _symmetric(n2, c31) + _symmetric(n3, c12)), part=10,
-    says="The matrix of the quadric.",
-)  # fmt: skip
-linear_part = Definition(
-    "Ex 3.3", g, -cross(e1, cross(n2, n3)) - cross(e2, cross(n3, n1)) - cross(e3, cross(n1, n2)), part=11,
-    says="Its linear part.",
-)  # fmt: skip
-constant_part = Definition("Ex 3.3", h, dot(n1, cross(n2, n3)), part=12, says="Its constant.")
-_parts = (*moments, quadratic_part, linear_part, constant_part)
-
-locus_is_a_quadric = Claim(
-    "Ex 3.3", dot(m1, cross(m2, m3)), p.T @ M @ p + g.T @ p + h, part=13, given=(*_parts, *moments_about_p),
-    says="A line through P meets all three lines if their moments about P are normal to it, hence lie in one plane.",
-)  # fmt: skip
-determinant_of_M = Claim(
-    "Ex 3.3", det(M), over(1, 4) * triple * mu_12 * mu_23 * mu_31, part=14, given=(*_parts, *mutual_moments),
-    says="det M vanishes if two of the lines are in one plane, or all three are parallel to one; and not else.",
-)  # fmt: skip
-determinant_of_quadric = Claim(
-    "Ex 3.3", det(whole), over(1, 16) * paren(mu_12 * mu_23 * mu_31) ** 2, part=15, given=(*_parts, *mutual_moments),
-    says="The quadric is degenerate if two of the lines are in one plane, and not else.",
-)  # fmt: skip
 
 
 def solve(sheet: Sheet) -> str:

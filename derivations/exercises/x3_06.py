@@ -11,9 +11,11 @@ from chasles.exact.sheet import Sheet
 from chasles.statements.exercise import Datum, Exercise, vector_shape
 
 DERIVED = (
-    "The book shows the frames only in a figure. Read from the text: the triangular faces are normal to the cube's "
-    "diagonal along (1, 1, 1), to which X'' is brought, i'' being all positive; C' = (0, 1, 0) is opposite to "
-    "C = (1, 0, 1), and j'' is normal to i'' and to CC', its Z-component positive; k'' = i'' x j''."
+    "The book shows the frames only in a figure. Read from the text: Y is parallel to D'C', and C' = (0, 1, 0), so "
+    "that the vertex cut off next to C' is the origin, and the other is (1, 1, 1): both triangles are normal to "
+    "(1, 1, 1). That is the direction of X'': in the planes, i'' could not be all positive; and j'' is normal to CC', "
+    "C = (1, 0, 1), which (1, 1, 1) is not. So j'' is along i'' x CC', its Z-component positive, and k'' = i'' x j''. "
+    "In the reference pose, the axes of F' are parallel to those of F."
 )
 
 
@@ -39,7 +41,8 @@ def solve(sheet: Sheet) -> str:
         axis = (Line(sheet.answers["p0"], sheet.answers["e"], "screw axis"), Point(sheet.answers["p0"], "P_0"))
         frame = tuple(Arrow(sheet["c"], sheet[name], f"{name}''") for name in "ijk")
         points = (Point(sheet["p"], "P"), Point(sheet["c"], "C'"))
-        sheet.picture = Picture("The gripper's frame after its motion, and the screw axis", (*axis, *frame, *points))
+        title = "The gripper's frame after its motion, and the screw axis"
+        sheet.picture = Picture(title, (*axis, *frame, *points), view=(22, -35))
     return status
 
 

@@ -107,4 +107,5 @@ exercise = Exercise(
     solve=solve,
     instance=instance,
     symbols={"e": (e,), "p": (p_0, p), "n0": (n,)},
+    orders=(("e_candidates", "p_candidates"),),
 )

@@ -117,4 +117,5 @@ exercise = Exercise(
     ),
     solve=solve,
     instance=instance,
+    symbols={"V": (m,), "centroid": (c,), "I_C_over_rho": (I_C,)},
 )

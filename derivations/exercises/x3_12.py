@@ -14,6 +14,7 @@ from chasles.exact.bodies import (
     whole_prism,
 )
 from chasles.exact.data import DataError
+from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value, column_of
 from chasles.exact.numbers import compare, normal
 from chasles.exact.outlines import prism_edges, section_of
@@ -45,7 +46,7 @@ def solve(sheet: Sheet) -> str:
         *part(sheet, "rest", rest, side),
     )
     together(sheet, whole, wedge, rest)
-    sheet.picture = Picture("The two parts of the prism, with their principal axes", drawn)
+    sheet.picture = Picture("The two parts of the prism, C_w and C_r their centers of mass", drawn)
     return "ok"
 
 
@@ -84,7 +85,7 @@ def part(sheet: Sheet, name: str, body: Body, size: Value) -> tuple[Arrow | Poin
         "tan_2theta": tangent,
     }
     sheet.answer(**{f"{name}.{key}": value for key, value in found.items()})
-    return drawn_axes(sheet, axes, size, f"C of {whose}", labelled=name == "wedge")
+    return drawn_axes(sheet, axes, size, f"C_{name[0]}", labelled=name == "wedge")
 
 
 def together(sheet: Sheet, whole: Body, wedge: Body, rest: Body) -> None:
@@ -101,6 +102,11 @@ def together(sheet: Sheet, whole: Body, wedge: Body, rest: Body) -> None:
         (about_origin[0] + about_origin[1], whole.inertia),
         "Moved to the origin, the moments of inertia of the parts add up to the prism's.",
     )
+
+
+def instance(draw: Draw) -> dict[str, Value]:
+    """A prism of whole numbers, cut through its far side or through its top."""
+    return {"side": draw.integer(1, 6), "height": draw.integer(1, 12), "angle_deg": draw.among((30, 45, 60))}
 
 
 exercise = Exercise(
@@ -128,4 +134,6 @@ exercise = Exercise(
         CHOICE_OF_AXES,
     ),
     solve=solve,
+    instance=instance,
+    axes={f"{name}.axes": f"{name}.I_C_over_rho" for name in ("wedge", "rest")},
 )

@@ -87,4 +87,5 @@ exercise = Exercise(
     },
     solve=solve,
     instance=instance,
+    symbols={"centroid": (c,), "total_mass": (m,), "I_C": (I_C,)},
 )

@@ -141,4 +141,5 @@ exercise = Exercise(
     ),
     solve=solve,
     instance=instance,
+    symbols={"I_P": (I_A,)},
 )

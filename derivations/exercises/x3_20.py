@@ -144,4 +144,5 @@ exercise = Exercise(
     ),
     solve=solve,
     instance=instance,
+    symbols={"M_A": (M_A,), "B": (B_node,), "P": (P_node,), "det": (det(M_A),)},
 )

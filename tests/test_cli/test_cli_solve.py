@@ -38,6 +38,17 @@ def test_decimals_stand_beside_what_is_not_rational(run) -> None:
     assert "d = |n| = sqrt(2)  ≈ 1.41421" in run("solve", "3.5").stdout
 
 
+def test_decimals_stand_below_what_is_long(run) -> None:
+    lines = run("solve", "3.6").stdout.splitlines()
+    below = [line.strip() for line in lines if line.lstrip().startswith("≈")]
+    assert "≈ (-0.268675, -0.47189, 0.256573)" in below
+
+
+def test_lists_have_decimals(run) -> None:
+    found = run("solve", "3.15").stdout
+    assert re.search(r"moments_P .*≈ \(3\.38197, 5\.61803, 7\)", found)
+
+
 def test_data_from_a_file_and_from_standard_input(run, tmp_path: Path) -> None:
     file = tmp_path / "my.json"
     file.write_text('{"nB": [0, 1, "3"]}', "utf-8")

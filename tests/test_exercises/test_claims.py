@@ -13,7 +13,7 @@ from chasles.proof.verdict import Fails
 from chasles.statements import Claim, Theorem
 from chasles.vocabulary import Negative
 
-MODULES = ("x3_13", "x3_14", "x3_15", "x3_16", "x3_17", "x3_18", "x3_20", "x3_21")
+MODULES = ("x3_13", "x3_14", "x3_15", "x3_16", "x3_17", "x3_18", "x3_20", "relative_acceleration")
 FAILING = ("accelerations_are_orthogonal",)
 
 

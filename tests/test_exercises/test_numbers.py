@@ -134,3 +134,16 @@ def test_cosines_of_rational_angles(text: str, zero: bool) -> None:
 
 def test_fractions_are_exact() -> None:
     assert normal(Fraction(1, 3)) == sp.Rational(1, 3)
+
+
+@pytest.mark.parametrize("text", ["sqrt(sin(1)) + cos(1)", "sqrt(1 + 2*sin(1)^2)", "sqrt(sin(1)^3) - sin(2)"])
+def test_roots_of_sines_are_known_not_to_vanish(text: str) -> None:
+    value = read_number(text)
+    assert not is_zero(value)
+    assert sign(value) == mpmath.sign(in_digits(value))
+
+
+def test_a_number_that_grows_too_long_is_declined() -> None:
+    value = sp.prod(sp.sin(sp.Rational(1, k)) + sp.sqrt(sp.sin(1)) * k for k in range(1, 200))
+    with pytest.raises(NotDecided, match="beyond 800 operations"):
+        is_zero(value)

@@ -14,10 +14,13 @@ from chasles.derivations.s02_screw import (
     screw_axis_point,
 )
 from chasles.derivations.s04_twist import natural_invariants
+from sympy.polys.polyerrors import PolynomialError
 
+from chasles.exact.data import DataError
 from chasles.exact.evaluate import DividesByZero, NoValue, column_of, evaluate, matrix_of
 from chasles.exact.linear import kernel_of, rank_of, solve_linear
-from chasles.exact.sheet import HypothesisFails, Refuted, Sheet
+from chasles.exact.sheet import HypothesisFails, Refuted, Sheet, equal
+from chasles.exact.solving import solve_with
 from chasles.statements import Claim, Condition, rotation
 from chasles.vocabulary import CPM, cos, cross, det, dot, inverse, norm, number, over, rate, row, sin, tr, vect
 
@@ -157,3 +160,17 @@ def test_a_displacement_of_any_point() -> None:
     sheet.compute(displacement_of_landmark)
     expected = sp.Matrix([0, 0, 1]) + TURN * (x - sp.Matrix([1, 0, 0])) - x
     assert same(sheet.compute(displacement_of_a_point), expected)
+
+
+def test_sines_in_the_data_are_solved_with() -> None:
+    answers = solve_with("3.21", {"omega": ["sin(1)", 1, 0]}).answers
+    assert equal(answers["norm_O2"] ** 2, 2 * (1 + sp.sin(1) ** 2) ** 2)
+
+
+def test_polynomials_that_are_not_known_are_refused_in_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(*_: object) -> None:
+        raise PolynomialError("no generators")
+
+    monkeypatch.setattr("chasles.exact.solving.read_data", fail)
+    with pytest.raises(DataError, match="give numbers that square roots express"):
+        solve_with("3.5", {})

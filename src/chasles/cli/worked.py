@@ -14,6 +14,8 @@ from chasles.exact.spelling import decimal_text, text_of
 
 __all__ = ["worked_page"]
 
+WIDE = 100
+
 
 def worked_page(solution: Solution, signs: bool) -> Iterator[RenderableType]:
     """The whole sheet; `signs` says whether more than ASCII can be shown."""
@@ -49,9 +51,15 @@ def _step(mark: str, step: Step | Check, signs: bool) -> RenderableType:
 
 
 def _formula(line: Line, signs: bool) -> Text:
-    shown = Text(f"    {line.text}")
-    if line.decimals:
-        shown.append(f"  {'≈' if signs else '~'} {line.decimals}", "dim")
+    return _with_decimals(f"    {line.text}", line.decimals, signs, "    ")
+
+
+def _with_decimals(text: str, decimals: str, signs: bool, indent: str = "") -> Text:
+    """The text with its decimals: beside it, or below where both are long."""
+    shown = Text(text)
+    if decimals:
+        between = "  " if len(text) + len(decimals) < WIDE else f"\n{indent}"
+        shown.append(f"{between}{'≈' if signs else '~'} {decimals}", "dim")
     return shown
 
 
@@ -60,9 +68,5 @@ def _answers(solution: Solution, signs: bool) -> RenderableType:
     grid.add_column(style="cyan", no_wrap=True)
     grid.add_column(overflow="fold")
     for name, value in solution.answers.items():
-        shown = Text(text_of(value))
-        decimals = "" if isinstance(value, str | bool | list | dict | tuple) or value is None else decimal_text(value)
-        if decimals:
-            shown.append(f"  {'≈' if signs else '~'} {decimals}", "dim")
-        grid.add_row(name, shown)
+        grid.add_row(name, _with_decimals(text_of(value), decimal_text(value), signs))
     return grid

@@ -24,7 +24,10 @@ def is_of_rational_angle(atom: Any) -> bool:
 
 
 def in_one_angle(expression: Any) -> Any:
-    """The expression with all such cosines and sines written in C and S; None without any, or where it grows large."""
+    """The expression with all such cosines and sines written in C and S.
+
+    None without any, where it grows large, and where it is no quotient of polynomials in them.
+    """
     atoms = [atom for atom in expression.atoms(sp.cos, sp.sin) if is_of_rational_angle(atom)]
     if not atoms:
         return None
@@ -32,7 +35,8 @@ def in_one_angle(expression: Any) -> Any:
     times = {atom: int(atom.args[0] * below) for atom in atoms}
     if max(map(abs, times.values()), default=0) > LARGEST_MULTIPLE:
         return None
-    return expression.xreplace({atom: _multiple(k)[isinstance(atom, sp.sin)] for atom, k in times.items()})
+    written = expression.xreplace({atom: _multiple(k)[isinstance(atom, sp.sin)] for atom, k in times.items()})
+    return written if written.is_rational_function(C, S) else None
 
 
 def without_squares(polynomial: Any, cosine: Any = C, sine: Any = S) -> Any:

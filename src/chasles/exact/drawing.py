@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from math import nan
+from itertools import pairwise
+from math import hypot, nan
 from typing import Any
 
 from sympy import lambdify
@@ -16,6 +17,9 @@ __all__ = ["drawn"]
 BLACK, ORANGE, BLUE, GREEN, RED, GREY = "#000000", "#E69F00", "#0072B2", "#009E73", "#D55E00", "#999999"
 COLOURS = (BLUE, RED, GREEN, ORANGE)
 SAMPLES = 360
+LABEL_REACH, LETTER = 0.005, 0.003
+"""From a point to the line of a name beside it, and the width of a letter, in the units of the picture's plane."""
+SIDES = ((1, 1), (1, 0), (1, -1), (0, 1), (0, -1), (-1, 1), (-1, 0), (-1, -1))
 
 
 def drawn(picture: Picture) -> Any:
@@ -57,6 +61,7 @@ def _draw_graph(axes: Any, title: str, graph: Graph) -> None:
         axes.plot(places, heights, styles[place % 4], color=COLOURS[place % 4], label=label)
     axes.set_title(title, fontsize=11, wrap=True)
     axes.set_xlabel(graph.unit)
+    axes.set_ylabel("no unit")
     axes.set_ylim(0, graph.most)
     axes.grid(color="#DDDDDD")
     axes.legend(fontsize=9)
@@ -81,11 +86,13 @@ class _Drawing:
         for item in self.picture.items:
             self._item(item)
         for axis, name, low, high in zip("xyz", self.picture.axes, self.low, self.high, strict=True):
-            getattr(self.axes, f"set_{axis}label")(name)
+            getattr(self.axes, f"set_{axis}label")(name, labelpad=8)
             getattr(self.axes, f"set_{axis}lim")(low, high)
-            getattr(self.axes, f"{axis}axis").set_major_locator(MaxNLocator(5))
-        self.axes.set_aspect("equal")
-        self.axes.view_init(elev=22, azim=35)
+            getattr(self.axes, f"{axis}axis").set_major_locator(MaxNLocator(4))
+        spans = [high - low for low, high in zip(self.low, self.high, strict=True)]
+        self.axes.set_box_aspect(spans, zoom=0.86)
+        self.axes.view_init(elev=self.picture.view[0], azim=self.picture.view[1])
+        self._labels()
         if any(item.label for item in self.picture.items if not isinstance(item, Point | Graph)):
             self.axes.legend(loc="upper left", fontsize=8, framealpha=0.9)
 
@@ -98,16 +105,57 @@ class _Drawing:
                     self.axes.plot(*zip(_at(start), _at(end), strict=True), **style, **name)
             case Line(point, direction, label):
                 ends = _clipped(_at(point), _at(direction), self.low, self.high)
-                style = {"color": self._colour(), "linewidth": 2, "label": label} if label else {"color": GREY}
-                self.axes.plot(*zip(*ends, strict=True), **style)
+                colour, width = (self._colour(), 2) if label else (GREY, 0.9)
+                self.axes.plot(*zip(*ends, strict=True), color=colour, linewidth=width, label=label or None)
             case Arrow(start, vector, label):
                 self.axes.quiver(*_at(start), *_at(vector), color=self._colour(), linewidth=1.8,
                                  arrow_length_ratio=0.12, label=label or None)  # fmt: skip
             case Point(at, label):
                 self.axes.scatter(*([c] for c in _at(at)), color=BLACK, s=18, depthshade=False)
-                self.axes.text(*_at(at), f" {label}", fontsize=10, path_effects=self._halo, va="bottom", zorder=9)
             case Curve(points, label):
                 self.axes.plot(*zip(*map(_at, points), strict=True), color=self._colour(), label=label or None)
+
+    def _labels(self) -> None:
+        """The names of points, each on the side where it is farthest from what is drawn and from other names."""
+        taken = [self._flat(place) for ends in self._drawn() for place in _between(*ends)]
+        for item in self.picture.items:
+            if not isinstance(item, Point):
+                continue
+            x, y = self._flat(_at(item.at))
+            half = LETTER * len(item.label) / 2
+            names = [[(x + LABEL_REACH * a + half * (a + k / 2), y + LABEL_REACH * b) for k in range(-2, 3)]
+                     for a, b in SIDES]  # fmt: skip
+            room = [min(hypot(u - s, v - t) for u, v in name for s, t in taken) for name in names]
+            best = max(range(len(SIDES)), key=lambda k: (round(room[k], 6), -k))
+            a, b = SIDES[best]
+            taken += names[best]
+            self.axes.annotate(
+                item.label, (x, y), xytext=(6 * a, 6 * b), textcoords="offset points", fontsize=10, zorder=9,
+                ha=("right", "center", "left")[a + 1], va=("top", "center", "bottom")[b + 1],
+                path_effects=self._halo,
+            )  # fmt: skip
+
+    def _flat(self, place: tuple[float, ...]) -> tuple[float, float]:
+        """The place in the plane of the picture."""
+        x, y, _, scale = self.axes.get_proj() @ (*place, 1.0)
+        return float(x / scale), float(y / scale)
+
+    def _drawn(self) -> list[tuple[tuple[float, ...], tuple[float, ...]]]:
+        """The segments that are drawn."""
+        found = []
+        for item in self.picture.items:
+            match item:
+                case Body(edges):
+                    found += [(_at(start), _at(end)) for start, end in edges]
+                case Line(point, direction):
+                    found.append(_clipped(_at(point), _at(direction), self.low, self.high))
+                case Arrow(start, vector):
+                    found.append((_at(start), _sum(_at(start), _at(vector))))
+                case Curve(points):
+                    found += pairwise(map(_at, points))
+                case Point(at):
+                    found.append((_at(at), _at(at)))
+        return found
 
     def _colour(self) -> str:
         self.taken += 1
@@ -116,6 +164,15 @@ class _Drawing:
 
 def _at(point: Any) -> tuple[float, ...]:
     return tuple(float(normal(entry)) for entry in point)
+
+
+def _sum(one: tuple[float, ...], other: tuple[float, ...]) -> tuple[float, ...]:
+    return tuple(a + b for a, b in zip(one, other, strict=True))
+
+
+def _between(start: tuple[float, ...], end: tuple[float, ...]) -> list[tuple[float, ...]]:
+    """Places along a segment, close enough to keep a name off it."""
+    return [tuple(a + (b - a) * k / 40 for a, b in zip(start, end, strict=True)) for k in range(41)]
 
 
 def _points(picture: Picture) -> list[tuple[float, ...]]:
@@ -127,7 +184,7 @@ def _points(picture: Picture) -> list[tuple[float, ...]]:
             case Line(point):
                 found.append(_at(point))
             case Arrow(start, vector):
-                found += [_at(start), tuple(a + b for a, b in zip(_at(start), _at(vector), strict=True))]
+                found += [_at(start), _sum(_at(start), _at(vector))]
             case Point(at):
                 found.append(_at(at))
             case Curve(points):
@@ -136,11 +193,13 @@ def _points(picture: Picture) -> list[tuple[float, ...]]:
 
 
 def _box(picture: Picture) -> tuple[list[float], list[float]]:
-    """The corners of a cube around everything, a third wider."""
+    """The corners of a box around everything, a sixth of its longest side wider; no side is less than half of that."""
     columns = list(zip(*_points(picture), strict=True))
-    half = max(max(column) - min(column) for column in columns) * 2 / 3 or 1.0
+    longest = max(max(column) - min(column) for column in columns) or 2.0
+    halves = [max(max(column) - min(column), longest / 2) / 2 + longest / 12 for column in columns]
     middles = [(max(column) + min(column)) / 2 for column in columns]
-    return [m - half for m in middles], [m + half for m in middles]
+    return ([m - half for m, half in zip(middles, halves, strict=True)],
+            [m + half for m, half in zip(middles, halves, strict=True)])  # fmt: skip
 
 
 def _clipped(point: tuple[float, ...], way: tuple[float, ...], low: list[float], high: list[float]) -> Any:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from itertools import product
+from itertools import permutations, product
 from typing import Any
 
 import sympy as sp
@@ -14,12 +14,22 @@ from chasles.exact.draw import Draw
 from chasles.exact.evaluate import DividesByZero, NoValue, matrix_of
 from chasles.exact.grammar import NotANumber, read_number
 from chasles.exact.numbers import is_zero, normal
+from chasles.exact.principal_axes import in_axes
+from chasles.exact.roots import Root, X, place_of, same_number
 from chasles.exact.sheet import Sheet, equal
+from chasles.exact.solution import Solution, cited
 from chasles.exact.solving import solved_on_sheet
+from chasles.exact.spelling import text_of
 from chasles.statements.exercise import Exercise
 from chasles.vocabulary import Call
 
 __all__ = ["Grade", "grade", "new_data"]
+
+MOST_REORDERED = 4
+MOST_COEFFICIENTS = 13
+MOST_STEPS = 3
+LONGEST_ANSWER = 2000
+"""Characters; what is printed as an answer can be given back as one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,18 +66,48 @@ def grade(exercise: Exercise, data: Mapping[str, Any], given: Mapping[str, Any])
             raise DataError(f"{name!r} is no answer of exercise {exercise.number}: {', '.join(expected)} are")
     answers = {name: _read(value, expected[name], name) for name, value in given.items()}
     wrong = _fewest_wrong(exercise, expected, answers)
+    violated = [*_violated(exercise, sheet, answers), *_sources(solution, wrong)] if wrong else []
     return Grade(
         tuple(name for name in answers if name not in wrong),
         tuple(wrong),
         tuple(name for name in solution.answers if name not in answers),
-        tuple(_violated(exercise, sheet, answers)) if wrong else (),
+        tuple(dict.fromkeys(violated)),
     )
 
 
+def _sources(solution: Solution, wrong: list[str]) -> list[str]:
+    """The steps whose equations give what is wrong: none for a plain number, or a word, that stands in several."""
+    found = []
+    for name in wrong:
+        value = solution.answers.get(name)
+        parts = [value, *value] if isinstance(value, list) else [value]
+        endings = tuple(f" = {text_of(part)}" for part in parts)
+        steps = [step for step in solution.steps if any(line.text.endswith(endings) for line in step.lines)]
+        if len(steps) == 1 or (steps and hasattr(value, "__len__") and not isinstance(value, str)):
+            found += [f"{name}: {step.says} {cited(step.cites)}".rstrip() for step in steps[:MOST_STEPS]]
+    return found
+
+
 def _fewest_wrong(exercise: Exercise, expected: Mapping[str, Any], answers: Mapping[str, Any]) -> list[str]:
-    """What is wrong under the choice of signs under which least is."""
-    choices = product((1, -1), repeat=len(exercise.signs))
-    return min((_wrong(exercise, expected, answers, turns) for turns in choices), key=len)
+    """What is wrong under the choice of signs, and of orders, under which least is."""
+    signs = product((1, -1), repeat=len(exercise.signs))
+    choices = product(signs, _reordered(exercise, expected))
+    return min((_wrong(exercise, known, answers, turns) for turns, known in choices), key=len)
+
+
+def _reordered(exercise: Exercise, expected: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    """The expected answers with the lists of each group in every order that they have in common."""
+    found = [expected]
+    for group in exercise.orders:
+        lists = {name: expected[name] for name in group if isinstance(expected.get(name), list)}
+        size = max(map(len, lists.values()), default=0)
+        if 1 < size <= MOST_REORDERED:
+            found = [
+                {**known, **{name: [whole[k] for k in order] for name, whole in lists.items()}}
+                for known in found
+                for order in permutations(range(size))
+            ]
+    return found
 
 
 def _wrong(
@@ -77,8 +117,25 @@ def _wrong(
     return [
         name
         for name, value in answers.items()
-        if not _same(turned.get(name, 1), expected[name], value, name in exercise.turns)
+        if not (
+            _along_axes(expected[exercise.axes[name]], expected[name], value)
+            if name in exercise.axes
+            else _same(turned.get(name, 1), expected[name], value, name in exercise.turns)
+        )
     ]
+
+
+def _along_axes(matrix: Any, expected: Any, rows: Any) -> bool:
+    """Whether the rows are principal axes of the matrix, of any length, normal to each other, in the same order."""
+    if not hasattr(rows, "shape") or rows.shape != expected.shape:
+        return False
+    moments = (in_axes(matrix, expected), expected * expected.T)
+    found = (in_axes(matrix, rows), rows * rows.T)
+    sizes = [found[1][k, k] for k in range(rows.shape[0])]
+    if any(map(is_zero, sizes)):
+        return False
+    lengths = sp.diag(*(size / moments[1][k, k] for k, size in enumerate(sizes)))
+    return all(equal(mine, lengths * theirs) for mine, theirs in zip(found, moments, strict=True))
 
 
 def _same(turn: int, expected: Any, value: Any, is_angle: bool) -> bool:
@@ -94,6 +151,8 @@ def _same(turn: int, expected: Any, value: Any, is_angle: bool) -> bool:
             )
         case sp.MatrixBase():
             return not isinstance(value, str | dict | list) and value is not None and equal(expected * turn, value)
+    if isinstance(expected, Root) or isinstance(value, Root):
+        return turn == 1 and same_number(expected, value)
     if is_angle:
         return bool((normal(value - turn * expected) / (2 * sp.pi)).is_integer)
     return value is not None and is_zero(value - turn * expected)
@@ -125,6 +184,8 @@ def _read(value: Any, expected: Any, name: str) -> Any:
             return value
         case dict(), dict():
             return {key: _read(part, expected.get(key), f"{name}.{key}") for key, part in value.items()}
+        case dict(), _ if "root_of" in value:
+            return _read_root(value, name)
         case list(), sp.MatrixBase():
             rows = [row if isinstance(row, list) else [row] for row in value]
             if [len(row) for row in rows] != [expected.shape[1]] * expected.shape[0]:
@@ -135,10 +196,29 @@ def _read(value: Any, expected: Any, name: str) -> Any:
             return [_read(part, like, name) for part, like in zip(value, parts, strict=True)]
         case str(), _:
             try:
-                return normal(read_number(value))
+                return normal(read_number(value, LONGEST_ANSWER))
             except NotANumber as error:
                 raise DataError(f"{name}: {error}") from None
         case _:
             if isinstance(value, list | dict) or not hasattr(value, "__abs__"):
                 raise DataError(f"{name}: expected {'a number' if not isinstance(expected, str) else 'a word'}")
             return normal(read_number(str(value)))
+
+
+def _read_root(value: Mapping[str, Any], name: str) -> Any:
+    """A real root of an integer polynomial: a number where square roots express it, else the place of the root."""
+    coefficients, index = value["root_of"], value.get("index")
+    if not (
+        isinstance(coefficients, list)
+        and 2 <= len(coefficients) <= MOST_COEFFICIENTS
+        and all(isinstance(c, int) and not isinstance(c, bool) for c in coefficients)
+        and coefficients[0]
+        and isinstance(index, int)
+    ):
+        raise DataError(f'{name}: expected {{"root_of": [integers, highest first], "index": from 0}}')
+    polynomial = sp.Poly(coefficients, X)
+    if not 0 <= index < polynomial.count_roots():
+        raise DataError(f"{name}: index: expected 0 to {polynomial.count_roots() - 1}, and got {index}")
+    root = sp.CRootOf(polynomial, index)
+    found = place_of(polynomial, root.evalf) if root.has(sp.CRootOf) else root
+    return found if isinstance(found, Root) and len(found.coefficients) > 3 else normal(root)

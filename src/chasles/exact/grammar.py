@@ -44,14 +44,14 @@ class _Token:
     at: int
 
 
-def read_number(text: str) -> Any:
+def read_number(text: str, longest: int = LONGEST) -> Any:
     """The exact real number that the text says, as a SymPy number.
 
-    Raises NotANumber, which names the character, for text outside the grammar, of more than 200 characters, with an
-    exponent that is no integer or beyond 64, or without a real and finite value.
+    Raises NotANumber, which names the character, for text outside the grammar, of more than `longest` characters, with
+    an exponent that is no integer or beyond 64, or without a real and finite value.
     """
-    if len(text) > LONGEST:
-        raise NotANumber(text, LONGEST, f"a number has at most {LONGEST} characters")
+    if len(text) > longest:
+        raise NotANumber(text, longest, f"a number has at most {longest} characters")
     return _Reader(text).whole()
 
 

@@ -15,12 +15,15 @@ import mpmath
 import sympy as sp
 
 from chasles.exact.circular import C, S, in_one_angle, without_squares
-from chasles.exact.tower import NegativeRadicand, Surd, Tower
+from chasles.exact.square_roots import NotInTower, in_tower, is_surd, spelled
+from chasles.exact.tower import NegativeRadicand, Tower
 
 __all__ = ["NotDecided", "angle", "compare", "decimals", "is_zero", "normal", "root", "sign"]
 
 DIGITS = 30
 MOST_DIGITS = 500
+MOST_OPERATIONS = 800
+"""In a number that square roots do not express: beyond, expanding it may take hours."""
 LARGEST_TURN = 1000
 """Denominators of multiples of pi that an angle is compared with."""
 
@@ -35,10 +38,6 @@ _QUOTIENTS = {
 
 class NotDecided(ArithmeticError):
     """Nothing that is known decides whether the number is zero."""
-
-
-class _NotInTower(ValueError):
-    """The number is not made by square roots alone."""
 
 
 def normal(value: Any) -> Any:
@@ -57,15 +56,15 @@ def _normal(expression: Any) -> Any:
         return expression
     try:
         tower = Tower()
-        return _spelled(tower, _in_tower(tower, expression))
-    except _NotInTower:
+        return spelled(tower, in_tower(tower, expression))
+    except NotInTower:
         return _with_atoms(expression)
 
 
 def is_zero(value: Any) -> bool:
     """Whether the value is zero; raises NotDecided where nothing decides it."""
     expression = normal(value)
-    if expression.is_Rational or _is_surd(expression) or expression.free_symbols:
+    if expression.is_Rational or is_surd(expression) or expression.free_symbols:
         return bool(expression == 0)
     if expression.is_algebraic:
         x = sp.Dummy("x")
@@ -85,8 +84,8 @@ def sign(value: Any) -> int:
         return int(sp.sign(expression))
     try:
         tower = Tower()
-        return tower.sign(_in_tower(tower, expression))
-    except _NotInTower:
+        return tower.sign(in_tower(tower, expression))
+    except NotInTower:
         pass
     if expression.free_symbols:
         raise NotDecided(f"the sign of {expression} depends on what its symbols stand for")
@@ -146,62 +145,11 @@ def _chebyshev(cosine: Any, times: int) -> Any:
     return here
 
 
-def _in_tower(tower: Tower, expression: Any) -> Surd:
-    if expression.is_Rational:
-        return Fraction(int(expression.p), int(expression.q))
-    if expression.is_Add:
-        return reduce(tower.add, [_in_tower(tower, term) for term in expression.args])
-    if expression.is_Mul:
-        return reduce(tower.multiply, [_in_tower(tower, factor) for factor in expression.args])
-    if expression.is_Pow and expression.exp.is_Rational:
-        return _power(tower, expression.base, int(expression.exp.p), int(expression.exp.q))
-    if isinstance(expression, sp.cos | sp.sin | sp.tan) and (expression.args[0] / sp.pi).is_Rational:
-        written = expression.rewrite(sp.sqrt)
-        if not written.has(sp.cos, sp.sin, sp.tan):
-            return _in_tower(tower, written)
-    if isinstance(expression, sp.cos | sp.sin | sp.tan):
-        written = sp.expand_trig(expression)
-        if written != expression:
-            return _in_tower(tower, written)
-    raise _NotInTower(expression)
-
-
-def _power(tower: Tower, base: Any, above: int, below: int) -> Surd:
-    if below & (below - 1):
-        raise _NotInTower(base)
-    value = _in_tower(tower, base)
-    while below > 1:
-        value, below = tower.root(value), below // 2
-    if above < 0:
-        value = tower.inverse(value)
-    one: Surd = Fraction(1)
-    return reduce(tower.multiply, [value] * abs(above), one)
-
-
-def _spelled(tower: Tower, x: Surd) -> Any:
-    if isinstance(x, Fraction):
-        return sp.Rational(x.numerator, x.denominator)
-    level, a, b = x
-    radicand = tower.radicands[level - 1]
-    inside = sp.sqrt(_spelled(tower, radicand))
-    if isinstance(radicand, Fraction):
-        return _spelled(tower, a) + sp.expand_mul(_spelled(tower, b) * inside)
-    above, below = _spelled(tower, b), _spelled(tower, tower.multiply(b, radicand))
-    # Whichever is shorter: b sqrt(r), or b r / sqrt(r).
-    shorter = above * inside if len(str(above)) <= len(str(below)) else below / inside
-    return _spelled(tower, a) + shorter
-
-
-def _is_surd(expression: Any) -> bool:
-    try:
-        _in_tower(Tower(), expression)
-    except _NotInTower:
-        return False
-    return True
-
-
 def _with_atoms(expression: Any) -> Any:
     """A quotient of polynomials in what is no surd, with surds in normal form as coefficients."""
+    is_number = not expression.free_symbols
+    if is_number:
+        _require_short(expression)
     for function, by_sine_and_cosine in _QUOTIENTS.items():
         expression = expression.replace(function, by_sine_and_cosine)
     atoms = sorted(_atoms(expression), key=sp.default_sort_key)
@@ -215,10 +163,17 @@ def _with_atoms(expression: Any) -> Any:
         return sp.Integer(0)
     constant, powers = below.as_independent(*symbols, as_Add=False)
     if powers.is_Add or constant.is_Add:
+        if is_number:
+            _require_short(above, below)
         above, below = sp.fraction(sp.cancel(above / below))
         constant, powers = below.as_independent(*symbols, as_Add=False)
     quotient = _polynomial(_on_circles(above / constant, circles), symbols) / powers
     return quotient.xreplace(dict(zip(symbols, atoms, strict=True)))
+
+
+def _require_short(*expressions: Any) -> None:
+    if sum(expression.count_ops() for expression in expressions) > MOST_OPERATIONS:
+        raise NotDecided(f"a number grows beyond {MOST_OPERATIONS} operations")
 
 
 def _on_circles(polynomial: Any, circles: list[tuple[Any, Any]]) -> Any:
@@ -245,7 +200,7 @@ def _atoms(expression: Any) -> set[Any]:
         return set()
     if expression.is_Add or expression.is_Mul or (expression.is_Pow and expression.exp.is_Integer):
         return set().union(*map(_atoms, expression.args))
-    return set() if _is_surd(expression) else {expression}
+    return set() if is_surd(expression) else {expression}
 
 
 def _bounded_away(expression: Any) -> bool:

@@ -64,8 +64,12 @@ class Graph:
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """What is drawn, with a title and the names of the axes; a graph stands alone."""
+    """What is drawn, with a title, the names of the axes and where it is seen from; a graph stands alone.
+
+    `view` is elevation and azimuth in degrees.
+    """
 
     title: str
     items: tuple[Body | Line | Arrow | Point | Curve | Graph, ...]
     axes: tuple[str, str, str] = ("X", "Y", "Z")
+    view: tuple[int, int] = (22, 35)

@@ -8,45 +8,28 @@ assumes is tested at the values. Nothing is computed by a formula that the book 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from functools import cache
 from typing import Any
 
 import sympy as sp
 
+from chasles.exact.decided import Decided, Refuted, Sentence
 from chasles.exact.evaluate import NoValue, evaluate, matrix_of
-from chasles.exact.formulas import chain, compared, confirmed, equation, note, scalar_or_matrix, solved, stated
+from chasles.exact.formulas import chain, compared, confirmed, equation, scalar_or_matrix, solved
 from chasles.exact.linear import Solutions, solve_linear
 from chasles.exact.numbers import is_zero, normal, sign
 from chasles.exact.picture import Picture
-from chasles.exact.solution import Check, Citation, Line, Step
+from chasles.exact.solution import Check, Line, Step
 from chasles.exact.spelling import text_of
-from chasles.proof.judge import Judge
-from chasles.proof.road import walk
 from chasles.proof.variables import angle_multiples
-from chasles.proof.verdict import Fails
-from chasles.statements import Claim, Hypothesis, Inverse, Statement, Theorem, load
-from chasles.statements.derivation import Derivation
+from chasles.statements import Hypothesis, Inverse, Statement
 from chasles.statements.statement import bare
-from chasles.vocabulary import Call, Node, latex, plain, replace
+from chasles.vocabulary import Call, Node, latex, plain
 
 __all__ = ["HypothesisFails", "Refuted", "Sheet", "equal"]
-
-Sentence = Statement | Theorem | Inverse
-MOST_SHOWN = 300
-"""Characters of an equation of a derivation that is shown on the sheet."""
 
 
 class HypothesisFails(ValueError):
     """A step uses a declaration at values that do not satisfy what it assumes: the exercise left out a case."""
-
-
-class Refuted(AssertionError):
-    """An answer, substituted back, does not satisfy what was asked: a defect of the exercise."""
-
-
-@cache
-def _judge() -> Judge:
-    return Judge(book=load())
 
 
 def equal(one: Any, other: Any) -> bool:
@@ -55,15 +38,16 @@ def equal(one: Any, other: Any) -> bool:
     return bool(left.shape == right.shape and all(is_zero(x - y) for x, y in zip(left, right, strict=True)))
 
 
-class Sheet:
+class Sheet(Decided):
     """What is known, step by step. `sheet["a"]` is a datum; `sheet.values` are the values of the book's symbols."""
 
     def __init__(self, data: Mapping[str, Any]) -> None:
+        super().__init__()
         self.data = data
         self.values: dict[Node, Any] = {}
-        self.steps: list[Step] = []
         self.checks: list[Check] = []
         self.tests: list[tuple[Node, Node, Mapping[Any, Any], str]] = []
+        """What is substituted back: two sides, values for these alone, what it says."""
         self.answers: dict[str, Any] = {}
         self.picture: Picture | None = None
 
@@ -92,7 +76,7 @@ class Sheet:
 
         `at` are values for this step alone; `moved` says the statement of other symbols. Raises HypothesisFails.
         """
-        left, right = self._sides(statement, moved)
+        left, right = self.sides(statement, moved)
         self._require(statement.assuming, at)
         value = self.value(right, at)
         if not at:
@@ -103,7 +87,7 @@ class Sheet:
 
     def holds(self, statement: Statement, says: str = "", *, at: Mapping[Any, Any] | None = None) -> bool:
         """Whether a statement is true of the values; a step that shows the value of each side."""
-        left, right = self._sides(statement, None)
+        left, right = self.sides(statement, None)
         values = self.value(left, at), self.value(right, at)
         same = equal(*values)
         lines = compared(left, right, values, same)
@@ -120,14 +104,14 @@ class Sheet:
         letters = sp.symbols(f"x:{unknown.shape[0]}", real=True)
         at = {unknown: sp.ImmutableMatrix(letters)}
         equations: list[Any] = []
-        for left, right in (self._sides(rule, None) for rule in rules):
+        for left, right in (self.sides(rule, None) for rule in rules):
             equations += list(_matrix(self.value(left, at)) - _matrix(self.value(right, at)))
         matrix, right_side = sp.linear_eq_to_matrix([normal(e) for e in equations], letters)
         found = solve_linear(matrix, right_side)
         if found.unique:
             self.values[unknown] = scalar_or_matrix(found.one)
         lines = [Line(f"{plain(one)} = {plain(two)}", f"{latex(one)} = {latex(two)}")
-                 for one, two in (self._sides(rule, None) for rule in rules)]  # fmt: skip
+                 for one, two in (self.sides(rule, None) for rule in rules)]  # fmt: skip
         lines.append(solved(unknown, found))
         self.steps.append(Step(says or rules[0].says, tuple(map(self.cite, rules)), tuple(lines)))
         return found
@@ -158,43 +142,6 @@ class Sheet:
         written = tuple(equation(node, value) for node, value in (*lines, *values.items()))
         self.steps.append(Step(says, tuple(map(self.cite, cites)), written))
 
-    def state(self, sentence: Statement | Theorem, says: str = "") -> None:
-        """A sentence of the book, or of the exercise, as a step without numbers: it is decided, for all values."""
-        if isinstance(sentence, Theorem):
-            said = [equation for form in sentence.forms for equation in form.equations()]
-        else:
-            said = [("", *self._sides(sentence, None))]
-        lines = tuple(stated(*equation) for equation in said)
-        self.steps.append(Step(says or sentence.says, (self.cite(sentence),), lines))
-
-    def walk(self, road: Derivation, says: str) -> dict[str, Node]:
-        """Walk a derivation of the book: each step is decided. What stands last for each left side, by its name.
-
-        Raises Refuted if the road does not arrive.
-        """
-        walked = walk(road, _judge())
-        if not walked.arrives:
-            raise Refuted(f"the road stops: {walked.passages[-1].reason}")
-        equations = [equation for passage in walked.passages for equation in passage.equations]
-        lines = [stated("", *equation) for equation in dict.fromkeys(equations)]
-        shown = tuple(line for line in lines if len(line.text) <= MOST_SHOWN)
-        self.steps.append(Step(f"{says} {road.says}", (), shown))
-        return {plain(left): right for left, right in equations}
-
-    def refute(self, claim: Claim, says: str) -> None:
-        """A claim that does not hold, with the counterexample that was found; raises Refuted if none was."""
-        verdict = _judge().decide(claim).verdict
-        if not isinstance(verdict, Fails):
-            raise Refuted(f"({claim.number}) part {claim.part} does not fail: {verdict.name}")
-        found = verdict.counterexample
-        point = ", ".join(f"{name} = {value}" for name, value in found.at.items() if value)
-        lines = (
-            stated("", claim.left, claim.right),
-            note(f"not so at {point}, all else zero: entry {found.entry[0]} is {found.left}, and {found.right}"),
-        )
-        citation = Citation(claim.number, claim.part, verdict.name)
-        self.steps.append(Step(f"{claim.says} {says}", (citation,), lines))
-
     def show(self, node: Node, says: str, *, named: str = "", at: Mapping[Any, Any] | None = None,
              cites: Iterable[Sentence] = ()) -> Any:  # fmt: skip
         """Evaluate an expression written in the book's words, as a step; its value."""
@@ -208,7 +155,7 @@ class Sheet:
               cites: Iterable[Sentence] = ()) -> None:  # fmt: skip
         """Substitute back: the two sides of a statement, two expressions, or two values are equal; raises Refuted."""
         cited = (what, *cites) if isinstance(what, Statement) else tuple(cites)
-        sides = self._sides(what, None) if isinstance(what, Statement) else what
+        sides = self.sides(what, None) if isinstance(what, Statement) else what
         values = tuple(self.value(side, at) if isinstance(side, Node) else scalar_or_matrix(_matrix(side))
                        for side in sides)  # fmt: skip
         if not equal(*values):
@@ -222,17 +169,6 @@ class Sheet:
     def answer(self, **answers: Any) -> None:
         """The answers, by the names of the interface."""
         self.answers |= {name: _normal(value) for name, value in answers.items()}
-
-    def cite(self, sentence: Sentence) -> Citation:
-        """The sentence's number, and what is decided of it."""
-        decision = _judge().decide(sentence)
-        correction = None if decision.verdict.true else decision.correction
-        form, verdict = (correction.form, correction.verdict) if correction else ("printed", decision.verdict)
-        return Citation(sentence.number, sentence.part, verdict.name, tuple(getattr(verdict, "needs", ())), form)
-
-    def _sides(self, statement: Statement, moved: Mapping[Any, Node] | None) -> tuple[Node, Node]:
-        left, right = _judge().standing(statement)
-        return (replace(left, moved), replace(right, moved)) if moved else (left, right)
 
     def _require(self, assuming: Iterable[Hypothesis], at: Mapping[Any, Any] | None = None) -> None:
         for hypothesis in assuming:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from sympy.polys.polyerrors import BasePolynomialError
+
 from chasles.exact.data import DataError, read_data
 from chasles.exact.numbers import NotDecided
 from chasles.exact.sheet import Sheet
@@ -40,6 +42,8 @@ def solved_on_sheet(exercise: Exercise, data: Mapping[str, Any]) -> tuple[Soluti
         raise DataError(f"{error}; give numbers that square roots express") from error
     except TooManyRoots as error:
         raise DataError(f"{error}; give simpler numbers") from error
+    except BasePolynomialError as error:
+        raise DataError("polynomials in these numbers are not known; give numbers that square roots express") from error
     assert status in exercise.statuses, f"{status} is not among {exercise.statuses}"
     solution = Solution(
         exercise.number,

@@ -118,6 +118,11 @@ def plain_in_latex(words: str) -> str:
 
 def decimal_text(value: Any) -> str:
     """The value in decimals where that tells more than its exact form, else nothing."""
+    if isinstance(value, list):
+        parts = [decimal_text(part) for part in value]
+        if not any(parts):
+            return ""
+        return f"[{', '.join(short or text_of(part) for short, part in zip(parts, value, strict=True))}]"
     if hasattr(value, "shape"):
         entries = list(value)
         if not any(map(_needs_decimals, entries)):

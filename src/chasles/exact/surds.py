@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from chasles.exact.numbers import NotDecided, _in_tower, _NotInTower, _spelled
+from chasles.exact.numbers import NotDecided
+from chasles.exact.square_roots import NotInTower, in_tower, spelled
 from chasles.exact.tower import Surd, Tower
 
 __all__ = ["SurdField"]
@@ -48,13 +49,13 @@ class SurdField:
     def __call__(self, value: Any) -> _Element:
         """The element that a number stands for; NotDecided for one that square roots do not express."""
         try:
-            return _Element(self.tower, _in_tower(self.tower, value))
-        except _NotInTower:
+            return _Element(self.tower, in_tower(self.tower, value))
+        except NotInTower:
             raise NotDecided(f"{value} is not made by square roots") from None
 
     def expression(self, element: _Element) -> Any:
         """The number as SymPy spells it."""
-        return _spelled(self.tower, element.value)
+        return spelled(self.tower, element.value)
 
     def sign(self, element: _Element) -> int:
         """-1, 0 or 1."""

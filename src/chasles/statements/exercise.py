@@ -92,7 +92,8 @@ class Exercise:
     """An exercise: what is `asked`, in our words, part by part; the `data`; how it is solved.
 
     For practice: `instance` draws new data; `symbols` are the book's symbols for answers, by the answers' names;
-    `signs` are groups of answers that may all be given with the other sign, `turns` angles up to whole turns.
+    `signs` are groups of answers that may all be given with the other sign, `turns` angles up to whole turns; `orders`
+    groups of lists that may be given in any one order; `axes` rows along principal axes, by the matrix that has them.
 
     `solve` writes the solution on a sheet and returns its status, one of `statuses`. `assumptions` are always made;
     `stand_ins` only where a key has its default: said of the keys for which the book gives none.
@@ -110,6 +111,8 @@ class Exercise:
     symbols: Mapping[str, tuple[Node, ...]] = field(default_factory=dict)
     signs: tuple[tuple[str, ...], ...] = ()
     turns: tuple[str, ...] = ()
+    orders: tuple[tuple[str, ...], ...] = ()
+    axes: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def keys(self) -> tuple[str, ...]:
