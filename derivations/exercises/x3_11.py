@@ -59,7 +59,7 @@ def principal(sheet: Sheet, whose: str) -> tuple[Value, Value, Value]:
         f"{freedom[distinct]}",
         ("moments", moments),
         ("axes", axes),
-        ("k^2", radii),
+        ("k squared", radii),
     )
     sheet.check((in_axes(matrix, axes), diagonal(moments)), f"In its axes, the matrix of {whose} is diagonal.")
     sheet.check((in_axes(sheet.value(one), axes), sheet.value(one)), f"The axes of {whose} are orthonormal.")

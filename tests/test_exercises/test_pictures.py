@@ -5,9 +5,13 @@ from __future__ import annotations
 from itertools import combinations
 
 import pytest
+from sympy import Rational
 
 pytest.importorskip("matplotlib")
 
+from chasles.exact.drawing import drawn
+from chasles.exact.evaluate import column_of
+from chasles.exact.picture import Picture, Point
 from chasles.exact.sheet_html import as_html
 from chasles.exact.solving import solve_with
 
@@ -25,9 +29,9 @@ def test_labelled_axes_at_one_scale_and_names_apart(number: str) -> None:
         return
     assert axes.get_zlabel()
     spans = [high - low for low, high in (axes.get_xlim(), axes.get_ylim(), axes.get_zlim())]
-    drawn = axes._box_aspect
-    assert max(d / s for d, s in zip(drawn, spans, strict=True)) == pytest.approx(
-        min(d / s for d, s in zip(drawn, spans, strict=True))
+    sides = axes._box_aspect
+    assert max(d / s for d, s in zip(sides, spans, strict=True)) == pytest.approx(
+        min(d / s for d, s in zip(sides, spans, strict=True))
     )
     figure.canvas.draw()
     boxes = [text.get_window_extent() for text in axes.texts]
@@ -40,3 +44,13 @@ def test_the_same_page_each_time(number: str) -> None:
     page = as_html(solve_with(number, {}))
     assert "<svg" in page
     assert as_html(solve_with(number, {})) == page
+
+
+def test_names_of_near_points_stand_apart() -> None:
+    places = {"A": (0, 0, 0), "B": (0, "1/40", 0), "C": (1, 1, 1)}
+    points = (Point(column_of(*map(Rational, place)), name) for name, place in places.items())
+    figure = drawn(Picture("Near points", tuple(points)))
+    figure.canvas.draw()
+    boxes = [text.get_window_extent() for text in figure.axes[0].texts]
+    assert len(boxes) == 3
+    assert not [pair for pair in combinations(boxes, 2) if pair[0].overlaps(pair[1])]

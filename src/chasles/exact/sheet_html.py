@@ -11,7 +11,7 @@ from itertools import count
 from latex2mathml.converter import convert
 
 from chasles.exact.solution import Check, Line, Solution, Step, cited
-from chasles.exact.spelling import latex_of
+from chasles.exact.spelling import decimal_text, latex_of
 
 __all__ = ["as_html", "as_page"]
 
@@ -20,9 +20,9 @@ _STYLE = """
 body { font: 1rem/1.5 system-ui, sans-serif; max-width: 46rem; margin: 2rem auto; padding: 0 1rem; }
 .worked li { margin: 0.8rem 0; }
 .worked math { font-size: 1.05rem; }
-.worked .line { overflow-x: auto; margin: 0.3rem 0; }
+.worked .line { overflow: auto hidden; margin: 0.1rem 0; padding: 0.2rem 0; }
 .worked .cites, .worked .decimals { opacity: 0.75; font-size: 0.9rem; }
-.worked table { border-collapse: collapse; }
+.worked table { border-collapse: collapse; display: block; overflow: auto hidden; }
 .worked th { text-align: left; padding: 0.2rem 1rem 0.2rem 0; font-weight: 600; vertical-align: top; }
 .worked svg { max-width: 100%; height: auto; background: white; }
 """
@@ -52,7 +52,7 @@ def _parts(solution: Solution) -> Iterator[str]:
     yield from map(_step, solution.steps)
     yield f"</ol>\n<h2>Answer: {escape(solution.status)}</h2>\n<table>"
     for name, value in solution.answers.items():
-        yield f"<tr><th>{escape(name)}</th><td>{_formula(latex_of(value))}</td></tr>"
+        yield f"<tr><th>{escape(name)}</th><td>{_formula(latex_of(value))}{_decimals(decimal_text(value))}</td></tr>"
     yield "</table>"
     if solution.checks:
         yield "<h2>Substituted back</h2>\n<ul>" + "".join(map(_step, solution.checks)) + "</ul>"
@@ -67,8 +67,11 @@ def _step(step: Step | Check) -> str:
 
 
 def _line(line: Line) -> str:
-    decimals = f' <span class="decimals">&asymp; {escape(line.decimals)}</span>' if line.decimals else ""
-    return f'<div class="line">{_formula(line.latex)}{decimals}</div>'
+    return f'<div class="line">{_formula(line.latex)}{_decimals(line.decimals)}</div>'
+
+
+def _decimals(decimals: str) -> str:
+    return f' <span class="decimals">&asymp; {escape(decimals)}</span>' if decimals else ""
 
 
 def _formula(latex: str) -> str:
