@@ -48,7 +48,8 @@ def solve(sheet: Sheet) -> str:
         sheet.answer(e_candidates=list(candidates), p_candidates=[point for point, _ in lines])
         return "ambiguous"
     ((point, moment),) = lines
-    sheet.answer(e=candidates[0], p=point, n0=moment, d=sheet.value(nearest_distance, {n: moment}))
+    distance = sheet.show(norm(n), "Its distance from the origin.", named="d", at={n: moment})
+    sheet.answer(e=candidates[0], p=point, n0=moment, d=distance)
     return "compatible"
 
 
@@ -86,8 +87,6 @@ def instance(draw: Draw) -> dict[str, Value]:
     moments = (point - one).cross(direction), (point - other).cross(direction) + wrong
     return draw.written(a=one, b=other, nA=moments[0], nB=moments[1])
 
-
-nearest_distance = norm(n)
 
 exercise = Exercise(
     "3.7",

@@ -80,6 +80,13 @@ def test_what_is_wrong_is_named_with_what_it_violates(change: dict, wrong: list,
         assert any(says in text for text in marks.violated), (says, marks.violated)
 
 
+def test_a_wrong_number_is_named_with_the_step_that_gives_it() -> None:
+    answers = json.loads(json.dumps(solve_with("3.7", {}).as_data()["answers"]))
+    marks = grade(exercise("3.7"), {}, answers | {"d": f"1 + {answers['d']}"})
+    assert marks.wrong == ("d",)
+    assert any("distance from the origin" in text for text in marks.violated)
+
+
 def test_what_is_missing_is_named() -> None:
     marks = grade(CUBE, {}, {name: value for name, value in RIGHT.items() if name != "pitch"})
     assert (marks.missing, marks.passed) == (("pitch",), False)

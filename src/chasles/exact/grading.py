@@ -76,15 +76,15 @@ def grade(exercise: Exercise, data: Mapping[str, Any], given: Mapping[str, Any])
 
 
 def _sources(solution: Solution, wrong: list[str]) -> list[str]:
-    """The steps whose equations give what is wrong: none for a plain number, or a word, that stands in several."""
+    """The steps whose equations give what is wrong: by its name if one does, else those that come to its value."""
     found = []
     for name in wrong:
         value = solution.answers.get(name)
         parts = [value, *value] if isinstance(value, list) else [value]
         endings = tuple(f" = {text_of(part)}" for part in parts)
         steps = [step for step in solution.steps if any(line.text.endswith(endings) for line in step.lines)]
-        if len(steps) == 1 or (steps and hasattr(value, "__len__") and not isinstance(value, str)):
-            found += [f"{name}: {step.says} {cited(step.cites)}".rstrip() for step in steps[:MOST_STEPS]]
+        named = [step for step in steps if any(line.text.startswith(f"{name} = ") for line in step.lines)]
+        found += [f"{name}: {step.says} {cited(step.cites)}".rstrip() for step in (named or steps)[:MOST_STEPS]]
     return found
 
 
