@@ -18,7 +18,7 @@ from chasles.report.words import labelled, point_in_words, reason, said
 from chasles.vocabulary import Node, plain
 from chasles.vocabulary import latex as in_latex
 
-__all__ = ["road_line", "road_page", "road_record"]
+__all__ = ["equations_of", "objections_of", "road_line", "road_page", "road_record"]
 
 
 def road_page(screen: Screen, name: str, road: Road, latex: bool = False) -> Iterator[RenderableType]:
@@ -64,26 +64,28 @@ def _step(screen: Screen, number: int, passage: Passage, latex: bool) -> Iterato
     if passage.comparison is None:
         shown.append_text(verdict).append(f" {needs}" if needs else "")
     grid.add_row(str(number), shown)
-    for label, left, right in _equations(passage):
+    for what, left, right in equations_of(passage):
+        label = f"{what}:".ljust(9) if what else ""
         grid.add_row("", Text(f"    {label}{plain(left)} = {plain(right)}"))
         if latex:
             grid.add_row("", Text(f"    {label}{in_latex(left)} = {in_latex(right)}", "dim"))
-    for line in _objections(passage):
+    for line in objections_of(passage):
         grid.add_row("", Text(f"    {line}"))
     yield Padding(grid, (0, 0, 0, 1))
 
 
-def _equations(passage: Passage) -> Iterator[tuple[str, Node, Node]]:
-    """What comes of the step; of a comparison, what was found and what is printed, where they are not the same."""
+def equations_of(passage: Passage) -> Iterator[tuple[str, Node, Node]]:
+    """What comes of the step; of a comparison, by a label, what was found and what is printed, where not the same."""
     comparison = passage.comparison
     if comparison is None:
         yield from (("", left, right) for left, right in passage.equations)
     elif comparison.form != "printed" or comparison.chosen:
-        yield "found:   ", *comparison.found
-        yield "printed: ", *comparison.statement.printed
+        yield "found", *comparison.found
+        yield "printed", *comparison.statement.printed
 
 
-def _objections(passage: Passage) -> Iterator[str]:
+def objections_of(passage: Passage) -> Iterator[str]:
+    """Why the step does not hold, or where the print is not as found."""
     if passage.comparison is not None:
         printed = passage.comparison.printed
         if isinstance(printed, Fails):

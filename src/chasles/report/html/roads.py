@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
 from chasles.proof.judge import Judge
 from chasles.proof.road import Passage, Road, walk
 from chasles.proof.spreading import spread
-from chasles.proof.verdict import Fails
 from chasles.report.details import number_in_words
 from chasles.report.html.formulas import latex_for_mathml, markup, tree_of
 from chasles.report.html.shown import Equation, RoadView, Step, badge_of
 from chasles.report.html.statements import equation
-from chasles.report.words import point_in_words, reason
+from chasles.report.road_page import equations_of, objections_of
 from chasles.statements.derivation import Consider, Derivation
 from chasles.vocabulary import Node, plain
 
@@ -44,7 +43,7 @@ def road_view(name: str, road: Road) -> RoadView:
 
 def _step(passage: Passage, considers: bool) -> Step:
     """A step; of an expression that is only considered, nothing is said twice."""
-    shown = tuple(_equations(passage))
+    shown = tuple(equation(left, right, label=label) for label, left, right in equations_of(passage))
     if considers:
         shown = tuple(_expression(right) for _, right in passage.equations)
     return Step(
@@ -52,31 +51,12 @@ def _step(passage: Passage, considers: bool) -> Step:
         reason="" if considers else passage.reason,
         badges=() if passage.comparison is not None else (badge_of(passage.verdict.name),),
         equations=shown,
-        objections=tuple(_objections(passage)),
+        objections=tuple(objections_of(passage)),
     )
 
 
 def _expression(node: Node) -> Equation:
     return Equation(markup(tree_of(latex_for_mathml(node))), plain(node))
-
-
-def _equations(passage: Passage) -> Iterator[Equation]:
-    """What comes of the step; of a comparison, what was found and what is printed, where they are not the same."""
-    comparison = passage.comparison
-    if comparison is None:
-        yield from (equation(left, right) for left, right in passage.equations)
-    elif comparison.form != "printed" or comparison.chosen:
-        yield equation(*comparison.found, label="found")
-        yield equation(*comparison.statement.printed, label="printed")
-
-
-def _objections(passage: Passage) -> Iterator[str]:
-    if passage.comparison is not None:
-        printed = passage.comparison.printed
-        if isinstance(printed, Fails):
-            yield f"for example at {point_in_words(printed.counterexample.at) or 'every point'}"
-    elif not passage.verdict.true and reason(passage.verdict) not in passage.reason:
-        yield f"because {reason(passage.verdict)}"
 
 
 def _outcome(road: Road) -> str:
