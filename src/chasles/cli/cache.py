@@ -14,6 +14,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
+from chasles.cli.files import replace_whole
 from chasles.proof.memory import Memory
 
 __all__ = ["forget", "recalled", "retained"]
@@ -42,9 +43,7 @@ def retained(memory: Memory) -> None:
         return
     with suppress(OSError):
         path.parent.mkdir(parents=True, exist_ok=True)
-        draft = path.with_suffix(f".{os.getpid()}.part")
-        draft.write_text(json.dumps(memory.as_data(MOST), separators=(",", ":")), encoding="utf-8")
-        draft.replace(path)
+        replace_whole({path: json.dumps(memory.as_data(MOST), separators=(",", ":"))})
         for other in path.parent.glob("verdicts-*.json"):
             if other != path:
                 other.unlink()

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
+from uuid import uuid4
 
 from chasles.cli.failures import BAD_INPUT, Failure
 
-__all__ = ["text_of_file", "write_whole"]
+__all__ = ["replace_whole", "text_of_file", "write_whole"]
 
 
 def text_of_file(file: Path) -> str:
@@ -21,12 +23,24 @@ def text_of_file(file: Path) -> str:
 
 
 def write_whole(file: Path, text: str) -> None:
-    """Write a draft beside the file and put it in its place: the file is whole, or as it was. Raises Failure."""
-    draft = file.with_name(f".{file.name}.draft")
+    """The file is whole, or as it was. Raises Failure."""
     try:
-        draft.write_text(text, "utf-8")
-        draft.replace(file)
+        replace_whole({file: text})
     except OSError as error:
-        with suppress(OSError):
-            draft.unlink(missing_ok=True)
         raise Failure(f"cannot write {file}: {error.strerror}", BAD_INPUT) from error
+
+
+def replace_whole(texts: Mapping[Path, str]) -> None:
+    """Make the files read as `texts`: none changes before all drafts are on the disk. Raises OSError."""
+    drafts: dict[Path, Path] = {}
+    try:
+        for file, text in texts.items():
+            draft = file.with_name(f".{file.name}.{uuid4().hex}.draft")
+            drafts[draft] = file
+            draft.write_text(text, encoding="utf-8", newline="\n")
+        for draft, file in drafts.items():
+            draft.replace(file)
+    finally:
+        for draft in drafts:
+            with suppress(OSError):
+                draft.unlink(missing_ok=True)
