@@ -6,20 +6,22 @@ at the witness and at every counterexample.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import chain
 from typing import Any
 
+from chasles.proof.bearing import bearing, complete_subjects, free_symbols, is_turned
 from chasles.proof.completion import Basis, stated
 from chasles.proof.ratios import Field, Ratio
 from chasles.proof.rings import Polynomial, make_ring
+from chasles.proof.scanning import scan
 from chasles.proof.unfold import Matrix, UndeclaredDivisor, Unfolder
-from chasles.proof.variables import Untreatable, Variable, Variables, scan
+from chasles.proof.variables import Untreatable, Variable, Variables
 from chasles.statements import Goal, Hypothesis, Problem
-from chasles.vocabulary import PI, Contract, Node, Norm, Rate, Skew, Symbol, plain, symbols_of, undotted
+from chasles.vocabulary import PI, Norm, Rate, Symbol, plain, symbols_of
 
 __all__ = ["Context", "Generator", "build", "describe", "difference", "entries"]
 
@@ -66,8 +68,8 @@ def build(problem: Problem) -> Context:
     for goal in (*problem.goals, *problem.conditions):
         scan(found, goal.left, 0, rules)
         scan(found, goal.right, 0, rules)
-    _complete_subjects(problem, found)
-    active = _active(problem, found)
+    complete_subjects(problem, found)
+    active = bearing(problem, found)
     order = "grevlex" if any(h.kind in ("rotation", "half_turn", "orthonormal") for h in active) else "lex"
     unfold, atoms = _door(problem, found, active, order)
     variables, ring = unfold.variables, unfold.field.ring
@@ -119,73 +121,13 @@ def _unfold_all(problem: Problem, unfold: Unfolder) -> None:
                 unfold(side)
 
 
-def _complete_subjects(problem: Problem, found: Variables) -> None:
-    """Where an equation restricts a symbol that occurs, all the symbols of which it speaks occur."""
-    rules = dict(problem.rules)
-    for _ in problem.hypotheses:
-        occurring = set(found.orders) | set(found.angles)
-        for hypothesis in problem.hypotheses:
-            symbols = {s for node in hypothesis.subjects for s in _free_symbols(node, rules)}
-            if hypothesis.equations and symbols & occurring and not symbols <= occurring:
-                for node in hypothesis.subjects:
-                    scan(found, node, 0, rules)
-
-
-def _active(problem: Problem, found: Variables) -> tuple[Hypothesis, ...]:
-    """The hypotheses on symbols that occur freely, and on what these share a hypothesis with, rates included."""
-    rules = dict(problem.rules)
-    symbols = {
-        hypothesis: {s for node in hypothesis.subjects for s in _free_symbols(node, rules)}
-        for hypothesis in problem.hypotheses
-        if not (hypothesis.equations and any(subject in rules for subject in hypothesis.subjects))
-    }
-    rates: dict[Node, set[Symbol]] = {}
-    for left, right in rules.items():
-        base, order = undotted(left)
-        if order:
-            rates[base] = rates.get(base, set()) | _free_symbols(right, rules)
-    active: dict[Hypothesis, int] = {}
-    changed = True
-    while changed:
-        occurring = set(found.orders) | set(found.angles)
-        now = {h: _order(found, h, own, rules) for h, own in symbols.items() if _bears_on(own, rates) & occurring}
-        changed = now != active
-        active = now
-        for hypothesis, order in active.items():
-            for node in (*hypothesis.subjects, *hypothesis.nonvanishing):
-                scan(found, node, order, rules)
-    return tuple(h for h in problem.hypotheses if h in active)
-
-
-def _bears_on(symbols: set[Symbol], rates: Mapping[Node, set[Symbol]]) -> set[Symbol]:
-    """The symbols on which an equation bears that restricts the given ones: those too that make up their rates."""
-    return symbols.union(*(rates[symbol] for symbol in symbols & rates.keys()))
-
-
-def _order(found: Variables, hypothesis: Hypothesis, symbols: set[Symbol], rules: Mapping[Node, Node]) -> int:
-    """Up to which rate the equations of a hypothesis say something of use: a rule for a rate asks for it too."""
-    if not hypothesis.equations or hypothesis.kind == "given" or _is_turned(hypothesis, rules):
-        return 0
-    orders = [found.reached.get(symbol, 0) for symbol in symbols]
-    orders += [order for node, order in map(undotted, rules) if node in symbols]
-    return max(orders, default=0)
-
-
-def _is_turned(hypothesis: Hypothesis, rules: Mapping[Node, Node]) -> bool:
-    """Whether the rates of a hypothesis follow: that of a rotation is said to be a skew-symmetric matrix times it."""
-    match rules.get(Rate(hypothesis.subjects[0])):
-        case Contract((Skew(), turned)):
-            return hypothesis.kind == "rotation" and turned == hypothesis.subjects[0]
-    return False
-
-
 def _refuse_restrictions(
     problem: Problem, active: tuple[Hypothesis, ...], unfold: Unfolder, basis: Basis, found: Variables
 ) -> None:
     """Raise `Untreatable` for a hypothesis that says more of a defined symbol than its definition does."""
     occurring = set(found.orders) | set(found.angles)
     for hypothesis in problem.hypotheses:
-        symbols = {s for node in hypothesis.subjects for s in _free_symbols(node, dict(problem.rules))}
+        symbols = {s for node in hypothesis.subjects for s in free_symbols(node, dict(problem.rules))}
         if hypothesis in active or not symbols or not symbols <= occurring:
             continue
         for generator in _hypothesis_generators(unfold, hypothesis, 0):
@@ -194,12 +136,6 @@ def _refuse_restrictions(
                     f"{hypothesis.text} is assumed of what a given statement defines, and does not follow from it: "
                     "assume it of the symbols in the definition"
                 )
-
-
-def _free_symbols(node: Node, rules: Mapping[Node, Node]) -> set[Symbol]:
-    found = Variables()
-    scan(found, node, 0, rules)
-    return set(found.orders) | set(found.angles)
 
 
 def _declare_atoms(
@@ -232,7 +168,7 @@ def _generators(
     ring = unfold.field.ring
     place = {variable.name: k for k, variable in enumerate(variables)}
     for hypothesis in active:
-        still = hypothesis.kind == "given" or _is_turned(hypothesis, unfold.rules)
+        still = hypothesis.kind == "given" or is_turned(hypothesis, unfold.rules)
         symbols = () if still else chain.from_iterable(map(symbols_of, hypothesis.subjects))
         order = max((found.reached.get(symbol, 0) for symbol in symbols), default=0)
         yield from _hypothesis_generators(unfold, hypothesis, order)

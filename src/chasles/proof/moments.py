@@ -10,7 +10,8 @@ from fractions import Fraction
 
 from chasles.proof.ratios import Field, Ratio
 from chasles.proof.rings import Polynomial
-from chasles.proof.variables import Factors, Untreatable, Variable, differs, moment_name
+from chasles.proof.scanning import differs
+from chasles.proof.variables import Factors, Untreatable, Variable, moment_name
 from chasles.vocabulary import Node, Symbol
 
 __all__ = ["Moments"]

@@ -80,7 +80,7 @@ def _variable_node(context: Context, variable: Variable) -> Node:
     assert variable.symbol is not None
     if variable.kind == "entry":
         return variable.symbol
-    unit = context.unfold.unit(variable.symbol)
+    unit = context.unfold.coordinates.unit(variable.symbol)
     return Call(variable.kind, variable.symbol if unit == 1 else Scale(Number(unit), variable.symbol))
 
 
@@ -93,7 +93,7 @@ def as_sympy(origins: Mapping[Symbol, Any], context: Context, polynomial: Polyno
             if exponent and variable.symbol is not None:
                 origin = origins[variable.symbol]
                 if variable.kind != "entry":
-                    origin = getattr(sympy, variable.kind)(origin * context.unfold.unit(variable.symbol))
+                    origin = getattr(sympy, variable.kind)(origin * context.unfold.coordinates.unit(variable.symbol))
                 term = term * origin**exponent
         total = total + term
     return total

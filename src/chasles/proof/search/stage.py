@@ -66,7 +66,7 @@ def staged(context: Context) -> Stage:
     for k, variable in enumerate(context.variables):
         if variable.kind == "cos" and variable.symbol is not None:
             sine = place["sin" + variable.name.removeprefix("cos")]
-            unit = context.unfold.unit(variable.symbol)
+            unit = context.unfold.coordinates.unit(variable.symbol)
             angles.append(Angle(variable.symbol, k, sine, unit, place.get(variable.symbol.name)))
     by_sine = {a.sine: next(c for c in circles if any(m == ((a.sine, 2),) for m, _ in c)) for a in angles}
     atoms = [sparse(ring, atom) for _, atom in context.atoms]

@@ -1,0 +1,92 @@
+"""Simple rational numbers, vectors and matrices: unit vectors, points of the circle, rotations, definite matrices.
+
+Unit vectors are stereographic, points of the circle Pythagorean, rotations come from quaternions of integers. What is
+not `rich` is of axes, quarter turns, zeros and ones as far as may be.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from random import Random
+
+Numbers = list[list[Fraction]]
+
+AXES = ((0, 0, 1), (1, 0, 0), (0, 1, 0))
+UNIT_VECTORS = tuple(
+    tuple(Fraction(k, d) for k in numbers)
+    for *numbers, d in (
+        (0, 0, 1, 1), (1, 0, 0, 1), (0, 1, 0, 1), (0, 3, 4, 5), (3, 0, 4, 5), (4, 3, 0, 5), (1, 2, 2, 3), (2, 1, -2, 3),
+        (2, -2, 1, 3), (2, 3, 6, 7), (-6, 2, 3, 7), (4, 4, 7, 9),
+    )
+)  # fmt: skip  # fmt: skip
+CIRCLE = tuple(
+    (Fraction(c, d), Fraction(s, d))
+    for c, s, d in (
+        (0, 1, 1),
+        (3, 4, 5),
+        (-1, 0, 1),
+        (4, 3, 5),
+        (0, -1, 1),
+        (-3, 4, 5),
+        (5, 12, 13),
+        (-4, -3, 5),
+        (8, 15, 17),
+    )
+)
+
+
+def circle(draw: Random) -> tuple[Fraction, Fraction]:
+    """The cosine and sine of some angle."""
+    t = Fraction(draw.randint(-7, 7), draw.randint(1, 5))
+    return (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
+
+
+def free(shape: tuple[int, int], draw: Random, rich: bool) -> Numbers:
+    """A matrix without conditions."""
+    rows, columns = shape
+    if not rich and columns == 1 and rows == 3:
+        axis = draw.choice([*AXES, (0, 0, 0), (1, 1, 0), (1, 2, 0), (1, 0, 1), (1, 2, 3)])
+        return [[Fraction(x)] for x in axis]
+    reach = 5 if rich else 2
+    return [[Fraction(draw.randint(-reach, reach)) for _ in range(columns)] for _ in range(rows)]
+
+
+def unit_vector(draw: Random, rich: bool) -> tuple[Fraction, ...]:
+    """A vector of length one."""
+    if not rich:
+        return draw.choice(UNIT_VECTORS)
+    a, b = (Fraction(draw.randint(-4, 4), draw.randint(1, 3)) for _ in range(2))
+    below = 1 + a * a + b * b
+    return 2 * a / below, 2 * b / below, (below - 2) / below
+
+
+def rotation(draw: Random, rich: bool) -> Numbers:
+    """A rotation from a quaternion of integers; half of them have rational Euler-Rodrigues parameters too."""
+    reach = 3 if rich else 1
+    while True:
+        x, y, z, w = (Fraction(draw.randint(-reach, reach)) for _ in range(4))
+        if rich and draw.randint(0, 1):
+            w, sine = draw.choice(CIRCLE)
+            x, y, z = (sine * entry for entry in draw.choice(UNIT_VECTORS))
+        if total := x * x + y * y + z * z + w * w:
+            break
+    rows = [
+        [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
+    ]
+    return [[Fraction(entry, total) for entry in row] for row in rows]
+
+
+def half_turn(draw: Random, rich: bool) -> Numbers:
+    """A symmetric rotation other than the identity."""
+    u = unit_vector(draw, rich)
+    return [[2 * u[i] * u[j] - (i == j) for j in range(3)] for i in range(3)]
+
+
+def definite(size: int, draw: Random, rich: bool) -> Numbers:
+    """A symmetric, positive-definite matrix: a diagonal one, or 1 + G^T G."""
+    if not rich:
+        return [[Fraction(draw.randint(1, 3) if i == j else 0) for j in range(size)] for i in range(size)]
+    g = free((size, size), draw, rich)
+    return [[sum((row[i] * row[j] for row in g), Fraction(int(i == j))) for j in range(size)] for i in range(size)]
