@@ -5,7 +5,7 @@ The prover and the checker of certificates both start here, and from nowhere els
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 
@@ -13,6 +13,7 @@ from chasles.statements.angles import determined_angle, turning
 from chasles.statements.forms import Definite, OnlyWhere
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.lengths import Lengths
+from chasles.statements.rules import refuse_circles
 from chasles.statements.squares import relied_on
 from chasles.statements.statement import Claim, Condition, Definition, Equation, Statement, Theorem, bare, is_rule
 from chasles.statements.varied import demands, visible
@@ -26,12 +27,10 @@ from chasles.vocabulary import (
     Rate,
     Sum,
     Symbol,
-    children,
     column,
     members_of,
     plain,
     replace,
-    walk,
 )
 from chasles.vocabulary.families import indices_of
 from chasles.vocabulary.measure import added
@@ -115,7 +114,7 @@ def problem_of(statement: Decidable, form: str = "printed", standing: Standing =
                 "state it as a Condition on what it determines"
             )
     rules += _angle_rules(statement, form, rules, conditions, unknowns)
-    _refuse_circles(statement, rules, unknowns)
+    refuse_circles(statement.number, rules, unknowns)
     hypotheses = tuple(dict.fromkeys((*_hypotheses(statement), *_agreeing(dict(rules)))))
     problem = Problem((), tuple(rules), tuple(conditions), tuple(unknowns), hypotheses)
     if isinstance(statement, Theorem):
@@ -156,54 +155,6 @@ def _with_simple_lengths(problem: Problem) -> Problem:
     hypotheses = tuple(map(lengths.hypothesis, problem.hypotheses))
     presupposed = tuple(dict.fromkeys((*problem.presupposed, *lengths.used)))
     return Problem(goals, rules, conditions, problem.unknowns, hypotheses, presupposed)
-
-
-def _refuse_circles(statement: Decidable, rules: list[tuple[Node, Node]], unknowns: Collection[Symbol]) -> None:
-    """Raise TypeError if a symbol is said twice to be something, or a rule leads back to its own left side."""
-    table: dict[Node, Node] = {}
-    for left, right in rules:
-        if table.setdefault(left, right) != right:
-            raise TypeError(f"({statement.number}) is given two statements that say what {left} is: name one of them")
-    for left, right in table.items():
-        _refuse_second_rule(statement, left, right, unknowns)
-    reads = {left: frozenset(_rules_read(right, table)) for left, right in table.items()}
-    for start in table:
-        reached: set[Node] = set()
-        ahead = set(reads[start])
-        while ahead:
-            reached |= ahead
-            ahead = {further for left in ahead for further in reads[left]} - reached
-        if start in reached:
-            raise TypeError(
-                f"({statement.number}) is given statements that say what {start} is by {start} itself: "
-                "state one of them as a Condition"
-            )
-
-
-def _refuse_second_rule(statement: Decidable, left: Node, right: Node, unknowns: Collection[Symbol]) -> None:
-    """Raise TypeError if what a rule replaces is known otherwise too: by a condition, or as a constant."""
-    base: Node = left
-    while isinstance(base, Rate):
-        base = base.of
-    if base in unknowns:
-        raise TypeError(f"({statement.number}) is given what {left} is, and a condition on {base}: name one of them")
-    if isinstance(base, Symbol) and base.constant and any(not _is_constant(part) for part in walk(right)):
-        raise TypeError(f"({statement.number}) is given that {left}, a constant, is {right}, which may vary")
-
-
-def _is_constant(part: Node) -> bool:
-    return not isinstance(part, Symbol) or part.constant
-
-
-def _rules_read(node: Node, table: Mapping[Node, Node]) -> Iterator[Node]:
-    """The rules that are applied when the node is read, before any of them is followed."""
-    if node in table:
-        yield node
-    elif isinstance(node, Symbol) and node.stands_for is not None:
-        yield from _rules_read(node.stands_for, table)
-    else:
-        for part in children(node):
-            yield from _rules_read(part, table)
 
 
 def _theorem_goals(statement: Theorem, problem: Problem) -> Iterator[Goal]:

@@ -1,0 +1,58 @@
+"""Can the rules of a problem stand together? None may be said twice, lead back to itself, or move what is constant."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+
+from chasles.statements.statement import Equation
+from chasles.vocabulary import Node, Rate, Symbol, children, walk
+
+__all__ = ["refuse_circles"]
+
+
+def refuse_circles(number: str, rules: Sequence[Equation], unknowns: Collection[Symbol]) -> None:
+    """Raise TypeError if a symbol is said twice to be something, or a rule leads back to its own left side."""
+    table: dict[Node, Node] = {}
+    for left, right in rules:
+        if table.setdefault(left, right) != right:
+            raise TypeError(f"({number}) is given two statements that say what {left} is: name one of them")
+    for left, right in table.items():
+        _refuse_second_rule(number, left, right, unknowns)
+    reads = {left: frozenset(_rules_read(right, table)) for left, right in table.items()}
+    for start in table:
+        reached: set[Node] = set()
+        ahead = set(reads[start])
+        while ahead:
+            reached |= ahead
+            ahead = {further for left in ahead for further in reads[left]} - reached
+        if start in reached:
+            raise TypeError(
+                f"({number}) is given statements that say what {start} is by {start} itself: "
+                "state one of them as a Condition"
+            )
+
+
+def _refuse_second_rule(number: str, left: Node, right: Node, unknowns: Collection[Symbol]) -> None:
+    """Raise TypeError if what a rule replaces is known otherwise too: by a condition, or as a constant."""
+    base: Node = left
+    while isinstance(base, Rate):
+        base = base.of
+    if base in unknowns:
+        raise TypeError(f"({number}) is given what {left} is, and a condition on {base}: name one of them")
+    if isinstance(base, Symbol) and base.constant and any(not _is_constant(part) for part in walk(right)):
+        raise TypeError(f"({number}) is given that {left}, a constant, is {right}, which may vary")
+
+
+def _is_constant(part: Node) -> bool:
+    return not isinstance(part, Symbol) or part.constant
+
+
+def _rules_read(node: Node, table: Mapping[Node, Node]) -> Iterator[Node]:
+    """The rules that are applied when the node is read, before any of them is followed."""
+    if node in table:
+        yield node
+    elif isinstance(node, Symbol) and node.stands_for is not None:
+        yield from _rules_read(node.stands_for, table)
+    else:
+        for part in children(node):
+            yield from _rules_read(part, table)
