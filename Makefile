@@ -1,6 +1,7 @@
 # make          sets up .venv; decides the chapter, emits, compiles and verifies the kernels
 # make test     sets up .venv; runs the tests (ARGS="-k twist" narrows them)
 # make bench    sets up .venv and the peers; times the kernels beside them (ARGS="--rounds 3" and the like)
+# make docs     sets up .venv; executes and builds the manual: docs/_build/html/index.html
 # make lint | types | compile | wheel | clean
 #
 # PYTHON=python3.12 chooses the interpreter, CC=clang the compiler. Where a compiler and Python.h are at hand, kernels
@@ -18,7 +19,7 @@ INSTALL := SKBUILD_BUILD_DIR=$(VENV)/build $(PIP) install --no-build-isolation -
 BUILD_FILES := pyproject.toml CMakeLists.txt $(wildcard cmake/*) src/chasles/__init__.py
 C_FILES := $(wildcard generated/c/include/* generated/c/src/* generated/gufunc/*)
 
-.PHONY: all chapter compile test bench lint types wheel clean
+.PHONY: all chapter compile test bench docs lint types wheel clean
 .DELETE_ON_ERROR:
 
 all: chapter
@@ -41,6 +42,12 @@ bench: $(VENV)/.compiled $(VENV)/.tools $(VENV)/.peers
 	@$(BIN)/python benchmarks/against_sympy.py --budget 1 --every 20
 	@$(BIN)/python benchmarks/deciding.py 1
 
+# Cells are executed anew each time: what they show depends on all of the code. A warning is an error.
+docs: $(VENV)/.compiled $(VENV)/.docs
+	@rm -rf docs/_build
+	@$(BIN)/python -m sphinx -W --keep-going --nitpicky --quiet --jobs 2 --builder html docs docs/_build/html
+	@echo "docs/_build/html/index.html"
+
 lint: $(VENV)/.tools
 	@$(BIN)/ruff check
 	@$(BIN)/ruff format --check
@@ -54,7 +61,7 @@ wheel: $(VENV)/pyvenv.cfg
 	@ls dist/*.whl
 
 clean:
-	rm -rf $(VENV) .types build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis .benchmarks
+	rm -rf $(VENV) .types build dist docs/_build .mypy_cache .pytest_cache .ruff_cache .hypothesis .benchmarks
 
 $(VENV)/pyvenv.cfg:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
@@ -80,6 +87,11 @@ $(VENV)/.peers: pyproject.toml | $(VENV)/.compiled
 	@echo "Installing the peers"
 	@$(INSTALL) '.[bench]' || for peer in matplotlib casadi symforce wrenfold numba scipy cython setuptools; do \
 	    $(PIP) install $$peer || echo "$$peer cannot be installed here: it is left out"; done
+	@touch $@
+
+$(VENV)/.docs: pyproject.toml | $(VENV)/.compiled
+	@echo "Installing what the manual is built with"
+	@$(INSTALL) '.[docs]'
 	@touch $@
 
 $(VENV)/.tools: pyproject.toml | $(VENV)/.compiled

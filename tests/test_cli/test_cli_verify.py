@@ -54,7 +54,7 @@ def installed(monkeypatch: pytest.MonkeyPatch):
     def install(**others: object) -> None:
         kernels = {"cross_product_matrix": cross_product_matrix, "rotation_from_axis_angle": rotation_from_axis_angle}
         module = SimpleNamespace(backend="numpy", **{k: v for k, v in (kernels | others).items() if v is not None})
-        monkeypatch.setattr(comparison, "installed_kernels", lambda: module)
+        monkeypatch.setattr(comparison, "installed_kernels", lambda book: module)
 
     install()
     return install

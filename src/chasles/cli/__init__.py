@@ -19,5 +19,10 @@ COMMANDS = ("list", "show", "decide", "derive", "repair", "solve", "practice", "
     epilog="Example: chasles show 3.16",
 )
 @click.version_option(__version__, prog_name="chasles")
-def main() -> None:
+@click.option(
+    "--chapter",
+    metavar="PACKAGE",
+    help="Another chapter: a package of declarations, by name, also from the current folder, or by its folder's path.",
+)
+def main(chapter: str | None) -> None:
     """A textbook chapter on rigid-body mechanics as checked code and fast kernels."""

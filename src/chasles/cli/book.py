@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import traceback
 from collections.abc import Callable, Iterator, Sequence
 from importlib.util import find_spec
@@ -14,10 +15,10 @@ from chasles.cli.failures import BAD_INPUT, Failure, nearest
 from chasles.proof.judge import Decision, Judge
 from chasles.report.waiting import watched
 from chasles.statements import Chapter, Entry, load
+from chasles.statements.packages import BOOK, folder_of
 
-__all__ = ["BOOK", "as_data", "chapter", "chosen", "decisions", "of_numbers", "of_sections"]
+__all__ = ["BOOK", "as_data", "chapter", "chosen", "decisions", "of_numbers", "of_sections", "only_of_the_book"]
 
-BOOK = "chasles.derivations"
 LONGEST = 4
 """How many words a number may have: "text 3.2.3 g" has three."""
 
@@ -40,16 +41,38 @@ def as_data(command: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def chapter() -> Chapter:
-    """The book. Raises Failure, with file and line, for a declaration that does not stand."""
+    """The chapter of `--chapter`, or the book. Raises Failure, with the place of a declaration that does not stand."""
+    package = _package()
+    if package != BOOK and str(Path.cwd()) not in sys.path:
+        # Last, so that no module here stands in the way of one that is installed.
+        sys.path.append(str(Path.cwd()))
     try:
-        return load(BOOK)
+        return load(package)
     except Exception as error:
-        place = _place(error)
-        if place is None and type(error).__module__.startswith("chasles."):
-            raise Failure(f"the declarations contradict each other: {error}", BAD_INPUT) from error
-        if place is None:
-            raise
-        raise Failure(f"{place}: {type(error).__name__}: {error}", BAD_INPUT) from error
+        place = _place(error, package)
+        if place is not None:
+            raise Failure(f"{place}: {type(error).__name__}: {error}", BAD_INPUT) from error
+        if isinstance(error, ModuleNotFoundError) and _holds(error.name, package):
+            raise Failure(
+                f"there is no chapter {package!r}: give the name of a package that can be imported, from {Path.cwd()} "
+                "too, or the path of its folder, with a slash in it",
+                BAD_INPUT,
+            ) from error
+        if type(error).__module__.startswith("chasles."):
+            raise Failure(str(error), BAD_INPUT) from error
+        raise
+
+
+def only_of_the_book(what: str) -> None:
+    """Raises Failure where another chapter is chosen: `what` there is of the book alone."""
+    if _package() != BOOK:
+        raise Failure(f"{what} are those of {BOOK} alone: leave --chapter out", BAD_INPUT)
+
+
+def _package() -> str:
+    """The package that `--chapter` names, else the book."""
+    context = click.get_current_context(silent=True)
+    return (context and context.find_root().params.get("chapter")) or BOOK
 
 
 def chosen(book: Chapter, numbers: Sequence[str], sections: Sequence[str]) -> tuple[Entry, ...]:
@@ -90,13 +113,29 @@ def _cited(book: Chapter, words: Sequence[str]) -> Iterator[str]:
             raise Failure(f"the book has no equation {word!r}{near}; `chasles list` shows all", BAD_INPUT)
 
 
-def _place(error: Exception) -> str | None:
+def _place(error: Exception, package: str) -> str | None:
     """File and line of the declaration in which the error arose, if it arose in one."""
-    spec = find_spec(BOOK)
-    folders = [Path(folder).resolve() for folder in (spec.submodule_search_locations or ())] if spec else []
+    folders = _folders(package)
     if isinstance(error, SyntaxError) and error.filename:
         return f"{error.filename}, line {error.lineno}"
     for frame in reversed(traceback.extract_tb(error.__traceback__)):
         if any(Path(frame.filename).resolve().is_relative_to(folder) for folder in folders):
             return f"{frame.filename}, line {frame.lineno}"
     return None
+
+
+def _folders(package: str) -> list[Path]:
+    """The folders that hold the package, as far as there is one."""
+    folder = folder_of(package)
+    if folder is not None:
+        return [folder]
+    try:
+        spec = find_spec(package)
+    except ModuleNotFoundError:
+        return []
+    return [Path(place).resolve() for place in (spec.submodule_search_locations or ())] if spec else []
+
+
+def _holds(name: str | None, package: str) -> bool:
+    """Whether the module is the package, or one of those around it."""
+    return name is not None and f"{package}.".startswith(f"{name}.")

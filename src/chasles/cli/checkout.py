@@ -1,25 +1,38 @@
-"""Where do generated files go? Into `generated/` of the checkout around the current folder, unless told otherwise."""
+"""Where do generated files go, unless told otherwise?
+
+The book's go into `generated/` of the checkout around the current folder, those of another chapter into `generated/` in
+its own package.
+"""
 
 from __future__ import annotations
 
+from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 
 from chasles.cli.book import BOOK
 from chasles.cli.failures import BAD_INPUT, Failure
+from chasles.statements import Chapter
 
-__all__ = ["GENERATED", "generated_folder"]
+__all__ = ["GENERATED", "generated_folder", "generated_package"]
 
 GENERATED = "generated"
 DERIVATIONS = "derivations"
 
 
-def generated_folder(start: Path) -> Path:
-    """The folder `generated` of the checkout that holds `start`.
+def generated_package(book: Chapter) -> str:
+    """The name under which what was emitted of a chapter is imported."""
+    return f"chasles.{GENERATED}" if book.package == BOOK else f"{book.package}.{GENERATED}"
+
+
+def generated_folder(book: Chapter, start: Path) -> Path:
+    """The folder `generated` of the checkout that holds `start`, for another chapter than the book that in its package.
 
     Raises Failure outside every checkout, and in one whose declarations are not those that are loaded: another
     checkout's chapter must not be written into this one.
     """
+    if book.package != BOOK:
+        return Path(next(iter(import_module(book.package).__path__))) / GENERATED
     start = start.resolve()
     for folder in (start, *start.parents):
         if (folder / DERIVATIONS / "__init__.py").is_file() and (folder / "pyproject.toml").is_file():

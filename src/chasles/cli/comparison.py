@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterator, Sequence
+from importlib import import_module
 from itertools import product
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 
+from chasles.cli.book import BOOK
+from chasles.cli.checkout import generated_package
 from chasles.cli.failures import BAD_INPUT, Failure, complain, nearest
 from chasles.lowering.lower import lower
 from chasles.lowering.refusal import LoweringError
@@ -18,14 +21,19 @@ from chasles.proof.judge import Judge
 from chasles.report.waiting import watched
 from chasles.statements import Chapter, Entry, Inverse, Kernel, Theorem
 
-__all__ = ["PRECISIONS", "Asked", "asking", "compared", "installed_kernels"]
+__all__ = ["PRECISIONS", "Asked", "asking", "backend_of", "compared", "installed_kernels"]
 
 Asked = tuple[Entry, Kernel]
 PRECISIONS: tuple[type[np.floating[Any]], ...] = (np.float64, np.float32)
 
 
-def installed_kernels() -> ModuleType:
-    """The module of the kernels that programs get here. Raises Failure where there are none."""
+def installed_kernels(book: Chapter) -> ModuleType:
+    """The module of the kernels that programs get here: for another chapter than the book, those emitted in NumPy.
+
+    Raises Failure where there are none.
+    """
+    if book.package != BOOK:
+        return _written_out(generated_package(book))
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
@@ -34,6 +42,13 @@ def installed_kernels() -> ModuleType:
             raise Failure(str(error)) from error
     complain(str(warning.message) for warning in caught)
     return kernels
+
+
+def _written_out(generated: str) -> ModuleType:
+    try:
+        return import_module(f"{generated}.numpy.kernels")
+    except ModuleNotFoundError as error:
+        raise Failure(f"there is no {generated}: `chasles emit` writes the kernels of this chapter there") from error
 
 
 def asking(book: Chapter, names: Sequence[str]) -> list[Asked]:
@@ -55,13 +70,19 @@ def compared(
         function = getattr(kernels, name, None)
         if function is None:
             raise Failure(
-                f"the kernels installed here ({kernels.backend}) lack {name}: run `chasles emit`, then `make compile`"
+                f"the kernels installed here ({backend_of(kernels)}) lack {name}: "
+                "run `chasles emit`, then `make compile`"
             )
         options = {"dtype": precision, "strategies": (strategy,), "samples": samples, "batched": True}
         try:
             yield verify(_request(entry, kernel, judge), function, **options)
         except (LoweringError, Unsatisfiable, TypeError) as error:
             raise Failure(f"{name} cannot be compared with ({entry.number}): {error}") from error
+
+
+def backend_of(kernels: ModuleType) -> str:
+    """Whether the kernels are compiled ("c") or written out in NumPy."""
+    return getattr(kernels, "backend", "numpy")
 
 
 def _request(entry: Entry, kernel: Kernel, judge: Judge) -> Request:

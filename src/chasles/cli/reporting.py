@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from importlib.resources import files
 from time import perf_counter
 
+from chasles.cli.checkout import generated_package
 from chasles.cli.failures import Failure
 from chasles.cli.outcome import Outcome, decide
 from chasles.cli.roads import all_roads
@@ -19,10 +20,9 @@ from chasles.report.latex_page import latex_page
 from chasles.report.words import seconds
 from chasles.statements import Chapter
 from chasles.statements.derivation import Derivation
+from chasles.targets import MANIFEST
 
 __all__ = ["Reported", "reported"]
-
-MANIFEST = ("chasles.generated", "MANIFEST.toml")
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +60,7 @@ def reported(book: Chapter) -> Reported:
     assert again is not None
     trusted = checked_again(again.certificates, again.counterexamples, len(again.rejected))
     texts = {
-        "index.html": page(book, decisions, roads, _manifest(), trusted),
+        "index.html": page(book, decisions, roads, _manifest(book), trusted),
         "chapter.tex": latex_page(book, decisions),
     }
     return Reported(texts, outcome, roads, perf_counter() - started)
@@ -71,19 +71,18 @@ def _roads_of(book: Chapter) -> dict[str, Derivation]:
     known = {id(entry.statement) for entry in book}
     return {
         name: road
-        for name, road in all_roads().items()
+        for name, road in all_roads(book).items()
         if any(id(statement) in known for step in road.steps for statement in step.cited)
     }
 
 
-def _manifest() -> str:
+def _manifest(book: Chapter) -> str:
     """What was emitted; nothing where nothing was. Raises Failure for a manifest that cannot be read."""
-    package, name = MANIFEST
     try:
-        text = files(package).joinpath(name).read_text("utf-8")
+        text = files(generated_package(book)).joinpath(MANIFEST).read_text("utf-8")
         tomllib.loads(text)
     except (ModuleNotFoundError, FileNotFoundError):
         return ""
     except (OSError, ValueError) as error:
-        raise Failure(f"generated/{name} cannot be read ({error}): `chasles emit` writes it anew") from error
+        raise Failure(f"generated/{MANIFEST} cannot be read ({error}): `chasles emit` writes it anew") from error
     return text

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from chasles.cli.failures import BAD_INPUT, Failure, nearest
-from chasles.statements import DeclarationError
+from chasles.statements import Chapter, DeclarationError
 from chasles.statements.derivation import Derivation
 from chasles.statements.roads import roads
 
@@ -15,20 +15,22 @@ LONGEST = 4
 """How many words a number may have: "text 3.2.3 g" has three."""
 
 
-def all_roads() -> dict[str, Derivation]:
+def all_roads(book: Chapter) -> dict[str, Derivation]:
     """The roads by name, in the book's order. Raises Failure for declarations that contradict each other."""
     try:
-        return roads()
+        return roads(book.package)
     except DeclarationError as error:
         raise Failure(f"the declarations contradict each other: {error}", BAD_INPUT) from error
 
 
-def chosen_roads(words: Sequence[str]) -> dict[str, Derivation]:
+def chosen_roads(book: Chapter, words: Sequence[str]) -> dict[str, Derivation]:
     """The roads that end at these numbers, or come past them where none ends there; all without a number.
 
-    Raises Failure naming a number to which no road leads, and those near it.
+    Raises Failure naming a number to which no road leads, and those near it, and where the book has no roads.
     """
-    known = all_roads()
+    known = all_roads(book)
+    if not known:
+        raise Failure(f"{book.package} declares no roads: those of its package `roads` would be walked", BAD_INPUT)
     if not words:
         return known
     found: dict[str, Derivation] = {}

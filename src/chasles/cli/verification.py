@@ -8,7 +8,7 @@ from time import perf_counter
 from types import ModuleType
 from typing import Any
 
-from chasles.cli.comparison import Asked, compared
+from chasles.cli.comparison import Asked, backend_of, compared
 from chasles.numerics import Evidence
 from chasles.proof.judge import Judge
 from chasles.report.evidence import is_wrong, worst_of
@@ -71,4 +71,4 @@ def verified(
     """Compare the kernels asked for at so many points of each kind, in each precision."""
     started = perf_counter()
     evidence = tuple(compared(asked, kernels, strategies, samples, judge))
-    return Verification(str(kernels.backend), evidence, perf_counter() - started)
+    return Verification(backend_of(kernels), evidence, perf_counter() - started)

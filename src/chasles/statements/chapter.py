@@ -7,20 +7,19 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from importlib import import_module
+from importlib.util import find_spec
+from os import PathLike
 from types import ModuleType
 from typing import Any
 
 from chasles.statements.inversion import Inverse
 from chasles.statements.kernel import Kernel
+from chasles.statements.packages import BOOK, DeclarationError, imported
 from chasles.statements.statement import Statement, Theorem
 
 __all__ = ["Chapter", "DeclarationError", "Entry", "Section", "load"]
 
 Sentence = Statement | Theorem | Inverse
-
-
-class DeclarationError(ValueError):
-    """The declarations contradict each other: a number said twice, a statement resting on a later one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,13 +55,14 @@ class Entry:
 
 @dataclass(frozen=True)
 class Chapter:
-    """The statements of a book.
+    """The statements of a book, which the `package` declares.
 
     Raises `DeclarationError` if two have one name, or one number and part, or if one rests on itself or a later one.
     """
 
     title: str
     entries: tuple[Entry, ...]
+    package: str = BOOK
 
     def __post_init__(self) -> None:
         seen: dict[tuple[str, int], str] = {}
@@ -136,21 +136,40 @@ def _place(number: str) -> tuple[int, list[tuple[int, str]], str]:
     return kind, [(int(digits), letters) for digits, letters in re.findall(r"(\d+)([a-z]*)", number)], number
 
 
-def load(package: str = "chasles.derivations") -> Chapter:
+def load(package: str | PathLike[str] = BOOK) -> Chapter:
     """The chapter that a package of declarations declares: its `SECTIONS`, module by module.
 
-    Raises `DeclarationError` for contradictory declarations, and ModuleNotFoundError if there is no such package.
+    `package` is a name that can be imported, or the path of a folder, known by a separator in it ("./planar").
+
+    Raises `DeclarationError` for contradictory declarations, for none at all and for a folder that is no package, and
+    ModuleNotFoundError if there is no package of the name.
     """
-    book = import_module(package)
-    if not hasattr(book, "SECTIONS"):
-        raise DeclarationError(f"{package} has no SECTIONS: list the names of its modules there, in the book's order")
+    book = imported(package)
     entries: list[Entry] = []
     seen: set[int] = set()
-    for name in book.SECTIONS:
-        for entry in _entries(import_module(f"{package}.{name}"), seen):
+    for module in _modules(book):
+        for entry in _entries(module, seen):
             seen.add(id(entry.statement))
             entries.append(entry)
-    return Chapter(getattr(book, "TITLE", package), tuple(entries))
+    if not entries:
+        raise DeclarationError(f"{book.__name__} has no statements: none of its SECTIONS declares one")
+    return Chapter(getattr(book, "TITLE", book.__name__), tuple(entries), book.__name__)
+
+
+def _modules(book: ModuleType) -> Iterator[ModuleType]:
+    """The modules that the package lists, in its order."""
+    listed = getattr(book, "SECTIONS", None)
+    if listed is None:
+        raise DeclarationError(
+            f"{book.__name__} has no SECTIONS: list the names of its modules there, in the book's order"
+        )
+    if isinstance(listed, str):
+        raise DeclarationError(f"the SECTIONS of {book.__name__} are a text, {listed!r}: make them a tuple of names")
+    for name in listed:
+        module = f"{book.__name__}.{name}"
+        if find_spec(module) is None:
+            raise DeclarationError(f"{book.__name__} lists {name!r} among its SECTIONS, and there is no such module")
+        yield import_module(module)
 
 
 def _entries(module: ModuleType, seen: set[int]) -> Iterator[Entry]:

@@ -7,10 +7,11 @@ from importlib import import_module
 from pkgutil import iter_modules
 
 from chasles.statements.exercise import Exercise
+from chasles.statements.packages import BOOK
 
 __all__ = ["UnknownExercise", "exercise", "exercise_numbers"]
 
-PACKAGE = "chasles.derivations.exercises"
+PACKAGE = f"{BOOK}.exercises"
 _MODULE = re.compile(r"x(\d+)_(\d+)")
 
 

@@ -4,18 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from importlib import import_module
+from importlib.util import find_spec
 
-from chasles.statements.chapter import DeclarationError
 from chasles.statements.derivation import Derivation
+from chasles.statements.packages import BOOK, DeclarationError
 
 __all__ = ["roads", "roads_in"]
 
+ROADS = "roads"
 
-def roads(package: str = "chasles.derivations.roads") -> dict[str, Derivation]:
-    """The derivations that a package declares, by name, in the order of its modules `ROADS`.
 
-    Raises `DeclarationError` for a name that is given twice, ModuleNotFoundError if there is no such package.
+def roads(chapter: str = BOOK) -> dict[str, Derivation]:
+    """The derivations that a chapter's package `roads` declares, by name, in the order of its modules `ROADS`.
+
+    A chapter without such a package has none. Raises `DeclarationError` for a name that is given twice.
     """
+    package = f"{chapter}.{ROADS}"
+    if find_spec(package) is None:
+        return {}
     book = import_module(package)
     found: dict[str, Derivation] = {}
     for module in book.ROADS:
@@ -25,7 +31,7 @@ def roads(package: str = "chasles.derivations.roads") -> dict[str, Derivation]:
     return found
 
 
-def roads_in(module: str, package: str = "chasles.derivations.roads") -> dict[str, Derivation]:
+def roads_in(module: str, package: str = f"{BOOK}.{ROADS}") -> dict[str, Derivation]:
     """The derivations of one module of a package, by name; no other module is imported."""
     return dict(_declared(f"{package}.{module}"))
 

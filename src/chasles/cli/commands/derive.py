@@ -33,7 +33,8 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> int:
     from chasles.report.screen import Screen
     from chasles.report.waiting import watched
 
-    chosen, judge = chosen_roads(numbers), Judge(book=chapter())
+    book = chapter()
+    chosen, judge = chosen_roads(book, numbers), Judge(book=book)
     walked = {name: walk(road, judge) for name, road in watched(iter(chosen.items()), len(chosen), "Walking")}
     if json:
         click.echo(as_json({"roads": [road_record(name, road) for name, road in walked.items()]}))

@@ -23,7 +23,7 @@ __all__ = ["command"]
 @click.option(
     "--out",
     type=click.Path(path_type=Path, file_okay=False),
-    help="The folder to write to, rather than generated/ of the checkout.",
+    help="The folder to write to, rather than generated/ of the checkout, or of the chapter's package.",
 )
 @as_data
 def command(check: bool, out: Path | None, json: bool) -> int:
@@ -38,9 +38,9 @@ def command(check: bool, out: Path | None, json: bool) -> int:
     from chasles.report.words import seconds
     from chasles.targets import EmissionError
 
-    folder = out or generated_folder(Path.cwd())
     started = perf_counter()
     book = chapter()
+    folder = out or generated_folder(book, Path.cwd())
     judge = Judge(book=book)
     kernels = commissioned(book.entries, judge, folder)
     texts = emitted(kernels, pages(book, judge))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from chasles.cli.book import as_data
+from chasles.cli.book import as_data, only_of_the_book
 from chasles.cli.failures import BAD_INPUT, FAILED, Failure
 from chasles.cli.files import text_of_file
 
@@ -38,6 +38,7 @@ def command(exercise: str, seed: int, check: Path | None, json: bool) -> int:
     from chasles.statements.exercises import UnknownExercise
     from chasles.statements.exercises import exercise as find_exercise
 
+    only_of_the_book("the exercises")
     try:
         chosen = find_exercise(exercise)
         data = new_data(chosen, seed)

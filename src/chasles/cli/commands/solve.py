@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from chasles.cli.book import as_data
+from chasles.cli.book import as_data, only_of_the_book
 from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.cli.files import text_of_file, write_whole
 
@@ -30,6 +30,7 @@ def command(exercise: str, data: Path | None, html: Path | None, json: bool) -> 
     from chasles.report.screen import Screen
     from chasles.statements.exercises import UnknownExercise
 
+    only_of_the_book("the exercises")
     try:
         given = read_json(text_of_file(data)) if data is not None else {}
         solution = solve_with(exercise.removeprefix("Ex").strip(), given)

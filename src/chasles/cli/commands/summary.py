@@ -34,7 +34,7 @@ def command(sections: tuple[str, ...], samples: int, json: bool) -> int:
     entries = chosen(book, (), sections)
     outcome, judge = decide(entries, book)
     asking = [(entry, kernel) for entry in entries for kernel in entry.kernels]
-    verification = verified(asking, installed_kernels(), ("generic",), samples, judge)
+    verification = verified(asking, installed_kernels(book), ("generic",), samples, judge)
     if json:
         from chasles.report.records import as_json
 

@@ -45,7 +45,7 @@ def command(names: tuple[str, ...], points: tuple[str, ...], samples: int, stric
 
     book = chapter()
     asked = asking(book, names)
-    found = verified(asked, installed_kernels(), tuple(dict.fromkeys(points)), samples, Judge(book=book))
+    found = verified(asked, installed_kernels(book), tuple(dict.fromkeys(points)), samples, Judge(book=book))
     if json:
         click.echo(as_json(found.as_json()))
     else:

@@ -1,0 +1,3 @@
+"""How results come about, one module a road."""
+
+ROADS = ("r01_acceleration",)

@@ -1,0 +1,62 @@
+"""Where is a chapter? A package of declarations by its name, or by the folder that it is."""
+
+from __future__ import annotations
+
+import os
+import sys
+from importlib import import_module
+from importlib.util import find_spec, module_from_spec, spec_from_file_location
+from pathlib import Path
+from types import ModuleType
+
+__all__ = ["BOOK", "DeclarationError", "folder_of", "imported"]
+
+BOOK = "chasles.derivations"
+
+
+class DeclarationError(ValueError):
+    """The declarations contradict each other: a number said twice, a statement resting on a later one."""
+
+
+def imported(package: str | os.PathLike[str]) -> ModuleType:
+    """The package of that name, or in that folder: text with a slash, or that begins with a dot, is a folder's path.
+
+    Raises `DeclarationError` for a folder that holds no package or cannot be imported under its own name, and
+    ModuleNotFoundError if no package has the name.
+    """
+    folder = folder_of(package)
+    return import_module(str(package)) if folder is None else _imported_from(folder)
+
+
+def folder_of(package: str | os.PathLike[str]) -> Path | None:
+    """The folder that is meant; None where a name is meant."""
+    text = os.fspath(package)
+    is_path = not isinstance(package, str) or text.startswith(".") or "/" in text or os.sep in text
+    return Path(text).resolve() if is_path else None
+
+
+def _imported_from(folder: Path) -> ModuleType:
+    """The package in the folder, imported under the folder's name; nothing beside it comes to be importable."""
+    entrance, name = folder / "__init__.py", folder.name
+    if not entrance.is_file():
+        raise DeclarationError(f"{folder} is no chapter: there is no __init__.py in it")
+    if not name.isidentifier():
+        raise DeclarationError(
+            f"{folder} cannot be imported: {name!r} is no name of a Python package; rename the folder"
+        )
+    known = find_spec(name)
+    if known is not None and Path(known.origin or "").resolve() != entrance:
+        other = known.origin or "another package"
+        raise DeclarationError(f"{folder} cannot be imported: {name} is {other} already; rename the folder")
+    if known is not None:
+        return import_module(name)
+    spec = spec_from_file_location(name, entrance, submodule_search_locations=[str(folder)])
+    assert spec is not None
+    assert spec.loader is not None
+    module = sys.modules[name] = module_from_spec(spec)
+    try:
+        spec.loader.exec_module(module)
+    except BaseException:
+        del sys.modules[name]
+        raise
+    return module
