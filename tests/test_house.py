@@ -6,7 +6,6 @@ import os
 import shutil
 import subprocess
 import sys
-import zipfile
 from importlib import metadata
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
@@ -98,68 +97,6 @@ def test_missing_python_header_is_named(tmp_path: Path) -> None:
     assert done.returncode == 1
     assert f"No Python.h in {tmp_path}" in done.stderr
     assert "install the Debian package python3-dev, then" in done.stderr
-
-
-def copy_of_checkout(to: Path) -> Path:
-    shutil.copytree(ROOT, to, ignore=shutil.ignore_patterns(".*", "build", "dist", "__pycache__"))
-    return to
-
-
-def wheel(tmp: Path, **environment: str) -> Path:
-    """The only wheel that pip builds from a fresh copy of the checkout, with the tools of this environment."""
-    source = copy_of_checkout(tmp / "source")
-    options = ("--no-build-isolation", "--no-deps", "--wheel-dir", tmp / "dist")
-    succeed(sys.executable, "-m", "pip", "wheel", *options, source, cwd=tmp, **environment)
-    (built,) = (tmp / "dist").iterdir()
-    return built
-
-
-def in_wheel(built: Path, code: str) -> str:
-    """What the code prints where only the wheel and its dependencies can be imported, far from the checkout."""
-    site = built.parent / "site"
-    with zipfile.ZipFile(built) as archive:
-        archive.extractall(site)
-    dependencies = next(path for path in sys.path if path.endswith("site-packages"))
-    # -S leaves out .pth files, and with them the editable installation.
-    path = os.pathsep.join((str(site), dependencies))
-    return succeed(sys.executable, "-S", "-c", code, cwd=site.parent, PYTHONPATH=path, CHASLES_BACKEND="")
-
-
-WHERE = "import chasles.derivations as d, chasles.kernels as k; print(k.backend, len(dir(k)) > 1, d.__file__)"
-EXPECTED = {
-    "chasles/py.typed",
-    "chasles/derivations/__init__.py",
-    "chasles/generated/numpy/kernels.py",
-    "chasles/report/templates/index.html.jinja",
-}
-
-
-@pytest.mark.slow
-@needs_c
-def test_wheel_with_compiled_kernels(tmp_path: Path) -> None:
-    built = wheel(tmp_path, CHASLES_REQUIRE_C="1")
-    assert "-cp311-abi3-" in built.name or sys.platform == "win32"
-    names = set(zipfile.ZipFile(built).namelist())
-    assert names.issuperset(EXPECTED)
-    assert any(name.startswith("chasles/_kernels.") for name in names)
-    assert not [name for name in names if not name.startswith(("chasles/", "chasles-"))]
-    assert in_wheel(built, WHERE).split()[:2] == ["c", "True"]
-
-
-@pytest.mark.slow
-def test_wheel_without_a_compiler(tmp_path: Path) -> None:
-    built = wheel(tmp_path, CC="false", CHASLES_REQUIRE_C="0")
-    assert built.name == f"chasles-{chasles.__version__}-py3-none-any.whl"
-    assert set(zipfile.ZipFile(built).namelist()).issuperset(EXPECTED)
-    backend, has_kernels, book = in_wheel(built, WHERE).split()
-    assert (backend, has_kernels) == ("numpy", "True")
-    assert Path(book).is_relative_to(tmp_path)
-
-
-@pytest.mark.slow
-def test_compiled_kernels_can_be_insisted_on(tmp_path: Path) -> None:
-    with pytest.raises(AssertionError, match="CMake configuration failed"):
-        wheel(tmp_path, CC="false", CHASLES_REQUIRE_C="1")
 
 
 @pytest.fixture(scope="module")

@@ -6,14 +6,16 @@ import traceback
 from collections.abc import Callable, Iterator, Sequence
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from chasles.cli.failures import BAD_INPUT, Failure, nearest
-from chasles.proof.judge import Decision, Judge
 from chasles.report.waiting import watched
 from chasles.statements import Chapter, Entry, load
+
+if TYPE_CHECKING:
+    from chasles.proof.judge import Decision, Judge
 
 __all__ = ["BOOK", "as_data", "chapter", "chosen", "decisions", "of_numbers", "of_sections"]
 
