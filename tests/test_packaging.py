@@ -169,8 +169,8 @@ def environment(tmp_path: Path) -> Environment:
 
 
 @pytest.fixture
-def building_environment(tmp_path: Path) -> Environment:
-    return Environment(tmp_path / "environment", "scikit-build-core")
+def builder(tmp_path: Path) -> Environment:
+    return Environment(tmp_path / "environment", "scikit-build-core", "cmake", "ninja")
 
 
 def contents(wheel: Path) -> dict[str, str]:
@@ -261,25 +261,21 @@ def test_the_pure_wheel_in_one_go(pure_wheel: Path, environment: Environment) ->
     assert said.splitlines()[-1] == "numpy"
 
 
-def test_the_folder_itself_can_be_installed(tree: Path, building_environment: Environment) -> None:
-    building_environment.install("--no-deps", "--no-build-isolation", tree, **PURE)
-    assert "✓ holds under" in building_environment.run("chasles decide 3.18")
+def test_the_folder_itself_can_be_installed(tree: Path, builder: Environment) -> None:
+    builder.install("--no-deps", "--no-build-isolation", tree, **PURE)
+    assert "✓ holds under" in builder.run("chasles decide 3.18")
 
 
-def test_an_editable_installation_sees_what_is_edited(
-    tree: Path, tmp_path: Path, building_environment: Environment
-) -> None:
+def test_an_editable_installation_sees_what_is_edited(tree: Path, tmp_path: Path, builder: Environment) -> None:
     edited = shutil.copytree(tree, tmp_path / "edited")
-    building_environment.install("--no-deps", "--no-build-isolation", "--editable", edited, **PURE)
+    builder.install("--no-deps", "--no-build-isolation", "--editable", edited, **PURE)
     section = edited / "derivations" / "s02_screw.py"
     text = section.read_text("utf-8")
     sentence = "The point of the screw axis nearest the origin."
     assert sentence in text
     section.write_text(text.replace(sentence, "A sentence that was edited."), "utf-8")
-    assert "✓ holds under  A sentence that was edited." in building_environment.run("chasles decide 3.18")
-    assert json.loads(building_environment.run("chasles doctor --json"))["chasles"]["place"] == str(
-        edited / "src" / "chasles"
-    )
+    assert "✓ holds under  A sentence that was edited." in builder.run("chasles decide 3.18")
+    assert json.loads(builder.run("chasles doctor --json"))["chasles"]["place"] == str(edited / "src" / "chasles")
 
 
 def test_compiled_kernels_can_be_insisted_on(tree: Path, tmp_path: Path) -> None:

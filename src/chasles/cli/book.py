@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from chasles.cli import completing
 from chasles.cli.failures import BAD_INPUT, Failure, nearest
 from chasles.report.waiting import watched
 from chasles.statements import Chapter, Entry, load
@@ -26,13 +27,19 @@ LONGEST = 4
 
 def of_numbers(command: Callable[..., Any]) -> Callable[..., Any]:
     """Give a command the argument `numbers`."""
-    return click.argument("numbers", nargs=-1, metavar="[NUMBER]...")(command)
+    offer = completing.numbers
+    return click.argument("numbers", nargs=-1, metavar="[NUMBER]...", shell_complete=offer)(command)
 
 
 def of_sections(command: Callable[..., Any]) -> Callable[..., Any]:
     """Give a command the option `--section`."""
     return click.option(
-        "--section", "sections", multiple=True, metavar="S", help="A section with all below it; may be repeated."
+        "--section",
+        "sections",
+        multiple=True,
+        metavar="S",
+        help="A section with all below it; may be repeated.",
+        shell_complete=completing.sections,
     )(command)
 
 
