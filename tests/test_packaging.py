@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import fcntl
 import json
 import os
 import shutil
@@ -21,6 +20,7 @@ import pytest
 
 import chasles
 
+fcntl = pytest.importorskip("fcntl", reason="the environments are laid out as on Unix")
 ROOT = Path(__file__).resolve().parents[1]
 DOWNLOADS = "CHASLES_TEST_DOWNLOADS"
 EPOCH = "1700000000"

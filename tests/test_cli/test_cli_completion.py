@@ -83,6 +83,19 @@ def test_no_prover_is_imported_for_a_word(words: str) -> None:
     assert done.returncode == 0, done.stderr
 
 
+@pytest.mark.parametrize("words", ["--help", "--version", "decide --help", "list", "completion fish"])
+def test_no_prover_is_imported_to_say_what_there_is(words: str) -> None:
+    code = (
+        "import atexit, os, sys\n"
+        "atexit.register(lambda: os._exit(bool({'sympy', 'numpy', 'flint', 'mpmath'} & set(sys.modules))))\n"
+        "from chasles.cli import main\n"
+        "main(sys.argv[1:], prog_name='chasles')"
+    )
+    done = subprocess.run([sys.executable, "-c", code, *words.split()], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout
+
+
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
 def test_a_shell_reads_what_is_printed_for_it(run, shell: str) -> None:
     if shutil.which("bash") is None:
