@@ -53,7 +53,7 @@ lint: $(VENV)/.tools
 	@$(BIN)/ruff format --check
 
 types: $(VENV)/.compiled $(VENV)/.tools
-	@mkdir -p .types/chasles && ln -sfn ../../derivations .types/chasles/derivations
+	@mkdir -p .types/chasles && ln -sfn ../../derivations ../../generated .types/chasles/
 	@$(BIN)/mypy
 
 wheel: $(VENV)/pyvenv.cfg

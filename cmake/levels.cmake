@@ -11,7 +11,7 @@ endfunction()
 
 set_source_files_properties(
     "${PROJECT_SOURCE_DIR}/generated/c/src/trigonometry_blocks.c"
-    PROPERTIES COMPILE_OPTIONS "$<$<C_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=fast>"
+    PROPERTIES COMPILE_OPTIONS "${chasles_contracted}"
 )
 
 set(chasles_levels 0)
@@ -23,6 +23,10 @@ foreach(target own x86-64-v3)
             break()
         endif()
         if(CMAKE_C_COMPILER_ID STREQUAL "GNU" AND CMAKE_C_COMPILER_VERSION VERSION_LESS 12)
+            break()
+        endif()
+        if(CMAKE_C_COMPILER_FRONTEND_VARIANT STREQUAL "MSVC")
+            # What asks the processor for its instructions is in Clang's own library, which is not linked there.
             break()
         endif()
         check_c_compiler_flag(-march=${target} chasles_has_${target})

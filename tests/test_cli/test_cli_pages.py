@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import io
 import json
 import re
+import shlex
 
 import pytest
+from rich.text import Text
+
+from chasles.report.screen import Screen
 
 KEYS = [
     "number", "part", "name", "section", "role", "verdict", "needs", "counterexample", "corrected", "latex",
@@ -66,12 +71,71 @@ def test_a_pipe_gets_plain_text(run) -> None:
         assert not re.search(r"[ \t]$", page, re.MULTILINE)
 
 
-@pytest.mark.parametrize("width", [30, 60, 80, 160])
-def test_pages_keep_to_the_width(run, width: int) -> None:
-    for words in (["decide", "--section", "3.4.1"], ["list"], ["show", "3.57", "Thm 3.2.2", "natural_invariants"]):
-        done = run(*words, COLUMNS=str(width))
-        assert done.exit_code == 0
-        assert max(map(len, done.stdout.splitlines())) <= width
+COMMANDS = [
+    "decide --section 3.4.1",
+    "list",
+    "show 3.57 'Thm 3.2.2' natural_invariants",
+    "derive 3.13",
+    "repair 3.57",
+    "solve 3.7",
+    "doctor",
+    "summary --section 3.3 --samples 1",
+    "verify axial_vector power --samples 1 --points generic --points near",
+]
+NUMBERS_OF_PAGES = {
+    "decide --section 3.4.1": "3.57",
+    "list": "3.148",
+    "doctor": "numpy",
+    "summary --section 3.3 --samples 1": "3.3 ",
+}
+
+
+@pytest.mark.parametrize("width", [30, 40, 60, 80, 120, 160, 200])
+def test_pages_keep_to_the_width_and_nothing_is_cut_off(run, width: int) -> None:
+    for command in COMMANDS if width != 30 else COMMANDS[:3]:
+        done = run(*shlex.split(command), COLUMNS=str(width))
+        assert done.exit_code == 0, command
+        assert max(map(len, done.stdout.splitlines())) <= width, command
+        assert "\N{HORIZONTAL ELLIPSIS}" not in done.stdout, command
+        assert NUMBERS_OF_PAGES.get(command, "") in done.stdout, command
+
+
+@pytest.mark.parametrize("width", [40, 80])
+def test_the_summary_says_the_same_in_words_where_a_table_has_no_room(run, width: int) -> None:
+    page = run("summary", "--section", "3.3", "--samples", "1", COLUMNS=str(width)).stdout
+    data = json.loads(run("summary", "--section", "3.3", "--samples", "1", "--json").stdout)["sections"][0]
+    words = " ".join(page.split())
+    if width < 64:
+        assert data["title"] in words
+        assert f"{data['holds']} holds, {data['holds-under']} holds under" in words
+    else:
+        assert re.search(rf"{data['holds']} +{data['holds-under']} ", page)
+
+
+@pytest.mark.parametrize(
+    ("environment", "coloured"),
+    [
+        ({}, False),
+        ({"FORCE_COLOR": "1"}, True),
+        ({"CLICOLOR_FORCE": "1"}, True),
+        ({"CLICOLOR_FORCE": "0"}, False),
+        ({"CLICOLOR_FORCE": "1", "CLICOLOR": "0"}, True),
+        ({"FORCE_COLOR": "1", "CLICOLOR": "0"}, False),
+        ({"FORCE_COLOR": "1", "CLICOLOR": "1"}, True),
+        ({"FORCE_COLOR": "1", "NO_COLOR": ""}, True),
+        ({"CLICOLOR_FORCE": "1", "NO_COLOR": "1"}, False),
+    ],
+)
+def test_colours_are_for_who_wants_them(environment: dict[str, str], coloured: bool) -> None:
+    page = io.StringIO()
+    with pytest.MonkeyPatch.context() as patch:
+        for name in ("NO_COLOR", "FORCE_COLOR", "CLICOLOR", "CLICOLOR_FORCE"):
+            patch.delenv(name, raising=False)
+        patch.setenv("TERM", "xterm-256color")
+        for name, value in environment.items():
+            patch.setenv(name, value)
+        Screen(page).show(Text("a number", "green"))
+    assert (ESCAPE + "32m" in page.getvalue()) == coloured
 
 
 def test_colour_where_it_is_wanted_and_words_where_it_is_not(process) -> None:

@@ -140,11 +140,12 @@ def test_the_summary_adds_up(installed) -> None:
 
 def test_the_summary_has_a_row_for_each_section_and_a_total(monkeypatch: pytest.MonkeyPatch) -> None:
     from chasles.proof.judge import Judge
+    from chasles.report.screen import Screen
     from chasles.report.summary import summary_table, tallies
 
     whole = load()
     found = tallies(list(Judge(book=whole).decide_all(whole.entries)))
     assert [tally.number for tally in found] == list(dict.fromkeys(entry.section.number for entry in whole.entries))
     assert sum(sum(tally.verdicts.values()) for tally in found) == len(whole.entries)
-    (table,) = summary_table(found)
+    (table,) = summary_table(Screen(), found)
     assert table.row_count == len(found) + 2

@@ -9,14 +9,26 @@ from chasles.cli.failures import Guarded
 
 __all__ = ["main"]
 
-COMMANDS = ("list", "show", "decide", "derive", "repair", "solve", "practice", "emit", "verify", "summary", "report")
+COMMANDS = (
+    "list", "show", "decide", "derive", "repair", "solve", "practice", "emit", "verify", "summary", "report",
+    "doctor", "completion",
+)  # fmt: skip
+EXIT_STATUS = """\b
+Exit status:
+  0    fine; a print of the book that is wrong is a finding
+  1    something failed, is undecided, or is not as `chasles emit` makes it
+  2    bad usage or input
+  130  stopped from the keyboard
+
+Example: chasles show 3.16
+"""
 
 
 @click.group(
     cls=Guarded,
     modules={name: f"chasles.cli.commands.{name}" for name in COMMANDS},
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
-    epilog="Example: chasles show 3.16",
+    epilog=EXIT_STATUS,
 )
 @click.version_option(__version__, prog_name="chasles")
 @click.option(

@@ -7,15 +7,18 @@ import traceback
 from collections.abc import Callable, Iterator, Sequence
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
+from chasles.cli import completing
 from chasles.cli.failures import BAD_INPUT, Failure, nearest
-from chasles.proof.judge import Decision, Judge
 from chasles.report.waiting import watched
 from chasles.statements import Chapter, Entry, load
 from chasles.statements.packages import BOOK, folder_of
+
+if TYPE_CHECKING:
+    from chasles.proof.judge import Decision, Judge
 
 __all__ = ["BOOK", "as_data", "chapter", "chosen", "decisions", "of_numbers", "of_sections", "only_of_the_book"]
 
@@ -25,13 +28,19 @@ LONGEST = 4
 
 def of_numbers(command: Callable[..., Any]) -> Callable[..., Any]:
     """Give a command the argument `numbers`."""
-    return click.argument("numbers", nargs=-1, metavar="[NUMBER]...")(command)
+    offer = completing.numbers
+    return click.argument("numbers", nargs=-1, metavar="[NUMBER]...", shell_complete=offer)(command)
 
 
 def of_sections(command: Callable[..., Any]) -> Callable[..., Any]:
     """Give a command the option `--section`."""
     return click.option(
-        "--section", "sections", multiple=True, metavar="S", help="A section with all below it; may be repeated."
+        "--section",
+        "sections",
+        multiple=True,
+        metavar="S",
+        help="A section with all below it; may be repeated.",
+        shell_complete=completing.sections,
     )(command)
 
 

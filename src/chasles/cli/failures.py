@@ -12,6 +12,8 @@ from typing import Any
 
 import click
 
+from chasles.cli.quiet import can_be_quiet, quiet_option
+
 __all__ = ["BAD_INPUT", "FAILED", "Failure", "Guarded", "complain", "nearest"]
 
 FAILED = 1
@@ -36,6 +38,7 @@ class Guarded(click.Group):
     def __init__(self, *args: Any, modules: dict[str, str], **kwargs: Any) -> None:
         super().__init__(*args, **kwargs)
         self._modules = modules
+        self.params.append(quiet_option())
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(self._modules)
@@ -47,7 +50,7 @@ class Guarded(click.Group):
             return None
         command = import_module(self._modules[cmd_name]).command
         assert isinstance(command, click.Command)
-        return command
+        return can_be_quiet(command)
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]

@@ -4,15 +4,35 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Mapping
 from typing import TextIO
 
 from rich.console import Console, RenderableType
+from rich.measure import Measurement
 
-__all__ = ["NARROW", "Screen"]
+__all__ = ["NARROW", "Screen", "console_on"]
 
 NARROW = 64
 """Columns below which a table gives way to a list."""
 _UNBROKEN = 10_000
+
+
+def console_on(file: TextIO, environ: Mapping[str, str]) -> Console:
+    """A console with colours where the file is a terminal and nothing in the environment says otherwise.
+
+    NO_COLOR that is not empty and CLICOLOR=0 turn them off; CLICOLOR_FORCE that is neither empty nor 0 turns them on,
+    unless NO_COLOR is there, as FORCE_COLOR does.
+    """
+    forced = environ.get("CLICOLOR_FORCE", "0") not in ("", "0")
+    plain = bool(environ.get("NO_COLOR")) or (environ.get("CLICOLOR") == "0" and not forced)
+    return Console(
+        file=file,
+        markup=False,
+        highlight=False,
+        emoji=False,
+        no_color=plain or None,
+        force_terminal=True if forced else None,
+    )
 
 
 class Screen:
@@ -21,7 +41,7 @@ class Screen:
     def __init__(self, file: TextIO | None = None) -> None:
         self._file = file or sys.stdout
         chosen = os.environ.get("COLUMNS", "")
-        self.console = Console(file=self._file, markup=False, highlight=False, emoji=False)
+        self.console = console_on(self._file, os.environ)
         if not self.console.is_terminal and not chosen.isdecimal():
             self.console.width = _UNBROKEN
 
@@ -33,6 +53,11 @@ class Screen:
     def narrow(self) -> bool:
         """Whether a table with several columns of text has no room."""
         return self.console.width < NARROW
+
+    def has_room_for(self, page: RenderableType) -> bool:
+        """Whether the page can be shown without anything being cut off."""
+        unbounded = self.console.options.update_width(_UNBROKEN)
+        return Measurement.get(self.console, unbounded, page).minimum <= self.console.width
 
     @property
     def signs(self) -> bool:

@@ -13,6 +13,7 @@ from rich.text import Text
 
 from chasles.report.decisions import Decided
 from chasles.report.details import number_in_words
+from chasles.report.screen import Screen
 from chasles.report.words import VERDICTS, seconds
 
 __all__ = ["Tally", "prints_that_do_not_stand", "summary_table", "tallies"]
@@ -68,8 +69,8 @@ def tallies(decided: Sequence[Decided]) -> list[Tally]:
     return list(found.values())
 
 
-def summary_table(sections: Sequence[Tally]) -> Iterator[RenderableType]:
-    """The tallies and, below them, their total."""
+def summary_table(screen: Screen, sections: Sequence[Tally]) -> Iterator[RenderableType]:
+    """The tallies and, below them, their total: as a table, or as a list where a table has no room."""
     total = Tally("", "all")
     for section in sections:
         total.add(section)
@@ -85,7 +86,10 @@ def summary_table(sections: Sequence[Tally]) -> Iterator[RenderableType]:
         table.add_row(*_cells(tally, shown))
     table.add_row()
     table.add_row(*_cells(total, shown), style="bold")
-    yield table
+    if screen.has_room_for(table):
+        yield table
+    else:
+        yield from (_in_words(tally) for tally in (*sections, total))
 
 
 def prints_that_do_not_stand(decided: Sequence[Decided]) -> Iterator[RenderableType]:
@@ -99,6 +103,13 @@ def _cells(tally: Tally, shown: Sequence[str]) -> list[Text]:
     counts = [_count(tally.verdicts[name], VERDICTS[name][3]) for name in shown]
     time = Text(seconds(tally.milliseconds / 1000))
     return [Text(tally.number), Text(tally.title), *counts, _count(tally.kernels, ""), time]
+
+
+def _in_words(tally: Tally) -> Text:
+    """The tally in a sentence."""
+    said = [f"{tally.verdicts[name]} {VERDICTS[name][2]}" for name in HEADERS if tally.verdicts[name]]
+    rest = f"{', '.join(said)}; {tally.kernels} kernels, {seconds(tally.milliseconds / 1000)}"
+    return Text.assemble((f"{tally.number} {tally.title}".strip(), "bold"), ": ", rest, overflow="fold")
 
 
 def _count(number: int, colour: str) -> Text:

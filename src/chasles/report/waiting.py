@@ -2,21 +2,34 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from threading import Event, Thread
 from typing import TypeVar
 
-__all__ = ["PATIENCE", "watched"]
+__all__ = ["PATIENCE", "silent", "watched"]
 
 PATIENCE = 0.8
 """Seconds before the bar appears."""
 _T = TypeVar("_T")
+_silences: list[None] = []
+
+
+@contextmanager
+def silent() -> Iterator[None]:
+    """No bar appears inside."""
+    _silences.append(None)
+    try:
+        yield
+    finally:
+        _silences.pop()
 
 
 def watched(things: Iterable[_T], total: int, doing: str) -> Iterator[_T]:
     """The things, one at a time, with a bar that says how many of the `total` are through."""
-    if not sys.stderr.isatty():
+    if _silences or not sys.stderr.isatty():
         yield from things
         return
     wait = _Wait(total, doing)
@@ -45,10 +58,11 @@ class _Wait:
     def _draw(self) -> None:
         if self._over.wait(PATIENCE):
             return
-        from rich.console import Console
         from rich.progress import Progress
 
-        with Progress(console=Console(stderr=True), transient=True) as bar:
+        from chasles.report.screen import console_on
+
+        with Progress(console=console_on(sys.stderr, os.environ), transient=True) as bar:
             task = bar.add_task(self._doing, total=self._total)
             while not self._over.wait(0.1):
                 bar.update(task, completed=self.done)

@@ -14,13 +14,14 @@ __all__ = ["command"]
 @as_data
 def command(sections: tuple[str, ...], json: bool) -> None:
     """List the numbers of the book and what each says."""
-    from chasles.report.contents import contents
-    from chasles.report.records import as_json, described
-    from chasles.report.screen import Screen
-
     entries = chosen(chapter(), (), sections)
     if json:
+        from chasles.report.records import as_json, described
+
         click.echo(as_json({"statements": [described(entry) for entry in entries]}))
     else:
+        from chasles.report.contents import contents
+        from chasles.report.screen import Screen
+
         screen = Screen()
         screen.show(*contents(screen, entries))

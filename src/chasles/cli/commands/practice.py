@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from chasles.cli import completing
 from chasles.cli.book import as_data, only_of_the_book
 from chasles.cli.failures import BAD_INPUT, FAILED, Failure
 from chasles.cli.files import text_of_file
@@ -22,7 +23,7 @@ __all__ = ["command"]
 @click.command(
     "practice", short_help="New data for an exercise; grade an answer.", epilog="Example: chasles practice 3.7 --seed 4"
 )
-@click.argument("exercise", metavar="EX")
+@click.argument("exercise", metavar="EX", shell_complete=completing.exercises)
 @click.option("--seed", type=click.IntRange(0, 10**9), default=1, show_default=True, help="Which data are drawn.")
 @click.option("--check", type=click.Path(path_type=Path), metavar="FILE", help="JSON with answers to grade; '-' reads.")
 @as_data
@@ -48,8 +49,12 @@ def command(exercise: str, seed: int, check: Path | None, json: bool) -> int:
     if json:
         click.echo(as_json({"exercise": chosen.number, "seed": seed, "data": data} | _record(marks)))
     else:
-        for line in _task(chosen, seed, data) if marks is None else _marks(marks):
-            click.echo(line)
+        from rich.text import Text
+
+        from chasles.report.screen import Screen
+
+        lines = _task(chosen, seed, data) if marks is None else _marks(marks)
+        Screen().show(*(Text(line, overflow="fold") for line in lines))
     return 0 if marks is None or marks.passed else FAILED
 
 
@@ -78,7 +83,8 @@ def _task(exercise: Exercise, seed: int, data: dict[str, Any]) -> Iterator[str]:
     for text in exercise.asked:
         yield f"  - {text}"
     yield as_json(data)
-    yield f"Check an answer: chasles practice {exercise.number} --seed {seed} --check answer.json"
+    yield "Check an answer:"
+    yield f"  chasles practice {exercise.number} --seed {seed} --check answer.json"
 
 
 def _marks(marks: Grade) -> Iterator[str]:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import click
 
+from chasles.cli import completing
 from chasles.cli.book import as_data, chapter, chosen, decisions
 
 __all__ = ["command"]
 
 
 @click.command("show", short_help="Show an equation and its verdict.", epilog="Example: chasles show 3.16 --latex")
-@click.argument("numbers", nargs=-1, required=True, metavar="NUMBER...")
+@click.argument("numbers", nargs=-1, required=True, metavar="NUMBER...", shell_complete=completing.numbers)
 @click.option("--latex", is_flag=True, help="Show the equation in LaTeX as well.")
 @as_data
 def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:

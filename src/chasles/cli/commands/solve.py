@@ -6,15 +6,17 @@ from pathlib import Path
 
 import click
 
+from chasles.cli import completing
 from chasles.cli.book import as_data, only_of_the_book
 from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.cli.files import text_of_file, write_whole
+from chasles.cli.quiet import is_quiet
 
 __all__ = ["command"]
 
 
 @click.command("solve", short_help="Work an exercise.", epilog="Example: chasles solve 3.7 --data my.json")
-@click.argument("exercise", metavar="EX")
+@click.argument("exercise", metavar="EX", shell_complete=completing.exercises)
 @click.option("--data", type=click.Path(path_type=Path), metavar="FILE", help="JSON with other data; '-' reads them.")
 @click.option("--html", type=click.Path(path_type=Path), metavar="FILE", help="Write a page with formulas and picture.")
 @as_data
@@ -45,5 +47,5 @@ def command(exercise: str, data: Path | None, html: Path | None, json: bool) -> 
     elif html is None:
         screen = Screen()
         screen.show(*worked_page(solution, screen.signs))
-    else:
+    elif not is_quiet():
         click.echo(f"wrote {html}", err=True)

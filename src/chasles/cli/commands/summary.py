@@ -67,6 +67,6 @@ def _show(outcome: Outcome, verification: Verification) -> None:
     from chasles.report.summary import prints_that_do_not_stand, summary_table, tallies
 
     screen = Screen()
-    screen.show(*summary_table(tallies(outcome.decided)), "")
+    screen.show(*summary_table(screen, tallies(outcome.decided)), "")
     screen.show(*outcome.in_words, *prints_that_do_not_stand(outcome.decided), "")
     screen.show(*verification.in_words)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import click
 
+from chasles.cli import completing
 from chasles.cli.book import as_data, chapter
 from chasles.cli.failures import complain
 
@@ -17,7 +18,7 @@ STRATEGIES = ("generic", "near", "simple")
     short_help="Compare kernels with 50 digits.",
     epilog="Example: chasles verify screw_axis_point --points generic --points near",
 )
-@click.argument("names", nargs=-1, metavar="[NAME]...")
+@click.argument("names", nargs=-1, metavar="[NAME]...", shell_complete=completing.kernels)
 @click.option(
     "--points",
     type=click.Choice(STRATEGIES),

@@ -1,0 +1,294 @@
+"""What people install: the source distribution, both wheels, and each of them in an environment of its own."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tarfile
+import venv
+import zipfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from hashlib import sha256
+from importlib import metadata
+from pathlib import Path, PurePosixPath
+
+import pytest
+
+import chasles
+
+fcntl = pytest.importorskip("fcntl", reason="the environments are laid out as on Unix")
+ROOT = Path(__file__).resolve().parents[1]
+DOWNLOADS = "CHASLES_TEST_DOWNLOADS"
+EPOCH = "1700000000"
+PURE = {"CC": "false", "CHASLES_REQUIRE_C": "0"}
+NAME = f"chasles-{chasles.__version__}"
+ONE_GO = (
+    'chasles decide 3.18 && chasles solve 3.7 && python -c "import chasles.kernels; print(chasles.kernels.backend)"'
+)
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(not (ROOT / "pyproject.toml").exists(), reason="needs the checkout"),
+]
+
+
+def succeed(*command: str | Path, cwd: Path, **environment: str) -> str:
+    done = subprocess.run(
+        command, cwd=cwd, env={**os.environ, **environment}, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, f"{done.args}\n{done.stdout}\n{done.stderr}"
+    return done.stdout
+
+
+def can_compile() -> bool:
+    script = ROOT / "cmake" / "can_compile.sh"
+    command = ("sh", script, os.environ.get("CC", "cc"), sys.executable)
+    return subprocess.run(command, capture_output=True, check=False).returncode == 0
+
+
+needs_c = pytest.mark.skipif(not can_compile(), reason="no C compiler or no Python.h on this machine")
+
+
+@pytest.fixture(scope="session")
+def once(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str, Callable[[Path], None]], Path]:
+    """The only file in the folder of a name, made there by the first test process that asks for it."""
+    shared = tmp_path_factory.getbasetemp()
+    shared = shared.parent if os.environ.get("PYTEST_XDIST_WORKER") else shared
+
+    def make(name: str, maker: Callable[[Path], None]) -> Path:
+        folder = shared / "packages" / name
+        folder.parent.mkdir(exist_ok=True)
+        with locked(folder.with_suffix(".lock")):
+            if not folder.exists():
+                draft = folder.with_suffix(".draft")
+                shutil.rmtree(draft, ignore_errors=True)
+                draft.mkdir()
+                maker(draft)
+                draft.rename(folder)
+        (made,) = folder.iterdir()
+        return made
+
+    return make
+
+
+@contextmanager
+def locked(path: Path) -> Iterator[None]:
+    with path.open("w") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        yield
+
+
+def build(source: Path, out: Path, **environment: str) -> None:
+    """Put the wheel that pip builds from a folder or an archive into `out`, with the tools of this environment."""
+    options = ("--no-build-isolation", "--no-deps", "--quiet", "--wheel-dir", out)
+    succeed(sys.executable, "-m", "pip", "wheel", *options, source, cwd=out, SOURCE_DATE_EPOCH=EPOCH, **environment)
+
+
+def build_sdist(source: Path, out: Path) -> None:
+    """Put the source distribution into `out`."""
+    code = "import sys; from scikit_build_core.build import build_sdist as build; build(sys.argv[1])"
+    succeed(sys.executable, "-c", code, out, cwd=source, SOURCE_DATE_EPOCH=EPOCH)
+
+
+@pytest.fixture(scope="session")
+def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A fresh copy of the checkout, without what is made in it."""
+    made = shutil.ignore_patterns(".*", "__pycache__")
+
+    def ignored(folder: str, names: list[str]) -> set[str]:
+        return made(folder, names) | ({"build", "dist", "report"} if Path(folder) == ROOT else set())
+
+    return shutil.copytree(ROOT, tmp_path_factory.mktemp("tree") / "source", ignore=ignored)
+
+
+@pytest.fixture(scope="session")
+def sdist(once, tree: Path) -> Path:
+    """The source distribution of the checkout."""
+    return once("sdist", lambda out: build_sdist(tree, out))
+
+
+@pytest.fixture(scope="session")
+def pure_wheel(once, sdist: Path) -> Path:
+    """The wheel that is built from the source distribution where there is no compiler."""
+    return once("pure", lambda out: build(sdist, out, **PURE))
+
+
+@pytest.fixture(scope="session")
+def compiled_wheel(once, sdist: Path) -> Path:
+    """The wheel that is built from the source distribution where there is a compiler."""
+    return once("compiled", lambda out: build(sdist, out, CHASLES_REQUIRE_C="1"))
+
+
+class Environment:
+    """A new virtual environment that has what some distributions require, and nothing else, from that of the tests."""
+
+    def __init__(self, folder: Path, *more: str) -> None:
+        venv.create(folder, with_pip=False, symlinks=True)
+        self.folder = folder
+        self.python = folder / "bin" / "python"
+        (self.packages,) = folder.glob("lib/python*/site-packages")
+        for distribution in required("chasles", *more):
+            for top in {PurePosixPath(file).parts[0] for file in distribution.files or ()} - {"..", "__pycache__"}:
+                (self.packages / top).symlink_to(Path(str(distribution.locate_file(top))))
+
+    def install(self, *words: str | Path, **environment: str) -> None:
+        """Install with the pip of this environment, which finds its build tools here and downloads nothing."""
+        pip = (sys.executable, "-m", "pip", "--python", self.python, "install", "--no-index", "--quiet")
+        succeed(*pip, *words, cwd=self.folder, **environment)
+
+    def run(self, line: str, **environment: str) -> str:
+        """What a line of shell prints in this environment, far from the checkout."""
+        path = os.pathsep.join((str(self.folder / "bin"), os.environ["PATH"]))
+        plain = {"PATH": path, "CHASLES_BACKEND": "", "PYTHONPATH": "", "NO_COLOR": "1", "COLUMNS": "100"}
+        return succeed("sh", "-c", line, cwd=self.folder, **{**plain, **environment})
+
+
+def required(name: str, *more: str) -> list[metadata.Distribution]:
+    """What the distribution of a name requires without extras, and what that requires; more names with themselves."""
+    from packaging.requirements import Requirement
+
+    found = {other: metadata.distribution(other) for other in more}
+    waiting = [name, *more]
+    while waiting:
+        for line in metadata.requires(waiting.pop()) or ():
+            requirement = Requirement(line)
+            wanted = requirement.marker is None or requirement.marker.evaluate({"extra": ""})
+            if wanted and requirement.name.lower() not in found:
+                found[requirement.name.lower()] = metadata.distribution(requirement.name)
+                waiting.append(requirement.name)
+    return list(found.values())
+
+
+@pytest.fixture
+def environment(tmp_path: Path) -> Environment:
+    return Environment(tmp_path / "environment")
+
+
+@pytest.fixture
+def builder(tmp_path: Path) -> Environment:
+    return Environment(tmp_path / "environment", "scikit-build-core", "cmake", "ninja")
+
+
+def contents(wheel: Path) -> dict[str, str]:
+    """The hash of each file in a wheel, but for what lists the others and what says for which machines it is."""
+    with zipfile.ZipFile(wheel) as archive:
+        names = [name for name in archive.namelist() if not name.endswith(("/RECORD", "/WHEEL"))]
+        return {name: sha256(archive.read(name)).hexdigest() for name in names}
+
+
+def sources() -> set[str]:
+    """What a wheel has to hold: all of the sources, the book and what is emitted, the C self-test left out."""
+    places = {"src/chasles": "chasles", "derivations": "chasles/derivations", "generated": "chasles/generated"}
+    return {
+        f"{to}/{path.relative_to(ROOT / folder).as_posix()}"
+        for folder, to in places.items()
+        for path in (ROOT / folder).rglob("*")
+        if path.is_file() and "__pycache__" not in path.parts and not path.is_relative_to(ROOT / "generated/c/test")
+    }
+
+
+def test_the_source_distribution_holds_what_is_built_and_tested(sdist: Path) -> None:
+    with tarfile.open(sdist) as archive:
+        names = {name.removeprefix(f"{NAME}/") for name in archive.getnames()}
+    wanted = [
+        "CMakeLists.txt",
+        "LICENSE",
+        "README.md",
+        "pyproject.toml",
+        "cmake/levels.cmake",
+        "tests/test_packaging.py",
+    ]
+    assert names.issuperset([*wanted, "generated/c/test/self_test.c", "src/chasles/py.typed", "PKG-INFO"])
+    assert not [name for name in names if name.endswith((".so", ".pyc", ".egg-info"))]
+
+
+def test_the_pure_wheel_holds_the_sources_and_nothing_else(pure_wheel: Path) -> None:
+    assert pure_wheel.name == f"{NAME}-py3-none-any.whl"
+    names = {name for name in contents(pure_wheel) if not name.startswith(f"{NAME}.dist-info/")}
+    assert {"chasles/py.typed", "chasles/kernels/__init__.pyi", "chasles/generated/stubs/kernels.pyi"} <= names
+    assert names == sources()
+
+
+@needs_c
+def test_the_compiled_wheel_is_the_pure_one_and_the_extension(pure_wheel: Path, compiled_wheel: Path) -> None:
+    assert compiled_wheel.name.startswith(f"{NAME}-cp311-abi3-")
+    pure, compiled = contents(pure_wheel), contents(compiled_wheel)
+    (extension,) = set(compiled) - set(pure)
+    assert extension.startswith("chasles/_kernels.abi3.")
+    assert {name: found for name, found in compiled.items() if name != extension} == pure
+
+
+def test_tree_and_source_distribution_give_one_wheel_bit_for_bit(tree: Path, pure_wheel: Path, tmp_path: Path) -> None:
+    build(tree, tmp_path, **PURE)
+    (built,) = tmp_path.iterdir()
+    assert contents(built) == contents(pure_wheel)
+    assert built.read_bytes() == pure_wheel.read_bytes()
+
+
+def test_the_source_distribution_is_the_same_every_time(sdist: Path, tmp_path: Path) -> None:
+    with tarfile.open(sdist) as archive:
+        archive.extractall(tmp_path / "unpacked", filter="data")
+    unpacked = tmp_path / "unpacked" / NAME
+    (unpacked / "PKG-INFO").unlink()
+    for path in unpacked.rglob("*"):
+        os.utime(path)
+    again = tmp_path / "again"
+    again.mkdir()
+    build_sdist(unpacked, again)
+    assert (again / sdist.name).read_bytes() == sdist.read_bytes()
+
+
+@needs_c
+def test_the_compiled_wheel_in_one_go(compiled_wheel: Path, environment: Environment) -> None:
+    environment.install("--no-deps", compiled_wheel)
+    said = environment.run(ONE_GO)
+    assert "holds under  The point of the screw axis nearest the origin." in said
+    assert "Answer: " in said
+    assert said.splitlines()[-1] == "c"
+    where = environment.run("python -c 'import chasles.derivations as d; print(d.__file__)'")
+    assert Path(where.strip()).is_relative_to(environment.packages)
+    succeed(sys.executable, "-m", "pip", "--python", environment.python, "check", cwd=environment.folder)
+
+
+def test_the_pure_wheel_in_one_go(pure_wheel: Path, environment: Environment) -> None:
+    environment.install("--no-deps", pure_wheel)
+    said = environment.run(ONE_GO)
+    assert "holds under  The point of the screw axis nearest the origin." in said
+    assert said.splitlines()[-1] == "numpy"
+
+
+def test_the_folder_itself_can_be_installed(tree: Path, builder: Environment) -> None:
+    builder.install("--no-deps", "--no-build-isolation", tree, **PURE)
+    assert "✓ holds under" in builder.run("chasles decide 3.18")
+
+
+def test_an_editable_installation_sees_what_is_edited(tree: Path, tmp_path: Path, builder: Environment) -> None:
+    edited = shutil.copytree(tree, tmp_path / "edited")
+    builder.install("--no-deps", "--no-build-isolation", "--editable", edited, **PURE)
+    section = edited / "derivations" / "s02_screw.py"
+    text = section.read_text("utf-8")
+    sentence = "The point of the screw axis nearest the origin."
+    assert sentence in text
+    section.write_text(text.replace(sentence, "A sentence that was edited."), "utf-8")
+    assert "✓ holds under  A sentence that was edited." in builder.run("chasles decide 3.18")
+    assert json.loads(builder.run("chasles doctor --json"))["chasles"]["place"] == str(edited / "src" / "chasles")
+
+
+def test_compiled_kernels_can_be_insisted_on(tree: Path, tmp_path: Path) -> None:
+    with pytest.raises(AssertionError, match="CMake configuration failed"):
+        build(tree, tmp_path, CC="false", CHASLES_REQUIRE_C="1")
+
+
+@pytest.mark.skipif(not os.environ.get(DOWNLOADS), reason=f"downloads: set {DOWNLOADS}=1")
+@pytest.mark.parametrize("kind", ["compiled_wheel", "pure_wheel"])
+def test_a_clean_machine_with_downloads(kind: str, request: pytest.FixtureRequest, tmp_path: Path) -> None:
+    venv.create(tmp_path, with_pip=True)
+    wheel = request.getfixturevalue(kind)
+    path = os.pathsep.join((str(tmp_path / "bin"), os.environ["PATH"]))
+    clean = {"PATH": path, "PYTHONPATH": "", "CHASLES_BACKEND": ""}
+    said = succeed("sh", "-c", f"pip install --quiet {wheel} && {ONE_GO}", cwd=tmp_path, **clean)
+    assert said.splitlines()[-1] == ("c" if kind == "compiled_wheel" else "numpy")

@@ -1,0 +1,152 @@
+"""What a type checker says of programs that use the kernels: of right ones nothing, of wrong ones the line."""
+
+from __future__ import annotations
+
+import importlib
+import re
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from chasles.generated.numpy.hypotheses import KERNELS
+
+from chasles import checked, generated, kernels
+
+pytest.importorskip("mypy", reason="the type checker comes with the `dev` extra")
+
+STUBS = Path(str(generated.__file__)).parent / "stubs"
+PACKAGE = Path(str(importlib.import_module("chasles").__file__)).parent
+DERIVATIONS = Path(str(importlib.import_module("chasles.derivations").__file__)).parent
+
+RIGHT = """\
+from typing import Any, assert_type
+
+import numpy as np
+from numpy.typing import NDArray
+
+import chasles
+from chasles import checked, kernels
+
+Array = NDArray[np.floating[Any]]
+e = np.array([0.0, 0.0, 1.0])
+many = np.zeros((5, 3), dtype=np.float32)
+
+Q = kernels.rotation_from_axis_angle(e, 0.5)
+assert_type(Q, Array)
+assert_type(kernels.rotation_from_axis_angle([0, 0, 1], np.zeros(4), dtype=np.float32), Array)
+assert_type(kernels.rotation_from_axis_angle(many, np.float32(1), out=Q, casting="same_kind"), Array)
+assert_type(kernels.linear_invariants(Q, axes=[(0, 1), (0,), ()]), tuple[Array, Any])
+assert_type(kernels.one.rotation_from_axis_angle(e, 0.5, out=Q), Array)
+assert_type(checked.rotation_from_axis_angle(((0, 0, 1), (1, 0, 0)), 1), Array)
+assert_type(chasles.kernels.power.signature, str)
+u, u_0 = checked.linear_invariants([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+backend: str = kernels.backend
+for kernel in (kernels.screw_axis_point, checked.screw_axis_point):
+    print(kernel.__name__, kernel(e, 0.5, e, e))
+"""
+WRONG = """\
+import numpy as np
+
+from chasles import checked, kernels
+
+e = np.array([0.0, 0.0, 1.0])
+spectrum = np.fft.fft(e)
+kernels.rotation_from_axis_angle(e)  # Too few arguments
+kernels.rotation_from_axis_angle(e, "0.5")  # incompatible type "str"
+kernels.rotation_from_axis_angle(e, 0.5j)  # incompatible type "complex"
+kernels.rotation_from_axis_angle(spectrum, 0.5)  # incompatible type "ndarray
+kernels.rotation_from_axis_angle(e, 0.5, where=True)  # Unexpected keyword argument "where"
+kernels.rotation_from_axis_angle(e, phi=0.5)  # Unexpected keyword argument "phi"
+kernels.rotation_from_axis_angle(e, 0.5, order="Z")  # incompatible type
+kernels.rotation_from_axis_angel(e, 0.5)  # maybe "rotation_from_axis_angle"
+u, u_0, more = kernels.linear_invariants(np.eye(3))  # Need more than 2 values to unpack
+kernels.linear_invariants(np.eye(3), out=e)  # incompatible type
+length: int = kernels.rotation_from_axis_angle(e, 0.5)  # Incompatible types in assignment
+kernels.one.rotation_from_axis_angle([0.0, 0.0, 1.0], 0.5)  # incompatible type "list[float]"
+kernels.one.rotation_from_axis_angle(e, 0.5, dtype=float)  # Unexpected keyword argument "dtype"
+kernels.one.rotation(e, 0.5)  # has no attribute "rotation"
+checked.power(e)  # Too few arguments
+checked.rotation(e, 0.5)  # has no attribute "rotation"
+kernels.backend = "fortran"  # Incompatible types in assignment
+"""
+
+
+@pytest.fixture(scope="module")
+def types(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder to check programs in, where mypy finds the package put together as in a wheel."""
+    folder = tmp_path_factory.mktemp("types")
+    parts = folder / "parts" / "chasles"
+    parts.mkdir(parents=True)
+    for name, place in (("derivations", DERIVATIONS), ("generated", STUBS.parent)):
+        if not (PACKAGE / name).exists():
+            (parts / name).symlink_to(place)
+    (folder / "mypy.ini").write_text(
+        f"[mypy]\nstrict = True\nmypy_path = {PACKAGE.parent}:{parts.parent}\n"
+        "[mypy-sympy.*,flint.*,latex2mathml.*,mpmath.*]\nignore_missing_imports = True\n",
+        "utf-8",
+    )
+    return folder
+
+
+def mypy(folder: Path, *words: str | Path) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", *map(str, words)]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+
+
+def test_right_programs_pass_and_each_wrong_line_is_named(types: Path) -> None:
+    (types / "right.py").write_text(RIGHT, "utf-8")
+    (types / "wrong.py").write_text(WRONG, "utf-8")
+    said = mypy(types, "mypy", "--config-file", "mypy.ini", "right.py", "wrong.py").stdout
+    assert "right.py" not in said, said
+    found = {int(line): text for line, text in re.findall(r"^wrong\.py:(\d+): error: (.*)$", said, re.MULTILINE)}
+    expected = {n: line.split("  # ")[1] for n, line in enumerate(WRONG.splitlines(), 1) if "  # " in line}
+    assert sorted(found) == sorted(expected), said
+    assert {n: text for n, text in expected.items() if text not in found[n]} == {}, said
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(kernels.backend != "c", reason="the stubs are those of ufuncs")
+def test_the_stubs_agree_with_what_runs(types: Path) -> None:
+    done = mypy(types, "mypy.stubtest", "--mypy-config-file", "mypy.ini", "chasles.kernels", "chasles.checked")
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def declared(name: str) -> dict[str, tuple[str, str]]:
+    """By kernel, the type and the documentation in a stub."""
+    text = (STUBS / f"{name}.pyi").read_text("utf-8")
+    return {name: (kind, says) for name, kind, says in re.findall(r'^(\w+): (.+)\n"""((?:.|\n)*?)"""$', text, re.M)}
+
+
+def test_every_kernel_is_declared_with_its_numbers_of_inputs_and_results_and_its_text() -> None:
+    for module, family, found in (
+        ("kernels", "Ufunc", kernels),
+        ("one", "Light", kernels.one),
+        ("checked", "Checked", checked),
+    ):
+        stub = declared(module)
+        assert set(stub) == set(KERNELS)
+        assert {name for name in dir(found) if not name.startswith("_")} - {"backend", "instructions", "one"} == set(
+            stub
+        )
+        for name, (kind, says) in stub.items():
+            signature = signature_of(getattr(kernels, name))
+            given, returned = (re.findall(r"\([\d,]*\)", side) for side in signature.split("->"))
+            assert kind.startswith(f"{family}{len(given)}x{len(returned)}["), name
+            results = ["Any" if core == "()" else "Array" for core in returned]
+            assert kind.split("[", 1)[1][:-1] == (results[0] if len(results) == 1 else f"tuple[{', '.join(results)}]")
+            assert signature in says
+
+
+def test_an_editor_shows_the_contract_of_a_kernel() -> None:
+    for name, (_, says) in declared("kernels").items():
+        written = getattr(kernels, name).__doc__ or ""
+        lines = [line.strip().replace('"', "'") for line in written.splitlines() if line.strip()]
+        start = next(n for n, line in enumerate(lines) if line == says.splitlines()[0].strip())
+        assert lines[start:] == [line.strip() for line in says.splitlines() if line.strip()], name
+
+
+def signature_of(kernel: Any) -> str:
+    """The signature, which a NumPy function has in its text alone."""
+    return str(getattr(kernel, "signature", None) or re.search(r"signature +(\S+)", kernel.__doc__)[1])
