@@ -20,14 +20,14 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import RigidTransform, Rotation
 
-from chasles import kernels, load
+from chasles import checked, kernels, load
 from chasles.proof.judge import Judge
 from chasles.report.records import record
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "interoperation.md"
 SEQUENCES = ["".join(letters) for letters in product("xyz", repeat=3) if letters[0] != letters[1] != letters[2]]
 AXIS = np.array([0.6, 0.0, 0.8])
-needs_ufuncs = pytest.mark.skipif(kernels.backend != "c", reason="needs compiled kernels, which are ufuncs")
+needs_ufuncs = pytest.mark.skipif(kernels.backend != "c", reason="needs compiled kernels: a function has no signature")
 NUMBERS = ("3.16", "3.18", "3.57")
 """One that holds under a hypothesis, one made of another, one that is printed wrong and repaired."""
 
@@ -124,15 +124,15 @@ def test_pandas_columns() -> None:
     np.testing.assert_allclose(frame["r_z"], frame["e_z"] * np.sin(frame["phi"] / 2))
 
 
-@needs_ufuncs
-def test_pandas_hands_a_gufunc_a_frame_lying_on_its_side() -> None:
-    """Why `.to_numpy()` is needed: pandas applies a gufunc to its columns, as rows."""
+def test_a_pandas_frame_is_no_array() -> None:
+    """Why `.to_numpy()` is needed: pandas takes a call of a gufunc over, and applies it to columns."""
     pd = pytest.importorskip("pandas")
-    values = np.arange(9.0).reshape(3, 3)
-    kernel = kernels.cross_product_matrix
-    assert not np.array_equal(kernel(values), kernel(values.T))
-    with pytest.raises(ValueError, match=r"mismatch in its core dimension|must have the core shape|Expected"):
-        kernel(pd.DataFrame(np.ones((4, 3)), columns=list("xyz")))
+    frame = pd.DataFrame(np.arange(9.0).reshape(3, 3), columns=list("xyz"))
+    with pytest.raises(TypeError, match=r"plucker_line: p_2 is a DataFrame, no array: .*\.to_numpy\(\)"):
+        checked.plucker_line(frame.to_numpy(), frame + 1)
+    if kernels.backend == "c":
+        with pytest.raises(ValueError, match="Shape of passed values"):
+            kernels.plucker_line(frame, frame + 1)
 
 
 ROTATIONS = Rotation.from_rotvec(np.random.default_rng(5).uniform(-1.7, 1.7, (100, 3)))
