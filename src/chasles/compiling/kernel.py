@@ -16,13 +16,14 @@ from chasles.compiling.bound import error_bound
 from chasles.compiling.compiler import Compiler, CompilerFailed, found
 from chasles.compiling.sources import Sources, sources_of
 from chasles.compiling.store import loaded
+from chasles.display import Displayed
 from chasles.lowering.program import Op, Program
 from chasles.targets.kernel import Heading, Kernel, signature
 
 __all__ = ["CompiledKernel", "kernel_of"]
 
 
-class CompiledKernel:
+class CompiledKernel(Displayed):
     """A function of arrays: core axes come last, batch axes before them broadcast; float32 stays float32.
 
     Attributes:

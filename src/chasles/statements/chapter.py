@@ -10,6 +10,7 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any
 
+from chasles.display import Displayed
 from chasles.statements.inversion import Inverse
 from chasles.statements.kernel import Kernel
 from chasles.statements.statement import Statement, Theorem
@@ -32,7 +33,7 @@ class Section:
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class Entry(Displayed):
     """A statement with its name (that of the variable that holds it) and its section."""
 
     name: str
@@ -55,7 +56,7 @@ class Entry:
 
 
 @dataclass(frozen=True)
-class Chapter:
+class Chapter(Displayed):
     """The statements of a book.
 
     Raises `DeclarationError` if two have one name, or one number and part, or if one rests on itself or a later one.
