@@ -21,7 +21,7 @@ from chasles.report.words import point_in_words, reason
 from chasles.statements import Entry, Inverse, Statement, Theorem
 from chasles.vocabulary import Node, plain
 
-__all__ = ["as_printed", "by_hand", "equation", "part_of", "place_of_part"]
+__all__ = ["as_printed", "equation", "part_of", "place_of_part"]
 
 Sides = tuple[Node, Node]
 CODE = Markup("<code>{}</code>")
@@ -78,7 +78,7 @@ def _why(entry: Entry, decision: Decision) -> Iterator[Fact]:
             yield Fact("does not fit", escape(words))
         case Fails(counterexample):
             assert isinstance(entry.statement, Statement)
-            yield from by_hand(entry.statement, decision, counterexample)
+            yield from _by_hand(entry.statement, decision, counterexample)
         case verdict if not verdict.true:
             yield Fact("because", escape(reason(verdict)))
     correction = decision.correction
@@ -87,21 +87,21 @@ def _why(entry: Entry, decision: Decision) -> Iterator[Fact]:
             left, right = tried.sides
             read = "as likely read" if tried.form == "reading" else "as corrected"
             yield Fact(read, Markup("<code>{}</code>, which fails too").format(f"{plain(left)} = {plain(right)}"))
-            yield from by_hand(entry.statement.saying(left, right), decision, tried.verdict.counterexample)
+            yield from _by_hand(entry.statement.saying(left, right), decision, tried.verdict.counterexample)
 
 
-def by_hand(statement: Statement, decision: Decision, found: Counterexample) -> Iterator[Fact]:
+def _by_hand(statement: Statement, decision: Decision, found: Counterexample) -> Iterator[Fact]:
     """The values, the left side and the right side there, and by which definitions."""
     row, column = found.entry
-    known = worked_out(statement, decision, found)
+    by_hand = worked_out(statement, decision, found)
     if found.goal:
         yield Fact("what fails", escape(found.goal))
     yield Fact("at", CODE.format(point_in_words(found.at) or "every point"))
-    if known.values:
-        yield Fact("so that", CODE.format(point_in_words(known.values)))
+    if by_hand.values:
+        yield Fact("so that", CODE.format(point_in_words(by_hand.values)))
     where = Markup("<code>{}</code> in row {}, column {}{}")
-    yield Fact("the left side is", where.format(found.left, row, column, _by(known.left)))
-    yield Fact("the right side is", Markup("<code>{}</code>{}").format(found.right, _by(known.right)))
+    yield Fact("the left side is", where.format(found.left, row, column, _by(by_hand.left)))
+    yield Fact("the right side is", Markup("<code>{}</code>{}").format(found.right, _by(by_hand.right)))
 
 
 def _by(definitions: Iterable[Statement]) -> Markup:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import singledispatch
 from typing import Any
 
@@ -82,7 +82,7 @@ def _(value: Decision) -> Card:
         says=part.says,
         quiet=part.role,
         equations=part.equations,
-        facts=(*part.why, *(fact for fact in part.facts if fact.term != "declared as")),
+        facts=(*part.why, *_standing(value, part.facts)),
         instead=part.instead,
         slip=part.slip,
     )
@@ -198,6 +198,15 @@ def _(value: CompiledKernel) -> Card:
 def _told(facts: Mapping[str, Markup | str]) -> tuple[Fact, ...]:
     """The facts of which there is anything to tell."""
     return tuple(Fact(term, Markup(text)) for term, text in facts.items() if text)
+
+
+def _standing(decision: Decision, facts: Iterable[Fact]) -> Iterator[Fact]:
+    """What the report tells of what stands, but that it was checked again, which is not known here."""
+    for fact in facts:
+        if fact.term == "certificate" and decision.certificate is not None:
+            yield from _certified(decision.certificate)
+        elif fact.term != "declared as":
+            yield fact
 
 
 def _refuted(found: Counterexample) -> Iterator[Fact]:
