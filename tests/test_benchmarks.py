@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,7 @@ if not (ROOT / "benchmarks").exists():
     pytest.skip("needs the checkout", allow_module_level=True)
 sys.path.insert(0, str(ROOT))
 
+from benchmarks import threads  # noqa: E402
 from benchmarks.formulas import KERNELS  # noqa: E402
 from benchmarks.peers import OURS, PEERS  # noqa: E402
 from benchmarks.points import batch, references  # noqa: E402
@@ -41,6 +43,17 @@ def test_a_peer_gives_the_right_values(name: str) -> None:
             call(*inputs, out=out)
             np.testing.assert_allclose(out, right, rtol=1e-12, atol=1e-13)
         np.testing.assert_allclose(call(*(x[2] for x in inputs)), right[2], rtol=1e-12, atol=1e-13)
+
+
+def test_threads_do_the_whole_batch() -> None:
+    done: list[slice] = []
+    with ThreadPoolExecutor(2) as pool:
+        times = list(threads.rounds(done.append, 11, 2, pool))
+    assert len(times) == threads.ROUNDS
+    assert {(piece.start, piece.stop) for piece in done} == {(0, 5), (5, 11)}
+    for call in threads.calls(4).values():
+        call(slice(0, 4))
+    assert "2: 2.00 x by the clock, 1.00 x" in next(threads.lines({"name": {"10": {"1": [4, 4], "2": [2, 8]}}}))
 
 
 def test_the_page_is_that_of_the_evidence() -> None:

@@ -79,7 +79,7 @@ def test_backend_nobody_knows(choose: Chooser) -> None:
 
 def test_kernel_nobody_knows(choose: Chooser) -> None:
     kernels = choose("numpy")
-    assert dir(kernels) == ["backend", "instructions", "one", "twist"]
+    assert dir(kernels) == ["array_api", "backend", "instructions", "one", "twist"]
     for name in ("np", "twits", "_private"):
         with pytest.raises(AttributeError, match=f"has no kernel '{name}'"):
             getattr(kernels, name)

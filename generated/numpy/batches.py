@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from importlib import import_module
 from typing import Any
 
 import numpy
@@ -12,19 +13,21 @@ __all__ = ("Batch", "delivered", "prepared")
 
 @dataclass(frozen=True)
 class Batch:
-    """The batch axes that the inputs of a call have in common, their array library and their dtype."""
+    """The batch axes that the inputs of a call have in common, their array library, dtype and device."""
 
     xp: Any
     shape: tuple[int, ...]
     dtype: Any
+    device: Any = None
 
     def number(self, value: float) -> Any:
         """The number as an array without axes."""
-        return self.xp.asarray(value, dtype=self.dtype)
+        return self.xp.asarray(value, dtype=self.dtype, device=self.device)
 
     def array(self, shape: tuple[int, ...], *entries: Any) -> Any:
         """A new array with these entries, row-major, on its core axes."""
-        spread = [self.xp.broadcast_to(self.number(entry), self.shape) for entry in entries]
+        arrays = [self.number(entry) if isinstance(entry, float) else entry for entry in entries]
+        spread = [self.xp.broadcast_to(array, self.shape) for array in arrays]
         return self.xp.reshape(self.xp.stack(spread, axis=-1), self.shape + shape)
 
 
@@ -34,7 +37,8 @@ def prepared(kernel: str, *inputs: tuple[str, Any, tuple[int, ...]]) -> tuple[An
     Raises ValueError where shapes do not fit, TypeError where an input is not of real numbers.
     """
     xp = _library([value for _, value, _ in inputs])
-    arrays = [_real(xp, kernel, name, value) for name, value, _ in inputs]
+    device = _device(xp, [value for _, value, _ in inputs])
+    arrays = [_real(xp, device, kernel, name, value) for name, value, _ in inputs]
     for (name, _, core), array in zip(inputs, arrays, strict=True):
         found = tuple(array.shape)
         if found[len(found) - len(core) :] != core or len(found) < len(core):
@@ -47,8 +51,9 @@ def prepared(kernel: str, *inputs: tuple[str, Any, tuple[int, ...]]) -> tuple[An
         raise ValueError(f"{kernel}: the batch axes do not broadcast: {given}") from None
     # A Python number takes the precision of the arrays beside it, as everywhere in NumPy.
     strong = [array for (_, value, _), array in zip(inputs, arrays, strict=True) if type(value) not in (int, float)]
-    batch = Batch(xp, shape, _precision(xp, strong))
-    return batch, *(_entries(batch.number(array), core) for (_, _, core), array in zip(inputs, arrays, strict=True))
+    batch = Batch(xp, shape, _precision(xp, strong), device)
+    alike = (xp.astype(array, batch.dtype, copy=False) for array in arrays)
+    return batch, *(_entries(array, core) for (_, _, core), array in zip(inputs, alike, strict=True))
 
 
 def delivered(out: Any, *results: Any) -> Any:
@@ -74,13 +79,32 @@ def delivered(out: Any, *results: Any) -> Any:
 
 def _library(values: list[Any]) -> Any:
     """The array library of the first input that has one other than NumPy."""
-    found = [value.__array_namespace__() for value in values if hasattr(value, "__array_namespace__")]
-    return next((xp for xp in found if xp is not numpy), numpy)
+    return next((xp for xp in map(_namespace, values) if xp is not numpy), numpy)
 
 
-def _real(xp: Any, kernel: str, name: str, value: Any) -> Any:
+def _namespace(value: Any) -> Any:
+    """The array library of a value: NumPy for what has none, as numbers and lists."""
+    if hasattr(value, "__array_namespace__"):
+        return value.__array_namespace__()
+    if not hasattr(value, "__dlpack__"):
+        return numpy
+    # PyTorch and others spell the array API in their own way, which this package translates.
     try:
-        array = xp.asarray(value)
+        return import_module("array_api_compat").array_namespace(value)
+    except ModuleNotFoundError:
+        library = type(value).__module__.partition(".")[0]
+        raise TypeError(f"arrays of {library} need another package: pip install array-api-compat") from None
+
+
+def _device(xp: Any, values: list[Any]) -> Any:
+    """Where the arrays are; None for NumPy, and where a library puts numbers beside the arrays by itself, as JAX."""
+    own = [] if xp is numpy else [value for value in values if _namespace(value) is xp]
+    return next((value.device for value in own if hasattr(value, "device") and not hasattr(value, "sharding")), None)
+
+
+def _real(xp: Any, device: Any, kernel: str, name: str, value: Any) -> Any:
+    try:
+        array = value if _namespace(value) is xp is not numpy else xp.asarray(value, device=device)
     except (TypeError, ValueError) as error:
         kind = TypeError if isinstance(error, TypeError) else ValueError
         raise kind(f"{kernel}: {name} is no array of numbers: {error}") from None

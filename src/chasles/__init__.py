@@ -2,8 +2,9 @@
 
 ``chasles.prove`` decides an equation, ``chasles.load`` reads the chapter, ``chasles.solve`` works an exercise,
 ``chasles.kernels`` holds the compiled formulas, ``chasles.checked`` the same with their inputs tested, and
-``chasles.compile`` makes a kernel of an expression of your own. Each is imported on first use, so that
-``import chasles`` costs neither SymPy nor NumPy.
+``chasles.compile`` makes a kernel of an expression of your own; ``chasles.kernel`` says what is known of one of the
+book's. Each is imported on first use, so that ``import chasles`` costs neither SymPy nor NumPy. In a notebook each
+thing is displayed as the report shows it.
 """
 
 from __future__ import annotations
@@ -13,16 +14,19 @@ from sys import modules
 from types import ModuleType
 from typing import TYPE_CHECKING
 
+from chasles.display import displayed_by
+
 if TYPE_CHECKING:
     from chasles import checked as checked
     from chasles import kernels as kernels
     from chasles.compiling import compile as compile
+    from chasles.emitted import kernel as kernel
     from chasles.exact.solving import solve as solve
     from chasles.prove import prove as prove
     from chasles.statements import load as load
 
 __version__ = "0.1.0"
-__all__ = ["__version__", "checked", "compile", "kernels", "load", "prove", "solve"]
+__all__ = ["__version__", "checked", "compile", "kernel", "kernels", "load", "prove", "solve"]
 
 # Name -> the module that holds a function of that name.
 _FUNCTIONS = {
@@ -30,6 +34,7 @@ _FUNCTIONS = {
     "load": "chasles.statements",
     "solve": "chasles.exact.solving",
     "compile": "chasles.compiling",
+    "kernel": "chasles.emitted",
 }
 _PACKAGES = ("checked", "kernels")
 
@@ -42,6 +47,7 @@ class _Package(ModuleType):
 
 
 modules[__name__].__class__ = _Package
+displayed_by(f"{__name__}.report.notebook")
 
 
 def __getattr__(name: str) -> object:

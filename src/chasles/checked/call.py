@@ -50,6 +50,10 @@ class Checked:
     def _arrays(self, operands: Sequence[Any], moves: Sequence[Any]) -> Iterator[Numbers]:
         """The inputs as arrays of floats, core axes last."""
         for (name, core), operand, move in zip(self.inputs, operands, moves, strict=True):
+            if hasattr(operand, "__array_ufunc__") and not isinstance(operand, np.ndarray | np.generic):
+                # NumPy would hand it the whole call, and a pandas frame applies the kernel to its columns.
+                kind = type(operand).__name__
+                raise TypeError(f"{self.__name__}: {name} is a {kind}, no array: hand over its values, as .to_numpy()")
             try:
                 array = np.asarray(operand)
             except ValueError as error:

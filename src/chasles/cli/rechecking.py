@@ -58,7 +58,9 @@ def _is_refuted(decision: Decision) -> bool:
 
 def _prove(decision: Decision) -> None:
     """Raises `Rejected` unless the certificate proves what stands."""
-    check(decision.repaired, "printed", decision.certificate, decision.standing)
+    certificate = decision.certificate
+    assert certificate is not None
+    check(decision.repaired, "printed", certificate, decision.standing)
 
 
 def _refute(decision: Decision) -> None:

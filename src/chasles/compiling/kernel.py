@@ -16,13 +16,14 @@ from chasles.compiling.bound import error_bound
 from chasles.compiling.compiler import Compiler, CompilerFailed, found
 from chasles.compiling.sources import Sources, sources_of
 from chasles.compiling.store import loaded
+from chasles.display import Displayed
 from chasles.lowering.program import Op, Program
 from chasles.targets.kernel import Heading, Kernel, signature
 
 __all__ = ["CompiledKernel", "kernel_of"]
 
 
-class CompiledKernel:
+class CompiledKernel(Displayed):
     """A function of arrays: core axes come last, batch axes before them broadcast; float32 stays float32.
 
     Attributes:
@@ -34,9 +35,10 @@ class CompiledKernel:
         operations: how often each operation occurs, by its name.
         c_source: C99 functions of one item, in both precisions, to be used anywhere.
         numpy_source: the same as a Python function of arrays.
+        array_api: that function, for arrays of every library of the array API, which may trace and differentiate it.
     """
 
-    def __init__(self, program: Program, sources: Sources, ufunc: Any, function: Callable[..., Any]) -> None:
+    def __init__(self, program: Program, sources: Sources, ufunc: Any, written: Callable[..., Any]) -> None:
         self.name = program.name
         self.signature = signature(program)
         self.backend = "numpy" if ufunc is None else "c"
@@ -46,8 +48,9 @@ class CompiledKernel:
         self.operations = {op.value: counts[op] for op in Op if counts[op]}
         self.c_source = sources.c
         self.numpy_source = sources.numpy
-        self.__doc__ = function.__doc__
-        self._function = function
+        self.array_api = written
+        self.__doc__ = written.__doc__
+        self._function = _undisturbed(written) if ufunc is None else ufunc
 
     def __call__(self, *inputs: Any, **options: Any) -> Any:
         """The results for the inputs; a tuple where there are several."""
@@ -77,7 +80,7 @@ def kernel_of(program: Program) -> CompiledKernel:
     sources = sources_of(Kernel(program, heading))
     written = _written_out(program, sources)
     ufunc = _ufunc(program, sources, written.__doc__ or "")
-    return CompiledKernel(program, sources, ufunc, _undisturbed(written) if ufunc is None else ufunc)
+    return CompiledKernel(program, sources, ufunc, written)
 
 
 def _ufunc(program: Program, sources: Sources, doc: str) -> Any:

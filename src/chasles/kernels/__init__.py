@@ -4,7 +4,8 @@
 docstring. ``NAME_sym6`` takes and gives a symmetric matrix as (xx, xy, xz, yy, yz, zz), where ``NAME`` reads all nine
 numbers. Inputs are not tested; ``chasles.checked`` does that. ``chasles.kernels.one.NAME`` is the same for one element
 or a C-contiguous batch of one shape, all of one precision, for a fraction of a call's time. Compiled loops release the
-global lock; sub-interpreters are not supported.
+global lock; sub-interpreters are not supported. ``chasles.kernels.array_api.NAME`` takes arrays of JAX, PyTorch and
+every other library of the array API and gives such arrays.
 
 ``chasles.kernels.backend`` is ``"c"`` or ``"numpy"``. The environment variable ``CHASLES_BACKEND``, read once at
 import, chooses: ``numpy`` takes the NumPy kernels, ``c`` insists on the compiled ones; unset or empty takes the
@@ -30,7 +31,8 @@ _COMPILED = "chasles._kernels"
 _WRITTEN_OUT = "chasles.generated.numpy.kernels"
 
 
-def _written_out() -> ModuleType:
+def written_out() -> ModuleType:
+    """The module of the NumPy kernels; raises ImportError where none were emitted."""
     try:
         return import_module(_WRITTEN_OUT)
     except ModuleNotFoundError as error:
@@ -44,7 +46,7 @@ def _choose(wanted: str) -> tuple[str, ModuleType]:
     if wanted not in ("", "c", "numpy"):
         raise ImportError(f"CHASLES_BACKEND is {wanted!r}; expected 'c', 'numpy' or nothing")
     if wanted == "numpy":
-        return "numpy", _written_out()
+        return "numpy", written_out()
     reason = "there are none here (no C compiler or no Python.h at installation)"
     if find_spec(_COMPILED) is not None:
         try:
@@ -55,7 +57,7 @@ def _choose(wanted: str) -> tuple[str, ModuleType]:
                 warn(f"NumPy kernels in place of the compiled ones: {reason}", RuntimeWarning, stacklevel=2)
     if wanted == "c":
         raise ImportError(f"CHASLES_BACKEND is 'c', but the compiled kernels cannot be had: {reason}")
-    return "numpy", _written_out()
+    return "numpy", written_out()
 
 
 backend, _module = _choose(environ.get("CHASLES_BACKEND", ""))
@@ -67,10 +69,12 @@ _names = frozenset(name for name in getattr(_module, "__all__", dir(_module)) if
 
 
 def __getattr__(name: str) -> Any:
+    if name == "array_api":
+        return import_module(f"{__name__}.array_api")
     if name in _names:
         return getattr(_module, name)
     raise AttributeError(f"chasles.kernels ({backend}) has no kernel {name!r}; dir(chasles.kernels) lists all")
 
 
 def __dir__() -> list[str]:
-    return ["backend", "instructions", "one", *sorted(_names)]
+    return ["array_api", "backend", "instructions", "one", *sorted(_names)]

@@ -5,17 +5,24 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
+from chasles.display import Displayed
 from chasles.proof.repair import Repair
 from chasles.proof.verdict import Verdict
 from chasles.statements import Inverse, Statement, Theorem
 from chasles.statements.problem import default_sides
 from chasles.statements.statement import Equation
 
-__all__ = ["HOW", "Correction", "Decision", "Sentence", "Used", "key_of"]
+__all__ = ["HOW", "Certificate", "Correction", "Decision", "Sentence", "Used", "key_of"]
 
 Sentence = Statement | Theorem | Inverse
 HOW = {"printed": "as printed", "reading": "as read", "repair": "as repaired", "corrected": "as corrected"}
 """A form of a statement in words."""
+
+
+class Certificate(dict[str, Any], Displayed):
+    """Plain data by which `chasles.proof.certificate` derives a statement again."""
+
+    __slots__ = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +54,7 @@ class Used:
 
 
 @dataclass(frozen=True, slots=True)
-class Decision:
+class Decision(Displayed):
     """The verdict on a sentence as printed, what stands in for it, and how long it took.
 
     `given` says how each statement was used on whose sides it rests, by number and part: "3.96a/1".
@@ -80,10 +87,11 @@ class Decision:
         return self.statement.saying(*self.sides)
 
     @property
-    def certificate(self) -> Any:
+    def certificate(self) -> Certificate | None:
         """The certificate of the form that stands, if one was made."""
         verdict = self.correction.verdict if self.correction and not self.verdict.true else self.verdict
-        return getattr(verdict, "certificate", None)
+        found = getattr(verdict, "certificate", None)
+        return None if found is None else Certificate(found)
 
     def standing(self, given: Statement) -> Equation:
         """The sides with which the decision used a given statement."""

@@ -10,6 +10,7 @@ from collections.abc import Container, Iterable, Iterator
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 
+from chasles.display import Displayed
 from chasles.proof.ansatz import palette_of
 from chasles.proof.deadline import OutOfTime, within
 from chasles.proof.decide import decide_problem
@@ -31,7 +32,7 @@ MORE_EFFORT, MOST = 2, 8
 
 
 @dataclass(frozen=True, slots=True)
-class Repair:
+class Repair(Displayed):
     """A true equation near the printed one: its sides, what was changed in words, and the verdict on it.
 
     The first `marks` of the `edits` changes restore what the print lost before it was an equation at all. `modulo`

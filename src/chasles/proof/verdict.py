@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, ClassVar
 
+from chasles.display import Displayed
+
 __all__ = [
     "Assumed",
     "Counterexample",
@@ -24,7 +26,7 @@ Point = Mapping[str, Fraction]
 
 
 @dataclass(frozen=True, slots=True)
-class Counterexample:
+class Counterexample(Displayed):
     """An exact point that satisfies every hypothesis and at which one entry of the two sides differs.
 
     `left` and `right` are exact: rational numbers, or polynomials in pi where the angle itself occurs.
@@ -38,7 +40,7 @@ class Counterexample:
 
 
 @dataclass(frozen=True, slots=True)
-class Verdict:
+class Verdict(Displayed):
     """The outcome of a decision; `name` is its one word."""
 
     name: ClassVar[str] = "verdict"

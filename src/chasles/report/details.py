@@ -24,6 +24,7 @@ __all__ = [
     "objections",
     "objections_to_print",
     "printed",
+    "refuted",
     "rests_on",
 ]
 
@@ -75,7 +76,7 @@ def objections_to_print(decision: Decision) -> Lines:
     if why := reason(decision.verdict):
         yield "because", why
     if isinstance(decision.verdict, Fails):
-        yield from _refuted(decision.verdict.counterexample)
+        yield from refuted(decision.verdict.counterexample)
 
 
 def evidence(decision: Decision) -> Lines:
@@ -101,7 +102,8 @@ def indented(lines: Lines) -> RenderableType:
     return Padding(grid, (0, 0, 0, 2))
 
 
-def _refuted(found: Counterexample) -> Lines:
+def refuted(found: Counterexample) -> Lines:
+    """A counterexample: where, and what the sides come to there."""
     row, column = found.entry
     yield "at", point_in_words(found.at) or "every point"
     yield "left", f"{found.left}   (row {row}, column {column}{f'; {found.goal}' if found.goal else ''})"
@@ -114,7 +116,7 @@ def _instead(statement: Statement, correction: Correction) -> Lines:
     yield "instead", text
     yield "", ": ".join(filter(None, (f"{how}, it {_predicate(verdict)}", reason(verdict))))
     if isinstance(verdict, Fails):
-        yield from _refuted(verdict.counterexample)
+        yield from refuted(verdict.counterexample)
 
 
 def _predicate(verdict: Verdict) -> str:

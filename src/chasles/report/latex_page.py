@@ -17,7 +17,7 @@ from chasles.report.words import VERDICTS, counted
 from chasles.statements import Chapter, Entry
 from chasles.vocabulary import latex
 
-__all__ = ["escaped", "latex_page"]
+__all__ = ["Item", "escaped", "item_of", "latex_page"]
 
 SPECIAL = str.maketrans(
     {
@@ -102,11 +102,11 @@ def _headings(decided: Pairs, hypotheses: Mapping[str, str]) -> Iterator[Heading
         members = list(group)
         numbers = ["", *(entry.number for entry, _ in members)]
         pairs = zip(members, numbers, strict=False)
-        items = (_item(entry, decision, before, hypotheses) for (entry, decision), before in pairs)
+        items = (item_of(entry, decision, before, hypotheses) for (entry, decision), before in pairs)
         yield Heading(escaped(section.number), escaped(section.title), tuple(items))
 
 
-def _item(entry: Entry, decision: Decision, before: str, hypotheses: Mapping[str, str]) -> Item:
+def item_of(entry: Entry, decision: Decision, before: str, hypotheses: Mapping[str, str]) -> Item:
     """A statement; `before` is the number of the one before it."""
     found = stands_in(entry, decision)
     wrong = not decision.verdict.true

@@ -12,6 +12,7 @@ from os import PathLike
 from types import ModuleType
 from typing import Any
 
+from chasles.display import Displayed
 from chasles.statements.inversion import Inverse
 from chasles.statements.kernel import Kernel
 from chasles.statements.packages import BOOK, DeclarationError, imported
@@ -31,7 +32,7 @@ class Section:
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class Entry(Displayed):
     """A statement with its name (that of the variable that holds it) and its section."""
 
     name: str
@@ -54,7 +55,7 @@ class Entry:
 
 
 @dataclass(frozen=True)
-class Chapter:
+class Chapter(Displayed):
     """The statements of a book, which the `package` declares.
 
     Raises `DeclarationError` if two have one name, or one number and part, or if one rests on itself or a later one.

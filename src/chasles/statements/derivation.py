@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 from typing import ClassVar
 
+from chasles.display import Displayed
 from chasles.statements.chapter import DeclarationError
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.statement import Condition, Statement
@@ -196,7 +197,7 @@ class Compare(Step):
 
 
 @dataclass(frozen=True, eq=False)
-class Derivation:
+class Derivation(Displayed):
     """The road to the statement `to`, which is its end; None where the book asks for what is found, and prints nothing.
 
     `given` may be used at every step; what is `assuming` holds all along. Raises `DeclarationError` for a road that

@@ -14,6 +14,7 @@ from functools import reduce
 from operator import mul
 from typing import ClassVar
 
+from chasles.display import Displayed
 from chasles.statements.hypotheses import Hypothesis, nonzero
 from chasles.statements.kernel import Kernel
 from chasles.statements.problem import Goal, Problem, Standing, default_sides
@@ -62,7 +63,7 @@ class Branch:
 
 
 @dataclass(frozen=True, eq=False)
-class Inverse:
+class Inverse(Displayed):
     """The inverse of the formula `of`, case by case; the first branch that applies is taken.
 
     Its domain is all that satisfies what it is `assuming`. `gives` are the results of its kernel, in terms of the

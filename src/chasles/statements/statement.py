@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
 from typing import ClassVar
 
+from chasles.display import Displayed
 from chasles.statements.forms import Form
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.kernel import Kernel
@@ -30,7 +31,7 @@ Equation = tuple[Node, Node]
 
 
 @dataclass(frozen=True, eq=False)
-class Statement:
+class Statement(Displayed):
     """An equation of the book, exactly as printed, with what it rests on.
 
     `number` is the book's; `part` tells apart the equations of one number. `given` names earlier statements, `assuming`
@@ -175,7 +176,7 @@ class Claim(Statement):
 
 
 @dataclass(frozen=True, eq=False)
-class Theorem:
+class Theorem(Displayed):
     """A theorem of the book: its `forms` generate the equations that are decided."""
 
     role: ClassVar[str] = "theorem"

@@ -9,6 +9,7 @@ from __future__ import annotations
 from fractions import Fraction
 from itertools import pairwise
 
+from chasles.display import Displayed
 from chasles.vocabulary.dimension import NO_DIMENSION
 from chasles.vocabulary.fitting import SCALAR, Fitted, measured, square_measure, word
 from chasles.vocabulary.measure import Measure, Misfit, added, contracted, scaled, uniform
@@ -28,7 +29,7 @@ __all__ = [
 ]
 
 
-class Node(Fitted):
+class Node(Displayed, Fitted):
     """A word with the operators that combine it with others."""
 
     __slots__ = ()

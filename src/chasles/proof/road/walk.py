@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 
+from chasles.display import Displayed
 from chasles.proof.judge import Judge
 from chasles.proof.residues import Singular, Unsampled
 from chasles.proof.road.comparing import Comparison, compare
@@ -45,7 +46,7 @@ class Passage:
 
 
 @dataclass(frozen=True, slots=True)
-class Road:
+class Road(Displayed):
     """A derivation that was walked, as far as it went: it ends at the first step that is not true."""
 
     derivation: Derivation

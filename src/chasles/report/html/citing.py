@@ -64,10 +64,11 @@ class Book:
         return tuple(Link(f"#{place_of_number(number)}", number_in_words(number)) for number in known)
 
     @cached_property
-    def _hypotheses(self) -> dict[str, str]:
+    def hypotheses(self) -> dict[str, str]:
+        """The hypotheses in LaTeX, by their text."""
         return hypotheses_in_latex(self.chapter)
 
     def condition(self, text: str) -> Markup:
         """A hypothesis as a formula, by its text; what is not told as a formula stays in words."""
-        latex = self._hypotheses.get(text, "")
+        latex = self.hypotheses.get(text, "")
         return math(latex) if latex else Markup.escape(text)

@@ -25,7 +25,7 @@ from chasles.report.verdict_page import WORST_FIRST
 from chasles.report.words import VERDICTS
 from chasles.statements import Chapter, Entry, Section
 
-__all__ = ["Chosen", "SectionView", "page"]
+__all__ = ["Chosen", "SectionView", "environment", "page"]
 
 Pair = tuple[Entry, Decision]
 
@@ -71,10 +71,11 @@ def page(chapter: Chapter, decisions: Decisions, roads: tuple[RoadView, ...], ma
         "light": LIGHT,
         "dark": DARK,
     }
-    return _environment().get_template("index.html.jinja").render(values)
+    return environment().get_template("index.html.jinja").render(values)
 
 
-def _environment() -> Environment:
+def environment() -> Environment:
+    """The templates; what is put into them is escaped, and nothing may be missing."""
     return Environment(
         loader=PackageLoader("chasles.report"),
         autoescape=True,

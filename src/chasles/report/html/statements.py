@@ -21,7 +21,7 @@ from chasles.report.words import point_in_words, reason
 from chasles.statements import Entry, Inverse, Statement, Theorem
 from chasles.vocabulary import Node, plain
 
-__all__ = ["equation", "part_of", "place_of_part"]
+__all__ = ["as_printed", "equation", "part_of", "place_of_part"]
 
 Sides = tuple[Node, Node]
 CODE = Markup("<code>{}</code>")
@@ -42,7 +42,7 @@ def part_of(book: Book, entry: Entry, decision: Decision, kernels: Sequence[Kern
         role=entry.statement.role,
         says=entry.statement.says,
         badge=badge_of(decision.verdict.name),
-        equations=_printed(entry.statement, found),
+        equations=as_printed(entry.statement, found),
         needs=tuple(book.condition(text) for text in getattr(decision.verdict, "needs", ())),
         why=tuple(_why(entry, decision)),
         instead=tuple(_repaired(book, entry, standing) for standing in found),
@@ -57,7 +57,7 @@ def equation(left: Node, right: Node, sign: str = "=", label: str = "") -> Equat
     return Equation(markup(equation_tree(left, right, sign)), f"{plain(left)} = {plain(right)}", label)
 
 
-def _printed(sentence: Statement | Theorem | Inverse, found: Sequence[Standing]) -> tuple[Equation, ...]:
+def as_printed(sentence: Statement | Theorem | Inverse, found: Sequence[Standing]) -> tuple[Equation, ...]:
     """The equations as printed; what was changed to make one right is marked."""
     match sentence:
         case Theorem(forms=forms):

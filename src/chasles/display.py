@@ -1,0 +1,48 @@
+"""How is a thing displayed in a notebook? As the room of pages says, which comes last and is fetched when it is asked.
+
+What is displayed is what is known: nothing is decided, simplified or derived for the eye.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container
+from importlib import import_module
+from types import ModuleType
+
+__all__ = ["Displayed", "displayed_by"]
+
+_room: list[str] = []
+
+
+def displayed_by(room: str) -> None:
+    """Name the module whose functions `html`, `latex` and `text` say how a thing is displayed."""
+    _room[:] = [room]
+
+
+def _pages() -> ModuleType:
+    return import_module(_room[0])
+
+
+class Displayed:
+    """What a notebook displays: as HTML, as LaTeX and in plain text."""
+
+    __slots__ = ()
+
+    def _repr_html_(self) -> str:
+        made: str = _pages().html(self)
+        return made
+
+    def _repr_latex_(self) -> str:
+        made: str = _pages().latex(self)
+        return made
+
+    def _repr_mimebundle_(
+        self, include: Container[str] | None = None, exclude: Container[str] | None = None
+    ) -> dict[str, str]:
+        pages = _pages()
+        made = {"text/plain": pages.text, "text/html": pages.html, "text/latex": pages.latex}
+        return {
+            kind: make(self)
+            for kind, make in made.items()
+            if (not include or kind in include) and not (exclude and kind in exclude)
+        }

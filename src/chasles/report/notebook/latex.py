@@ -1,0 +1,116 @@
+"""Things as LaTeX: formulas between words, for notebooks that are printed, and to be pasted."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from functools import singledispatch
+
+from chasles.proof.decision import Decision
+from chasles.proof.repair import Repair
+from chasles.proof.road import Road
+from chasles.proof.verdict import Counterexample, Verdict
+from chasles.report.details import number_in_words, refuted
+from chasles.report.equations import in_latex
+from chasles.report.latex_page import Item, escaped, item_of
+from chasles.report.notebook.alone import Alone, entry_of, needs_of
+from chasles.report.notebook.text import text
+from chasles.report.road_page import equations_of
+from chasles.report.words import VERDICTS, reason
+from chasles.statements import Entry, Inverse, Statement, Theorem
+from chasles.vocabulary import Node
+from chasles.vocabulary import latex as spelled
+
+__all__ = ["latex"]
+
+
+def latex(value: object) -> str:
+    """The value in LaTeX, formulas between dollars and in displays."""
+    return "\n\n".join(part for part in _parts(value) if part) + "\n"
+
+
+@singledispatch
+def _parts(value: object) -> Iterator[str]:
+    """What has no formulas, line by line as it is in plain text."""
+    yield from (rf"\texttt{{{escaped(line)}}}" for line in text(value).splitlines())
+
+
+@_parts.register
+def _(value: Node) -> Iterator[str]:
+    yield rf"$\displaystyle {spelled(value)}$"
+
+
+@_parts.register
+def _(value: Entry) -> Iterator[str]:
+    sentence = value.statement
+    yield _headed(number_in_words(sentence.number, sentence.part), sentence.role)
+    yield escaped(sentence.says)
+    yield from map(_display, in_latex(sentence))
+    if sentence.assuming:
+        known = {hypothesis.text: hypothesis.latex for hypothesis in sentence.assuming}
+        yield f"assuming {_listed(known, known)}"
+
+
+@_parts.register(Statement)
+@_parts.register(Theorem)
+@_parts.register(Inverse)
+def _(value: Statement | Theorem | Inverse) -> Iterator[str]:
+    yield from _parts(entry_of(value))
+
+
+@_parts.register
+def _(value: Decision) -> Iterator[str]:
+    entry = entry_of(value.statement)
+    item: Item = item_of(entry, value, "", Alone(value.statement).hypotheses)
+    yield _headed(number_in_words(entry.number, entry.statement.part), item.verdict, item.needs)
+    yield item.says
+    yield from map(_display, item.formulas)
+    yield from item.why
+    for instead in item.instead:
+        yield instead.lead
+        yield _display(instead.formula)
+        yield f"which {instead.verdict}."
+        yield from instead.changes
+    yield from item.slip
+
+
+@_parts.register
+def _(value: Verdict) -> Iterator[str]:
+    yield _headed(VERDICTS[value.name][2], "", escaped(", ".join(needs_of(value))))
+    yield escaped(reason(value))
+    if found := getattr(value, "counterexample", None):
+        yield from _parts(found)
+
+
+@_parts.register
+def _(value: Counterexample) -> Iterator[str]:
+    yield from (escaped(f"{label}: {words}") for label, words in refuted(value))
+
+
+@_parts.register
+def _(value: Repair) -> Iterator[str]:
+    yield _display(f"{spelled(value.left)} = {spelled(value.right)}")
+    yield from map(escaped, value.changes)
+
+
+@_parts.register
+def _(value: Road) -> Iterator[str]:
+    yield _headed(number_in_words(value.derivation.number), "", escaped(value.derivation.says))
+    for number, passage in enumerate(value.passages, start=1):
+        verdict = "" if passage.comparison is not None else VERDICTS[passage.verdict.name][2]
+        yield _headed(f"{number} {passage.kind}", verdict, escaped(passage.reason))
+        yield from (_display(f"{spelled(left)} = {spelled(right)}") for _, left, right in equations_of(passage))
+
+
+def _headed(bold: str, small: str, rest: str = "") -> str:
+    """A heading: in bold, in small capitals, and what follows."""
+    parts = rf"\textbf{{{escaped(bold)}}}", rf"\textsc{{{escaped(small)}}}" if small else "", rest
+    return " ".join(filter(None, parts))
+
+
+def _display(formula: str) -> str:
+    return rf"\[ {formula} \]"
+
+
+def _listed(texts: Iterable[str], known: Mapping[str, str]) -> str:
+    """Hypotheses as formulas; in words where one is not told as a formula."""
+    return ", ".join(f"${known[text]}$" if known.get(text) else escaped(text) for text in texts)
