@@ -1,4 +1,4 @@
-"""Sections of the page that other rooms have to give: worked exercises with pictures, measured errors and times.
+"""Sections of the page that other rooms have to give, as the worked exercises with their pictures.
 
 A giver takes the chapter and yields sections; where it has nothing to show, it yields none and the page has no heading
 for it. `FURTHER` lists the givers in the order in which their sections stand.
@@ -7,26 +7,15 @@ for it. `FURTHER` lists the givers in the order in which their sections stand.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 
-from markupsafe import Markup
-
+from chasles.report.html.exercises import worked_exercises
+from chasles.report.html.shown import Further
 from chasles.statements import Chapter
 
 __all__ = ["FURTHER", "Further", "further_sections"]
 
-
-@dataclass(frozen=True, slots=True)
-class Further:
-    """A section: its place on the page, its heading, and the HTML below it, in which headings begin with h3."""
-
-    place: str
-    title: str
-    body: Markup
-
-
 Giver = Callable[[Chapter], Iterable[Further]]
-FURTHER: tuple[Giver, ...] = ()
+FURTHER: tuple[Giver, ...] = (worked_exercises,)
 
 
 def further_sections(chapter: Chapter) -> Iterator[Further]:

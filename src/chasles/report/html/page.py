@@ -6,13 +6,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
-
 from chasles import __version__
 from chasles.proof.judge import Decision
 from chasles.report.details import number_in_words
 from chasles.report.findings import Decisions, ordered
 from chasles.report.html.citing import Book, place_of_number, slug
+from chasles.report.html.filling import filled
 from chasles.report.html.further import further_sections
 from chasles.report.html.graph import graph_of
 from chasles.report.html.kernels import kernel_rows
@@ -71,18 +70,7 @@ def page(chapter: Chapter, decisions: Decisions, roads: tuple[RoadView, ...], ma
         "light": LIGHT,
         "dark": DARK,
     }
-    return _environment().get_template("index.html.jinja").render(values)
-
-
-def _environment() -> Environment:
-    return Environment(
-        loader=PackageLoader("chasles.report"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-    )
+    return str(filled("index.html.jinja", **values))
 
 
 def _sections(

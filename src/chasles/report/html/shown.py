@@ -16,6 +16,7 @@ __all__ = [
     "Badge",
     "Equation",
     "Fact",
+    "Further",
     "KernelRow",
     "Number",
     "Part",
@@ -25,6 +26,15 @@ __all__ = [
     "Step",
     "badge_of",
 ]
+
+
+@dataclass(frozen=True, slots=True)
+class Further:
+    """A section: its place on the page, its heading, and the HTML below it, in which headings begin with h3."""
+
+    place: str
+    title: str
+    body: Markup
 
 
 @dataclass(frozen=True, slots=True)
