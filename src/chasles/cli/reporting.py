@@ -6,11 +6,15 @@ import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib.resources import files
+from importlib.util import find_spec
+from pathlib import Path
 from time import perf_counter
 
+from chasles.cli.book import BOOK
 from chasles.cli.failures import Failure
 from chasles.cli.outcome import Outcome, decide
 from chasles.cli.roads import all_roads
+from chasles.report.html.measured import ERRORS, TIMES
 from chasles.report.html.page import page
 from chasles.report.html.roads import walked
 from chasles.report.html.shown import RoadView
@@ -23,6 +27,8 @@ from chasles.statements.derivation import Derivation
 __all__ = ["Reported", "reported"]
 
 MANIFEST = ("chasles.generated", "MANIFEST.toml")
+EVIDENCE = ("benchmarks", "evidence")
+"""Beside the declarations in a checkout; an installed wheel has none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,8 +65,12 @@ def reported(book: Chapter) -> Reported:
     again = outcome.rechecked
     assert again is not None
     trusted = checked_again(again.certificates, again.counterexamples, len(again.rejected))
+    try:
+        html = page(book, decisions, roads, _manifest(), trusted, _evidence())
+    except ValueError as error:
+        raise Failure(f"{'/'.join(EVIDENCE)}/{error}: `make bench` writes it anew") from error
     texts = {
-        "index.html": page(book, decisions, roads, _manifest(), trusted),
+        "index.html": html,
         "chapter.tex": latex_page(book, decisions),
     }
     return Reported(texts, outcome, roads, perf_counter() - started)
@@ -74,6 +84,15 @@ def _roads_of(book: Chapter) -> dict[str, Derivation]:
         for name, road in all_roads().items()
         if any(id(statement) in known for step in road.steps for statement in step.cited)
     }
+
+
+def _evidence() -> dict[str, str]:
+    """What was measured, file by file; nothing outside a checkout."""
+    spec = find_spec(BOOK)
+    for declarations in (spec.submodule_search_locations or ()) if spec else ():
+        folder = Path(declarations).resolve().parent.joinpath(*EVIDENCE)
+        return {name: (folder / name).read_text("utf-8") for name in (TIMES, ERRORS) if (folder / name).is_file()}
+    return {}
 
 
 def _manifest() -> str:

@@ -5,16 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
+from types import MappingProxyType
 
 from chasles import __version__
 from chasles.proof.judge import Decision
 from chasles.report.details import number_in_words
 from chasles.report.findings import Decisions, ordered
 from chasles.report.html.citing import Book, place_of_number, slug
+from chasles.report.html.error_plots import plotted
 from chasles.report.html.filling import filled
 from chasles.report.html.further import further_sections
 from chasles.report.html.graph import graph_of
 from chasles.report.html.kernels import kernel_rows
+from chasles.report.html.measured import measured
 from chasles.report.html.overview import overview
 from chasles.report.html.palette import DARK, LIGHT
 from chasles.report.html.shown import Badge, KernelRow, Number, RoadView, badge_of
@@ -27,6 +30,7 @@ from chasles.statements import Chapter, Entry, Section
 __all__ = ["Chosen", "SectionView", "page"]
 
 Pair = tuple[Entry, Decision]
+NOTHING: Mapping[str, str] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,13 +53,25 @@ class Chosen:
     words: str
 
 
-def page(chapter: Chapter, decisions: Decisions, roads: tuple[RoadView, ...], manifest: str, trusted: Trusted) -> str:
-    """The whole page; the same decisions, roads and manifest give the same text."""
+def page(
+    chapter: Chapter,
+    decisions: Decisions,
+    roads: tuple[RoadView, ...],
+    manifest: str,
+    trusted: Trusted,
+    evidence: Mapping[str, str] = NOTHING,
+) -> str:
+    """The whole page; the same decisions, roads, manifest and evidence give the same text.
+
+    `evidence` are the texts of what was measured, by the names of their files. Raises ValueError for one that cannot be
+    read.
+    """
     book = Book(chapter)
     decided = ordered(chapter, decisions)
     kernels = kernel_rows(book, manifest)
     sections = tuple(_sections(book, decided, kernels, roads))
     numbers = [number for section in sections for number in section.numbers]
+    figures = measured(evidence, {name: kernel.place for name, kernel in kernels.items()})
     values = {
         "title": chapter.title,
         "version": __version__,
@@ -63,6 +79,8 @@ def page(chapter: Chapter, decisions: Decisions, roads: tuple[RoadView, ...], ma
         "sections": sections,
         "errata": [(n, part) for n in numbers for part in n.parts if part.slip],
         "kernels": tuple(kernels.values()),
+        "measured": figures,
+        "errors": plotted(figures.curves),
         "graph": graph_of(book, [(f"{s.number} {s.title}", s.numbers) for s in sections]),
         "further": tuple(further_sections(chapter)),
         "verdict_filters": tuple(_verdict_filters(numbers)),

@@ -113,7 +113,10 @@ class RoadView:
 
 @dataclass(frozen=True, slots=True)
 class KernelRow:
-    """A kernel: its name, place on the page, number, signature and how many operations of which kinds it takes."""
+    """A kernel: its name, place on the page, number, signature, how many operations of which kinds it takes, its errors.
+
+    `bound` has a line for each result.
+    """
 
     name: str
     place: str
@@ -123,6 +126,7 @@ class KernelRow:
     needs: tuple[Markup, ...]
     total: int
     operations: str
+    bound: tuple[str, ...]
     form: str
 
 
