@@ -42,6 +42,11 @@ class Browser:
         self.devtools("Emulation.setEmulatedMedia", features=[scheme])
         self._post("url", {"url": address})
 
+    def as_on_paper(self, width: int) -> None:
+        """The page as it is printed, on paper that is this wide."""
+        self.devtools("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False)
+        self.devtools("Emulation.setEmulatedMedia", media="print")
+
     def run(self, script: str, *values: object) -> Any:
         """What a script returns."""
         return self._post("execute/sync", {"script": script, "args": list(values)})

@@ -11,10 +11,11 @@ import pytest
 
 from chasles.proof.judge import Judge
 from chasles.report.html.citing import place_of_number
-from chasles.report.html.page import page
+from chasles.report.html.page import Sources, page
 from chasles.report.html.palette import DARK, LIGHT, TEXT_ON, contrast
 from chasles.report.html.trusted import Trusted
-from chasles.report.latex_page import escaped, latex_page
+from chasles.report.latex_page import latex_page
+from chasles.report.latex_text import escaped
 from chasles.statements import Chapter, Claim, Entry, Section, Statement, load, nonzero
 from chasles.vocabulary import column, norm, scalar, vector
 
@@ -37,7 +38,7 @@ def small(**statements: Statement) -> tuple[str, str]:
     book = Chapter("Bars & Co_1", tuple(Entry(name, SECTION, statement) for name, statement in statements.items()))
     judge = Judge(book=book)
     decisions = {entry.name: judge.decide(entry.statement) for entry in book}
-    return page(book, decisions, (), "", Trusted(2, 1, 0, 800)), latex_page(book, decisions)
+    return page(book, decisions, Sources(Trusted(2, 1, 0, 800))), latex_page(book, decisions)
 
 
 @pytest.fixture(scope="module")

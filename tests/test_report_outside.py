@@ -11,7 +11,6 @@ from pathlib import Path
 
 import pytest
 
-
 from .browser import CHROMIUM, DRIVER, browser
 from .parsed_page import Parsed
 
@@ -68,12 +67,16 @@ def test_a_browser_shows_it_all(html: str, tmp_path: Path) -> None:
         window.run("location.hash = 'n-3-18'")
         assert "(3.18)" in window.run(SHOWN)
         window.picture(tmp_path / "page.png")
+        window.as_on_paper(PAPER)
+        assert window.run("return [innerWidth, document.documentElement.scrollWidth]") == [PAPER, PAPER]
         window.printed(tmp_path / "page.pdf")
         assert window.console() == []
     assert (tmp_path / "page.png").stat().st_size > 1e4
     assert (tmp_path / "page.pdf").stat().st_size > 1e5
 
 
+PAPER = 688
+"""How wide A4 is between its margins, in pixels; a browser prints all smaller if anything is wider."""
 DRAWN = """
 const formulas = [...document.querySelectorAll('math')];
 const size = each => each.getBoundingClientRect();

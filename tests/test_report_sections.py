@@ -18,7 +18,7 @@ from chasles.report.html.error_plots import plotted
 from chasles.report.html.exercises import worked_exercises, worked_view
 from chasles.report.html.formulas import displayed
 from chasles.report.html.measured import Curve, measured
-from chasles.report.html.page import page
+from chasles.report.html.page import Sources, page
 from chasles.report.html.trusted import Trusted
 from chasles.statements import Chapter, Claim, Entry, Section, load
 from chasles.statements.exercises import exercise_numbers
@@ -34,7 +34,10 @@ signature = "(3)->(3)"
 hypotheses = []
 operations = { add = 3 }
 form = "stated"
-bound = { program = "0", reason = "", guarantees = [{ result = "r", against = "itself", units = "1.01", inputs = "all" }] }
+[kernels.twice.bound]
+program = "0"
+reason = ""
+guarantees = [{ result = "r", against = "itself", units = "1.01", inputs = "x" }]
 """
 TIMES = {
     "machine": {"date": "today", "processor": "P", "cores": 2, "compiler": "cc", "instructions": "", "backend": "c",
@@ -59,7 +62,7 @@ def twice(evidence: dict[str, str]) -> str:
 
     claim = Claim("9.1", x + x, 2 * x, says="Twice.", kernel=Kernel(of=(x,)))
     book = Chapter("Toys", (Entry("twice", Section("9.1", "Toys"), claim),))
-    return page(book, {"twice": Judge().decide(claim)}, (), MANIFEST, Trusted(1, 0, 0, 1), evidence)
+    return page(book, {"twice": Judge().decide(claim)}, Sources(Trusted(1, 0, 0, 1), MANIFEST, evidence))
 
 
 def test_every_exercise_is_worked(report: dict[str, str]) -> None:
@@ -96,13 +99,13 @@ def test_where_nothing_can_be_drawn_the_page_says_so(monkeypatch: pytest.MonkeyP
 
 def test_another_chapter_has_none_of_the_exercises() -> None:
     entry = Entry("twice", Section("9.1", "Toys"), Claim("9.1", x + x, 2 * x, says="Twice."))
-    assert list(worked_exercises(Chapter("Toys", (entry,)))) == []
+    assert worked_exercises(Chapter("Toys", (entry,))) == ()
 
 
 def test_bounds_times_and_errors_are_those_of_the_files() -> None:
     html = twice({"kernels.json": json.dumps(TIMES), "errors.json": json.dumps({"curves": [CURVE]})})
     row = html.split('<tr id="kernel-twice">')[1].split("</tr>")[0]
-    assert "1.01 u of itself, for all" in row
+    assert "1.01 u of itself, for x" in row
     assert "3 add; as stated" in row
     speeds = html.split('<table class="speeds">')[1].split("</table>")[0]
     cells = re.findall(r"<td[^>]*>(?:<strong>)?([^<]*)", speeds)

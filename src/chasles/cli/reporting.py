@@ -14,8 +14,9 @@ from chasles.cli.book import BOOK
 from chasles.cli.failures import Failure
 from chasles.cli.outcome import Outcome, decide
 from chasles.cli.roads import all_roads
+from chasles.report.html.exercises import worked_exercises
 from chasles.report.html.measured import ERRORS, TIMES
-from chasles.report.html.page import page
+from chasles.report.html.page import Sources, page
 from chasles.report.html.roads import walked
 from chasles.report.html.shown import RoadView
 from chasles.report.html.trusted import checked_again
@@ -64,14 +65,15 @@ def reported(book: Chapter) -> Reported:
     decisions = {entry.name: decision for entry, decision in outcome.decided}
     again = outcome.rechecked
     assert again is not None
+    exercises = worked_exercises(book)
     trusted = checked_again(again.certificates, again.counterexamples, len(again.rejected))
     try:
-        html = page(book, decisions, roads, _manifest(), trusted, _evidence())
+        html = page(book, decisions, Sources(trusted, _manifest(), _evidence(), roads, exercises))
     except ValueError as error:
         raise Failure(f"{'/'.join(EVIDENCE)}/{error}: `make bench` writes it anew") from error
     texts = {
         "index.html": html,
-        "chapter.tex": latex_page(book, decisions),
+        "chapter.tex": latex_page(book, decisions, exercises),
     }
     return Reported(texts, outcome, roads, perf_counter() - started)
 

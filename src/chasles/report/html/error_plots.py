@@ -15,7 +15,7 @@ from chasles.report.html.pictures import inline
 __all__ = ["ErrorPlot", "Plotted", "plotted"]
 
 MOST, LEAST = 53 * log10(2), -1.0
-"""Of an error of 2^53 roundoffs no digit is right: what is worse is drawn there. What is less than a tenth, is there."""
+"""With 2^53 roundoffs no digit is right: errors that are larger are drawn there; those below a tenth, at a tenth."""
 FINE = 0.05
 """Points as near to pi as this are worth a panel of their own."""
 BLUE, RED = "#0072B2", "#D55E00"

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
+from importlib import import_module
 from itertools import groupby
 from typing import Any
 
@@ -14,10 +16,9 @@ from chasles.exact.solving import solve_with
 from chasles.exact.spelling import decimal_text, latex_of, text_of
 from chasles.proof.spreading import spread
 from chasles.report.html.citing import Link, place_of_number, slug
-from chasles.report.html.filling import filled
 from chasles.report.html.formulas import displayed
 from chasles.report.html.pictures import inline, said_of
-from chasles.report.html.shown import Equation, Further
+from chasles.report.html.shown import Equation
 from chasles.statements import Chapter, load
 from chasles.statements.exercise import Exercise
 from chasles.statements.exercises import exercise, exercise_numbers
@@ -39,10 +40,11 @@ class Given:
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """What was found: its name, the value as a formula, labelled with its decimals."""
+    """What was found: its name, the value as a formula, labelled with its decimals, or in `words` if it is words."""
 
     name: str
-    equation: Equation
+    equations: tuple[Equation, ...]
+    words: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,15 +75,13 @@ class WorkedView:
     without: tuple[str, ...]
 
 
-def worked_exercises(chapter: Chapter) -> Iterator[Further]:
-    """A section with all exercises, if the chapter is the one to which they belong."""
+def worked_exercises(chapter: Chapter) -> tuple[WorkedView, ...]:
+    """All exercises, if the chapter is the one to which they belong; none for another chapter."""
     book = {id(entry.statement) for entry in load()}
     if not all(id(entry.statement) in book for entry in chapter):
-        return
+        return ()
     _ready_to_draw()
-    worked = tuple(spread(lambda number: worked_view(chapter, number), exercise_numbers(), AN_EXERCISE))
-    without = tuple(dict.fromkeys(reason for view in worked for reason in view.without))
-    yield Further("exercises", "Worked exercises", filled("exercises.html.jinja", exercises=worked, without=without))
+    return tuple(spread(lambda number: worked_view(chapter, number), exercise_numbers(), AN_EXERCISE))
 
 
 def worked_view(chapter: Chapter, number: str) -> WorkedView:
@@ -109,11 +109,8 @@ def worked_view(chapter: Chapter, number: str) -> WorkedView:
 
 def _ready_to_draw() -> None:
     """Load matplotlib before the work is spread, so that not every process does."""
-    try:
-        import matplotlib.figure
-        import mpl_toolkits.mplot3d  # noqa: F401
-    except ImportError:
-        pass
+    with suppress(ImportError):
+        import_module("mpl_toolkits.mplot3d")
 
 
 def _given(asked: Exercise, solution: Solution) -> Iterator[Given]:
@@ -124,7 +121,24 @@ def _given(asked: Exercise, solution: Solution) -> Iterator[Given]:
 
 
 def _answer(name: str, value: Any) -> Answer:
-    return Answer(name, Equation(displayed(latex_of(value)), text_of(value), _decimals(decimal_text(value))))
+    if words := tuple(_words(value)):
+        return Answer(name, (), words)
+    latex = latex_of(value)
+    return Answer(name, (Equation(displayed(latex), text_of(value), _decimals(decimal_text(value)), latex),))
+
+
+def _words(value: Any) -> Iterator[str]:
+    """The value line by line if it consists of words or truth values, or of what is told of them; else nothing."""
+    match value:
+        case None | bool() | str() | []:
+            yield text_of(value) if value != [] else "none"
+        case Mapping() if any(isinstance(part, bool | str) for part in value.values()):
+            yield from (f"{key}: {text_of(part)}" for key, part in value.items())
+        case [bool(), *_]:
+            yield ", ".join(map(text_of, value))
+        case [Mapping(), *_]:
+            for told in value:
+                yield "; ".join(text_of(part) for part in told.values() if part)
 
 
 def _step(known: frozenset[str], step: Step | Check) -> WorkedStep:
@@ -132,7 +146,7 @@ def _step(known: frozenset[str], step: Step | Check) -> WorkedStep:
 
 
 def _line(line: Line) -> Equation:
-    return Equation(displayed(line.latex), line.text, _decimals(line.decimals))
+    return Equation(displayed(line.latex), line.text, _decimals(line.decimals), line.latex)
 
 
 def _cites(known: frozenset[str], citations: Sequence[Citation]) -> Iterator[Link]:

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import groupby
-from types import MappingProxyType
 
 from chasles import __version__
 from chasles.proof.judge import Decision
@@ -13,8 +12,8 @@ from chasles.report.details import number_in_words
 from chasles.report.findings import Decisions, ordered
 from chasles.report.html.citing import Book, place_of_number, slug
 from chasles.report.html.error_plots import plotted
+from chasles.report.html.exercises import WorkedView
 from chasles.report.html.filling import filled
-from chasles.report.html.further import further_sections
 from chasles.report.html.graph import graph_of
 from chasles.report.html.kernels import kernel_rows
 from chasles.report.html.measured import measured
@@ -27,10 +26,9 @@ from chasles.report.verdict_page import WORST_FIRST
 from chasles.report.words import VERDICTS
 from chasles.statements import Chapter, Entry, Section
 
-__all__ = ["Chosen", "SectionView", "page"]
+__all__ = ["Chosen", "SectionView", "Sources", "page"]
 
 Pair = tuple[Entry, Decision]
-NOTHING: Mapping[str, str] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,36 +51,40 @@ class Chosen:
     words: str
 
 
-def page(
-    chapter: Chapter,
-    decisions: Decisions,
-    roads: tuple[RoadView, ...],
-    manifest: str,
-    trusted: Trusted,
-    evidence: Mapping[str, str] = NOTHING,
-) -> str:
-    """The whole page; the same decisions, roads, manifest and evidence give the same text.
+@dataclass(frozen=True, slots=True)
+class Sources:
+    """What the page shows beside the decisions: what was checked again, emitted, measured, walked and worked.
 
-    `evidence` are the texts of what was measured, by the names of their files. Raises ValueError for one that cannot be
-    read.
+    `evidence` are the texts of what was measured, by the names of their files.
     """
+
+    trusted: Trusted
+    manifest: str = ""
+    evidence: Mapping[str, str] = field(default_factory=dict)
+    roads: tuple[RoadView, ...] = ()
+    exercises: tuple[WorkedView, ...] = ()
+
+
+def page(chapter: Chapter, decisions: Decisions, sources: Sources) -> str:
+    """The whole page; the same decisions and sources give the same text. Raises ValueError for damaged evidence."""
     book = Book(chapter)
     decided = ordered(chapter, decisions)
-    kernels = kernel_rows(book, manifest)
-    sections = tuple(_sections(book, decided, kernels, roads))
+    kernels = kernel_rows(book, sources.manifest)
+    sections = tuple(_sections(book, decided, kernels, sources.roads))
     numbers = [number for section in sections for number in section.numbers]
-    figures = measured(evidence, {name: kernel.place for name, kernel in kernels.items()})
+    figures = measured(sources.evidence, {name: kernel.place for name, kernel in kernels.items()})
     values = {
         "title": chapter.title,
         "version": __version__,
-        "overview": overview(book, decided, roads, trusted),
+        "overview": overview(book, decided, sources.roads, sources.trusted),
         "sections": sections,
         "errata": [(n, part) for n in numbers for part in n.parts if part.slip],
         "kernels": tuple(kernels.values()),
         "measured": figures,
         "errors": plotted(figures.curves),
         "graph": graph_of(book, [(f"{s.number} {s.title}", s.numbers) for s in sections]),
-        "further": tuple(further_sections(chapter)),
+        "exercises": sources.exercises,
+        "without_pictures": tuple(dict.fromkeys(reason for view in sources.exercises for reason in view.without)),
         "verdict_filters": tuple(_verdict_filters(numbers)),
         "section_filters": tuple(_section_filters(sections)),
         "light": LIGHT,

@@ -16,7 +16,6 @@ __all__ = [
     "Badge",
     "Equation",
     "Fact",
-    "Further",
     "KernelRow",
     "Number",
     "Part",
@@ -26,15 +25,6 @@ __all__ = [
     "Step",
     "badge_of",
 ]
-
-
-@dataclass(frozen=True, slots=True)
-class Further:
-    """A section: its place on the page, its heading, and the HTML below it, in which headings begin with h3."""
-
-    place: str
-    title: str
-    body: Markup
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,11 +44,12 @@ def badge_of(name: str) -> Badge:
 
 @dataclass(frozen=True, slots=True)
 class Equation:
-    """An equation as MathML and in plain text, with a label where it is one of several."""
+    """An equation as MathML and in plain text, with a label where it is one of several; in LaTeX where that is used."""
 
     math: Markup
     words: str
     label: str = ""
+    latex: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,9 +104,9 @@ class RoadView:
 
 @dataclass(frozen=True, slots=True)
 class KernelRow:
-    """A kernel: its name, place on the page, number, signature, how many operations of which kinds it takes, its errors.
+    """A kernel: its name, place on the page, number, signature, how many operations of which kinds it takes.
 
-    `bound` has a line for each result.
+    `bound` says how large its errors can be, a line for each result.
     """
 
     name: str

@@ -160,7 +160,10 @@ def _facts(book: Book, entry: Entry, decision: Decision) -> Iterator[Fact]:
     if unused := Markup(", ").join(book.condition(text) for text in getattr(decision.verdict, "unused", ())):
         yield Fact("not needed", unused)
     if decision.certificate is not None:
-        yield Fact("proof" if decision.verdict.true else "proof of what is right", Markup(" ").join(proof_in_words(book, decision.certificate)))
+        yield Fact(
+            "proof" if decision.verdict.true else "proof of what is right",
+            Markup(" ").join(proof_in_words(book, decision.certificate)),
+        )
         size = len(json.dumps(decision.certificate, separators=(",", ":"), ensure_ascii=False).encode())
         text = Markup("<code>{}</code>, {} bytes, checked again without the prover")
         yield Fact("certificate", text.format(certificate_hash(decision.certificate), f"{size:,}"))
