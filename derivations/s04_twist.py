@@ -116,7 +116,7 @@ equal_projections_on_angular_velocity = Theorem(
 
 instant_screw_section = Section("3.4.1", "The Instant Screw of a Rigid-Body Motion")
 
-omega_is_not_zero = nonzero(norm(omega), r"\omega \neq 0")
+omega_is_not_zero = nonzero(norm(omega), r"\boldsymbol{\omega} \neq \mathbf{0}")
 
 minimum_velocity = Definition(
     "3.52",
@@ -434,7 +434,7 @@ direction_of_translation = Definition(
     "text 3.4.2 b",
     e, v / norm(v),
     says="The direction of a pure translation.",
-    assuming=(nonzero(norm(v), r"v \neq 0"),),
+    assuming=(nonzero(norm(v), r"\mathbf{v} \neq \mathbf{0}"),),
 )
 
 translation_twist = Definition("3.73", t, column(zero, v), says="The twist of a pure translation.")

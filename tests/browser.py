@@ -17,7 +17,7 @@ from urllib.request import Request, urlopen
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 DRIVER = shutil.which("chromedriver")
-PATIENCE = 60
+PATIENCE = 180
 
 
 class Browser:
@@ -41,6 +41,11 @@ class Browser:
         scheme = {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}
         self.devtools("Emulation.setEmulatedMedia", features=[scheme])
         self._post("url", {"url": address})
+
+    def as_on_paper(self, width: int) -> None:
+        """The page as it is printed, on paper that is this wide."""
+        self.devtools("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False)
+        self.devtools("Emulation.setEmulatedMedia", media="print")
 
     def run(self, script: str, *values: object) -> Any:
         """What a script returns."""

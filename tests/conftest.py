@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
 
 import pytest
 from hypothesis import settings
@@ -26,3 +31,31 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
             if name == "report":
                 terminalreporter.section(result.nodeid)
                 terminalreporter.write_line(str(text))
+
+
+@pytest.fixture(scope="session")
+def report(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """The files that `chasles report` writes, made once for all processes of a run."""
+    shared = tmp_path_factory.getbasetemp()
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        shared = shared.parent
+    folder = shared / "report"
+    with only_one(shared / "report.lock"):
+        if not folder.exists():
+            command = [sys.executable, "-m", "chasles", "report", "--out", str(folder)]
+            done = subprocess.run(command, capture_output=True, text=True, check=False)
+            assert done.returncode == 0, done.stderr
+    return {path.name: path.read_text("utf-8") for path in folder.iterdir()}
+
+
+@contextmanager
+def only_one(lock: Path) -> Iterator[None]:
+    """No two processes are in here at once, where the system has a lock for that."""
+    with lock.open("w") as file:
+        try:
+            import fcntl
+        except ImportError:
+            pass
+        else:
+            fcntl.flock(file, fcntl.LOCK_EX)
+        yield

@@ -66,6 +66,11 @@ def test_every_number_has_one_line_in_order() -> None:
     assert "7 numbered equations and 0 theorems" in page
 
 
+def test_what_is_of_an_earlier_chapter_is_counted_apart() -> None:
+    page, _ = written(*EVERYTHING, Claim("8.1", x, x, says="The same."), Claim("Thm 9.1", x, x, says="The same."))
+    assert "7 numbered equations, 1 of earlier chapters, and 1 theorems" in page
+
+
 def test_verdicts_are_in_their_columns() -> None:
     page, _ = written(*EVERYTHING)
     assert row(page, "(9.1)") == ["(9.1)", "definition", "defined", "", ""]
@@ -182,6 +187,7 @@ def test_the_chapter_is_complete(whole: dict[str, str]) -> None:
     lines = [line for line in whole["VERDICTS.md"].splitlines() if line.startswith("| ") and "---" not in line]
     numbers = [line.split(" | ")[0][2:].strip("()") for line in lines if not line.startswith("| number")]
     assert sorted(numbers) == sorted({escaped(entry.number) for entry in load()})
+    assert "\n172 numbered equations, 4 of earlier chapters, and " in whole["VERDICTS.md"]
 
 
 def test_every_slip_of_the_chapter_is_there(whole: dict[str, str]) -> None:

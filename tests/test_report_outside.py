@@ -11,9 +11,6 @@ from pathlib import Path
 
 import pytest
 
-from chasles.cli.reporting import reported
-from chasles.statements import load
-
 from .browser import CHROMIUM, DRIVER, browser
 from .parsed_page import Parsed
 
@@ -24,18 +21,13 @@ needs_browser = pytest.mark.skipif(
 
 
 @pytest.fixture(scope="module")
-def texts() -> dict[str, str]:
-    return reported(load()).texts
-
-
-@pytest.fixture(scope="module")
-def html(texts: dict[str, str]) -> str:
-    return texts["index.html"]
+def html(report: dict[str, str]) -> str:
+    return report["index.html"]
 
 
 @pytest.mark.skipif(shutil.which("pdflatex") is None, reason="no pdflatex: apt-get install texlive-latex-recommended")
-def test_the_latex_compiles(texts: dict[str, str], tmp_path: Path) -> None:
-    (tmp_path / "chapter.tex").write_text(texts["chapter.tex"], "utf-8")
+def test_the_latex_compiles(report: dict[str, str], tmp_path: Path) -> None:
+    (tmp_path / "chapter.tex").write_text(report["chapter.tex"], "utf-8")
     command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "chapter.tex"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, errors="replace", check=False)
     assert done.returncode == 0, done.stdout[-2000:]
@@ -43,13 +35,13 @@ def test_the_latex_compiles(texts: dict[str, str], tmp_path: Path) -> None:
     assert (tmp_path / "chapter.pdf").stat().st_size > 1e5
 
 
-def test_two_hash_seeds_give_the_same_bytes(texts: dict[str, str], tmp_path: Path) -> None:
+def test_two_hash_seeds_give_the_same_bytes(report: dict[str, str], tmp_path: Path) -> None:
     command = [sys.executable, "-m", "chasles", "report", "--out", str(tmp_path)]
     environment = {**os.environ, "PYTHONHASHSEED": "7", "CHASLES_PROCESSES": "1"}
     done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert sorted(path.name for path in tmp_path.iterdir()) == ["chapter.tex", "index.html"]
-    assert {name: (tmp_path / name).read_text("utf-8") for name in texts} == texts
+    assert {name: (tmp_path / name).read_text("utf-8") for name in report} == report
 
 
 @needs_browser
@@ -58,7 +50,7 @@ def test_a_browser_shows_it_all(html: str, tmp_path: Path) -> None:
     place.write_text(html, "utf-8")
     count, elements = html.count("<math"), len(Parsed(html).tags)
     with browser() as window:
-        for width, dark in ((390, True), (1280, False)):
+        for width, dark in ((390, True), (768, False), (1280, False)):
             window.open(place.as_uri(), width, dark)
             window.run("for (const each of document.querySelectorAll('details')) each.open = true")
             assert window.run("return [innerWidth, document.documentElement.scrollWidth]") == [width, width]
@@ -75,12 +67,16 @@ def test_a_browser_shows_it_all(html: str, tmp_path: Path) -> None:
         window.run("location.hash = 'n-3-18'")
         assert "(3.18)" in window.run(SHOWN)
         window.picture(tmp_path / "page.png")
+        window.as_on_paper(PAPER)
+        assert window.run("return [innerWidth, document.documentElement.scrollWidth]") == [PAPER, PAPER]
         window.printed(tmp_path / "page.pdf")
         assert window.console() == []
     assert (tmp_path / "page.png").stat().st_size > 1e4
     assert (tmp_path / "page.pdf").stat().st_size > 1e5
 
 
+PAPER = 688
+"""How wide A4 is between its margins, in pixels; a browser prints all smaller if anything is wider."""
 DRAWN = """
 const formulas = [...document.querySelectorAll('math')];
 const size = each => each.getBoundingClientRect();

@@ -6,13 +6,18 @@ import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib.resources import files
+from importlib.util import find_spec
+from pathlib import Path
 from time import perf_counter
 
+from chasles.cli.book import BOOK
 from chasles.cli.checkout import generated_package
 from chasles.cli.failures import Failure
 from chasles.cli.outcome import Outcome, decide
 from chasles.cli.roads import all_roads
-from chasles.report.html.page import page
+from chasles.report.html.exercises import worked_exercises
+from chasles.report.html.measured import ERRORS, TIMES
+from chasles.report.html.page import Sources, page
 from chasles.report.html.roads import walked
 from chasles.report.html.shown import RoadView
 from chasles.report.html.trusted import checked_again
@@ -23,6 +28,9 @@ from chasles.statements.derivation import Derivation
 from chasles.targets import MANIFEST
 
 __all__ = ["Reported", "reported"]
+
+EVIDENCE = ("benchmarks", "evidence")
+"""Beside the declarations in a checkout; an installed wheel has none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,10 +66,15 @@ def reported(book: Chapter) -> Reported:
     decisions = {entry.name: decision for entry, decision in outcome.decided}
     again = outcome.rechecked
     assert again is not None
+    exercises = worked_exercises(book)
     trusted = checked_again(again.certificates, again.counterexamples, len(again.rejected))
+    try:
+        html = page(book, decisions, Sources(trusted, _manifest(book), _evidence(book), roads, exercises))
+    except ValueError as error:
+        raise Failure(f"{'/'.join(EVIDENCE)}/{error}: `make bench` writes it anew") from error
     texts = {
-        "index.html": page(book, decisions, roads, _manifest(book), trusted),
-        "chapter.tex": latex_page(book, decisions),
+        "index.html": html,
+        "chapter.tex": latex_page(book, decisions, exercises),
     }
     return Reported(texts, outcome, roads, perf_counter() - started)
 
@@ -74,6 +87,15 @@ def _roads_of(book: Chapter) -> dict[str, Derivation]:
         for name, road in all_roads(book).items()
         if any(id(statement) in known for step in road.steps for statement in step.cited)
     }
+
+
+def _evidence(book: Chapter) -> dict[str, str]:
+    """What was measured, file by file; nothing outside a checkout."""
+    spec = find_spec(BOOK) if book.package == BOOK else None
+    for declarations in (spec.submodule_search_locations or ()) if spec else ():
+        folder = Path(declarations).resolve().parent.joinpath(*EVIDENCE)
+        return {name: (folder / name).read_text("utf-8") for name in (TIMES, ERRORS) if (folder / name).is_file()}
+    return {}
 
 
 def _manifest(book: Chapter) -> str:

@@ -11,7 +11,7 @@ from chasles.report.lost_marks import lost_marks
 from chasles.statements import Chapter, Entry, Statement
 from chasles.vocabulary import Node, latex
 
-__all__ = ["Decisions", "Pairs", "Standing", "likely_slip", "ordered", "stands_in"]
+__all__ = ["Decisions", "Numbers", "Pairs", "Standing", "likely_slip", "numbers_of", "ordered", "stands_in"]
 
 Decisions = Mapping[str, Decision]
 """By the name of the statement."""
@@ -33,6 +33,23 @@ class Standing:
     changes: tuple[str, ...] = ()
     modulo: str | None = None
     by: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Numbers:
+    """How many numbered equations a book has, of its own and of earlier chapters, and how many `others` without one."""
+
+    own: int
+    earlier: int
+    others: int
+
+
+def numbers_of(book: Chapter) -> Numbers:
+    """The numbers of the book, each counted once; its own begin as those of its sections do."""
+    chapters = {section.number.split(".")[0] for section in book.sections}
+    equations = [number for number in book.numbers if number[:1].isdecimal()]
+    own = sum(number.split(".")[0] in chapters for number in equations)
+    return Numbers(own, len(equations) - own, len(book.numbers) - len(equations))
 
 
 def ordered(book: Chapter, decisions: Decisions) -> Pairs:

@@ -13,20 +13,14 @@ from chasles.proof.verdict import Verdict
 from chasles.report.details import number_in_words, objections_to_print
 from chasles.report.equations import hypotheses_in_latex, in_latex
 from chasles.report.findings import Decisions, Pairs, Standing, likely_slip, ordered, stands_in
+from chasles.report.html.exercises import WorkedView
+from chasles.report.latex_text import escaped
 from chasles.report.words import VERDICTS, counted
+from chasles.report.worked_latex import exercises_in_latex
 from chasles.statements import Chapter, Entry
 from chasles.vocabulary import latex
 
-__all__ = ["Item", "escaped", "item_of", "latex_page"]
-
-SPECIAL = str.maketrans(
-    {
-        "\\": r"\textbackslash{}",
-        "~": r"\textasciitilde{}",
-        "^": r"\textasciicircum{}",
-        **{mark: f"\\{mark}" for mark in "{}_#$%&"},
-    }
-)
+__all__ = ["Item", "item_of", "latex_page"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,21 +56,17 @@ class Heading:
     items: tuple[Item, ...]
 
 
-def latex_page(chapter: Chapter, decisions: Decisions) -> str:
-    """The document; the same decisions give the same text."""
+def latex_page(chapter: Chapter, decisions: Decisions, worked: Sequence[WorkedView] = ()) -> str:
+    """The document, the worked exercises at its end; the same decisions and exercises give the same text."""
     decided = ordered(chapter, decisions)
     values = {
         "title": escaped(chapter.title),
         "statements": len(decided),
         "totals": escaped(counted(decision.verdict for _, decision in decided)),
+        "exercises": tuple(exercises_in_latex(worked)),
         "headings": tuple(_headings(decided, hypotheses_in_latex(chapter))),
     }
     return _environment().get_template("chapter.tex.jinja").render(values)
-
-
-def escaped(text: str) -> str:
-    """The text as it stands: nothing in it is a command of LaTeX."""
-    return text.translate(SPECIAL)
 
 
 def _environment() -> Environment:

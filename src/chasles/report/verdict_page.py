@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from chasles.proof.judge import Decision
 from chasles.report.details import number_in_words
-from chasles.report.findings import Decisions, Pairs, Standing, ordered, stands_in
+from chasles.report.findings import Decisions, Pairs, Standing, numbers_of, ordered, stands_in
 from chasles.report.markdown import escaped, table
 from chasles.report.words import VERDICTS, counted
 from chasles.statements import Chapter, Entry, Section
@@ -34,17 +34,17 @@ Group = list[tuple[Entry, Decision]]
 def verdict_page(book: Chapter, decisions: Decisions) -> str:
     """The page on the whole chapter; the same decisions and repairs give the same text."""
     decided = ordered(book, decisions)
-    lines = [ABOUT, "", *_totals(decided)]
+    lines = [ABOUT, "", *_totals(book, decided)]
     for section, groups in _sections(decided):
         lines += ["", f"## {section.number} {escaped(section.title)}", ""]
         lines += table(HEAD, (_row(number, group) for number, group in groups.items()))
     return "\n".join(lines) + "\n"
 
 
-def _totals(decided: Pairs) -> Iterator[str]:
-    numbers = {entry.number for entry, _ in decided}
-    equations = sum(number[0].isdecimal() for number in numbers)
-    yield f"{equations} numbered equations and {len(numbers) - equations} theorems, displays and exercises without one,"
+def _totals(book: Chapter, decided: Pairs) -> Iterator[str]:
+    count = numbers_of(book)
+    earlier = f", {count.earlier} of earlier chapters," if count.earlier else ""
+    yield f"{count.own} numbered equations{earlier} and {count.others} theorems, displays and exercises without one,"
     yield f"in {len(decided)} statements: {counted(d.verdict for _, d in decided)}."
     wrong = [(e, d) for e, d in decided if not d.verdict.true]
     found = [standing[0].found if (standing := stands_in(e, d)) else "nothing" for e, d in wrong]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 from html import unescape
 from itertools import pairwise
@@ -16,7 +17,7 @@ from chasles.vocabulary import Node
 from chasles.vocabulary.latex import Latex
 from chasles.vocabulary.spelling import Level, Piece, spell
 
-__all__ = ["equation_tree", "latex_for_mathml", "markup", "math", "tree_of"]
+__all__ = ["displayed", "equation_tree", "latex_for_mathml", "markup", "math", "tree_of"]
 
 FUNCTIONS = (r"\sin", r"\cos", r"\det", r"\text{")
 CLOSING = (r"\right)", r"\right]", r"\right\}")
@@ -25,6 +26,15 @@ ACCENTS = {"~": "\N{SMALL TILDE}", "\N{DOT ABOVE}": "\N{DOT ABOVE}", "\N{DIAERES
 """Marks over a letter; of the tilde there is a small one."""
 PRIMES = ("\N{PRIME}", "\N{DOUBLE PRIME}")
 """In fonts these are small and raised as they are: as superscripts they would be so twice."""
+SIGNS_OF_TERMS = ("\N{MINUS SIGN}", "+")
+LEADING = ("=", "\N{IDENTICAL TO}", "(", "[", "{", ",", "\N{ALMOST EQUAL TO}")
+"""After these, a sign belongs to what follows it, and there is no space between the two."""
+BRACKETS = {"(": "prefix", "[": "prefix", "{": "prefix", ")": "postfix", "]": "postfix", "}": "postfix"}
+"""What a bracket is, also where it does not stand at the edge of a row."""
+OPENED, CLOSED = r"\left[ \begin{matrix}", r"\end{matrix} \right]"
+"""A matrix in brackets: the converter leaves those of `bmatrix` outside where it has an exponent."""
+NAMES = ("sin", "cos", "tan", "det", "vect", "tr")
+SIGNS_IN_WORDS = re.compile(r"\\([&%$#_^~])(?:\{\})?")
 TALL = ("mfrac", "mtable")
 """Around what brackets grow; elsewhere a bracket that may grow only takes more room."""
 WIDE = 80
@@ -92,6 +102,33 @@ def tree_of(latex: str) -> Element:
     return root[0] if len(root) == 1 else root
 
 
+def displayed(latex: str) -> Markup:
+    """A formula that was not spelled for MathML, on a line of its own: names of functions stand apart from letters."""
+    tree = tree_of(latex.replace(r"\begin{bmatrix}", OPENED).replace(r"\end{bmatrix}", CLOSED))
+    for row in tree.iter("mrow"):
+        _set_apart(row)
+    for words in tree.iter("mtext"):
+        words.text = SIGNS_IN_WORDS.sub(r"\1", words.text or "")
+    return markup(tree)
+
+
+def _set_apart(row: Element) -> None:
+    """A thin space before and after the name of a function, but not beside a sign or a bracket."""
+    parts: list[Element] = []
+    for before, part in zip((None, *row), row, strict=False):
+        named = [each is not None and each.text in NAMES for each in (before, part)]
+        if before is not None and any(named) and before.tag != "mo" and not _begins_with_a_sign(part):
+            parts.append(Element("mspace", width="0.167em"))
+        parts.append(part)
+    row[:] = parts
+
+
+def _begins_with_a_sign(element: Element) -> bool:
+    while element.tag in ("mrow", "msup", "msub", "msubsup") and len(element):
+        element = element[0]
+    return element.tag == "mo"
+
+
 def markup(tree: Element, block: bool = True) -> Markup:
     """The formula as text of a page; a `block` stands on a line of its own, or on several."""
     shown = in_lines(tree) if block else tree
@@ -111,6 +148,11 @@ def _settle(element: Element) -> None:
     for place, child in enumerate(list(element)):
         _settle(child)
         element[place] = _simplest(child)
+    for before, sign in zip((None, *element), element, strict=False):
+        if sign.tag == "mo" and sign.text in SIGNS_OF_TERMS and (before is None or before.text in LEADING):
+            sign.set("form", "prefix")
+        elif sign.tag == "mo" and sign.text in BRACKETS:
+            sign.set("form", BRACKETS[sign.text])
     if element.tag == "mover" and element[1].text in ACCENTS:
         element.set("accent", "true")
         element[1].text = ACCENTS[element[1].text]

@@ -1,4 +1,4 @@
-"""The kernels that were emitted, as their manifest tells: names, signatures, counts of operations."""
+"""The kernels that were emitted, as their manifest tells: names, signatures, counts of operations, proved bounds."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import tomllib
 from collections.abc import Mapping
 from typing import Any
 
+from chasles.bounds import Bound
 from chasles.report.details import number_in_words
 from chasles.report.html.citing import Book, Link, place_of_number, slug
 from chasles.report.html.shown import KernelRow
@@ -34,5 +35,11 @@ def _row(book: Book, name: str, kernel: Mapping[str, Any]) -> KernelRow:
         needs=tuple(book.condition(text) for text in kernel["hypotheses"]),
         total=sum(counts.values()),
         operations=", ".join(f"{count} {kind.replace('_', ' ')}" for kind, count in counts.items()) or "none",
+        bound=_bound(kernel.get("bound")),
         form=FORMS.get(kernel["form"], kernel["form"]),
     )
+
+
+def _bound(data: Mapping[str, Any] | None) -> tuple[str, ...]:
+    """How large an error can be, a line for each result; nothing where the manifest says nothing."""
+    return Bound.from_data(data).in_words if data else ()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from chasles.report.findings import Pairs, stands_in
+from chasles.report.findings import Numbers, Pairs, numbers_of, stands_in
 from chasles.report.html.citing import Book, Link
 from chasles.report.html.shown import Badge, RoadView, badge_of
 from chasles.report.html.trusted import Trusted
@@ -35,15 +35,13 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class Overview:
-    """The totals; of the equations, `earlier` are those of earlier chapters.
+    """The totals.
 
     `wrong` counts what does not stand as printed, `found`, `declared` and `without` how it is repaired; `postulates`
     are the laws that are assumed.
     """
 
-    equations: int
-    earlier: int
-    others: int
+    numbers: Numbers
     statements: int
     in_words: str
     shares: tuple[Share, ...]
@@ -61,18 +59,12 @@ class Overview:
 
 def overview(book: Book, decided: Pairs, roads: tuple[RoadView, ...], trusted: Trusted) -> Overview:
     """The totals of all that was decided and walked."""
-    numbers = book.chapter.numbers
-    equations = sum(number[:1].isdecimal() for number in numbers)
-    own = {section.number.split(".")[0] for section in book.chapter.sections}
-    here = sum(number.split(".")[0] in own for number in numbers)
     wrong = [(entry, decision) for entry, decision in decided if not decision.verdict.true]
     how = [found[0].found if (found := stands_in(*each)) else "nothing" for each in wrong]
     sections = tallies(decided)
     shares = _shares(sections)
     return Overview(
-        equations=here,
-        earlier=equations - here,
-        others=len(numbers) - equations,
+        numbers=numbers_of(book.chapter),
         statements=len(decided),
         in_words=counted(decision.verdict for _, decision in decided),
         shares=shares,

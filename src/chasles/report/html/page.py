@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import groupby
-
-from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from chasles import __version__
 from chasles.proof.judge import Decision
 from chasles.report.details import number_in_words
 from chasles.report.findings import Decisions, ordered
 from chasles.report.html.citing import Book, place_of_number, slug
-from chasles.report.html.further import further_sections
+from chasles.report.html.error_plots import plotted
+from chasles.report.html.exercises import WorkedView
+from chasles.report.html.filling import filled
 from chasles.report.html.graph import graph_of
 from chasles.report.html.kernels import kernel_rows
+from chasles.report.html.measured import measured
 from chasles.report.html.overview import overview
 from chasles.report.html.palette import DARK, LIGHT
 from chasles.report.html.shown import Badge, KernelRow, Number, RoadView, badge_of
@@ -25,7 +26,7 @@ from chasles.report.verdict_page import WORST_FIRST
 from chasles.report.words import VERDICTS
 from chasles.statements import Chapter, Entry, Section
 
-__all__ = ["Chosen", "SectionView", "environment", "page"]
+__all__ = ["Chosen", "SectionView", "Sources", "page"]
 
 Pair = tuple[Entry, Decision]
 
@@ -50,40 +51,46 @@ class Chosen:
     words: str
 
 
-def page(chapter: Chapter, decisions: Decisions, roads: tuple[RoadView, ...], manifest: str, trusted: Trusted) -> str:
-    """The whole page; the same decisions, roads and manifest give the same text."""
+@dataclass(frozen=True, slots=True)
+class Sources:
+    """What the page shows beside the decisions: what was checked again, emitted, measured, walked and worked.
+
+    `evidence` are the texts of what was measured, by the names of their files.
+    """
+
+    trusted: Trusted
+    manifest: str = ""
+    evidence: Mapping[str, str] = field(default_factory=dict)
+    roads: tuple[RoadView, ...] = ()
+    exercises: tuple[WorkedView, ...] = ()
+
+
+def page(chapter: Chapter, decisions: Decisions, sources: Sources) -> str:
+    """The whole page; the same decisions and sources give the same text. Raises ValueError for damaged evidence."""
     book = Book(chapter)
     decided = ordered(chapter, decisions)
-    kernels = kernel_rows(book, manifest)
-    sections = tuple(_sections(book, decided, kernels, roads))
+    kernels = kernel_rows(book, sources.manifest)
+    sections = tuple(_sections(book, decided, kernels, sources.roads))
     numbers = [number for section in sections for number in section.numbers]
+    figures = measured(sources.evidence, {name: kernel.place for name, kernel in kernels.items()})
     values = {
         "title": chapter.title,
         "version": __version__,
-        "overview": overview(book, decided, roads, trusted),
+        "overview": overview(book, decided, sources.roads, sources.trusted),
         "sections": sections,
         "errata": [(n, part) for n in numbers for part in n.parts if part.slip],
         "kernels": tuple(kernels.values()),
+        "measured": figures,
+        "errors": plotted(figures.curves),
         "graph": graph_of(book, [(f"{s.number} {s.title}", s.numbers) for s in sections]),
-        "further": tuple(further_sections(chapter)),
+        "exercises": sources.exercises,
+        "without_pictures": tuple(dict.fromkeys(reason for view in sources.exercises for reason in view.without)),
         "verdict_filters": tuple(_verdict_filters(numbers)),
         "section_filters": tuple(_section_filters(sections)),
         "light": LIGHT,
         "dark": DARK,
     }
-    return environment().get_template("index.html.jinja").render(values)
-
-
-def environment() -> Environment:
-    """The templates; what is put into them is escaped, and nothing may be missing."""
-    return Environment(
-        loader=PackageLoader("chasles.report"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-    )
+    return str(filled("index.html.jinja", **values))
 
 
 def _sections(

@@ -1,4 +1,7 @@
-"""The colours of the page, in the light and in the dark; each text stands out from each ground on which it is put."""
+"""The colours of the page, in the light and in the dark; each text stands out from each ground on which it is put.
+
+The four colours of curves are near those of Okabe and Ito, which colour-blind readers tell apart.
+"""
 
 from __future__ import annotations
 
@@ -23,6 +26,10 @@ LIGHT = {
     "plain-ground": "#e6eefa",
     "taken-ground": "#fbd5d5",
     "added-ground": "#c9efd3",
+    "first": "#0072b2",
+    "second": "#b84a00",
+    "third": "#007a59",
+    "fourth": "#946200",
 }
 DARK = {
     "ground": "#14171b",
@@ -43,6 +50,10 @@ DARK = {
     "plain-ground": "#1d2c46",
     "taken-ground": "#5c2326",
     "added-ground": "#1b4a2b",
+    "first": "#5ab4e8",
+    "second": "#ff9350",
+    "third": "#3cc79b",
+    "fourth": "#f0bd45",
 }
 TEXT_ON = (
     *((text, ground) for text in ("ink", "quiet", "link") for ground in ("ground", "raised")),
@@ -54,6 +65,7 @@ TEXT_ON = (
     ("quiet", "bad-ground"),
     ("link", "bad-ground"),
     ("ground", "link"),
+    *((curve, "ground") for curve in ("first", "second", "third", "fourth")),
 )
 """Which colour of text is put on which ground."""
 

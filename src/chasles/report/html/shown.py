@@ -44,11 +44,12 @@ def badge_of(name: str) -> Badge:
 
 @dataclass(frozen=True, slots=True)
 class Equation:
-    """An equation as MathML and in plain text, with a label where it is one of several."""
+    """An equation as MathML and in plain text, with a label where it is one of several; in LaTeX where that is used."""
 
     math: Markup
     words: str
     label: str = ""
+    latex: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,7 +104,10 @@ class RoadView:
 
 @dataclass(frozen=True, slots=True)
 class KernelRow:
-    """A kernel: its name, place on the page, number, signature and how many operations of which kinds it takes."""
+    """A kernel: its name, place on the page, number, signature, how many operations of which kinds it takes.
+
+    `bound` says how large its errors can be, a line for each result.
+    """
 
     name: str
     place: str
@@ -113,6 +117,7 @@ class KernelRow:
     needs: tuple[Markup, ...]
     total: int
     operations: str
+    bound: tuple[str, ...]
     form: str
 
 

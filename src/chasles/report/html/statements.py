@@ -12,6 +12,7 @@ from chasles.proof.verdict import Counterexample, Fails, IllFormed
 from chasles.report.by_hand import worked_out
 from chasles.report.details import number_in_words
 from chasles.report.findings import Standing, likely_slip, stands_in
+from chasles.report.html.certificates import proof_in_words
 from chasles.report.html.citing import Book, Link, place_of_number
 from chasles.report.html.differences import mark_differences
 from chasles.report.html.formulas import equation_tree, markup
@@ -159,6 +160,10 @@ def _facts(book: Book, entry: Entry, decision: Decision) -> Iterator[Fact]:
     if unused := Markup(", ").join(book.condition(text) for text in getattr(decision.verdict, "unused", ())):
         yield Fact("not needed", unused)
     if decision.certificate is not None:
+        yield Fact(
+            "proof" if decision.verdict.true else "proof of what is right",
+            Markup(" ").join(proof_in_words(book, decision.certificate)),
+        )
         size = len(json.dumps(decision.certificate, separators=(",", ":"), ensure_ascii=False).encode())
         text = Markup("<code>{}</code>, {} bytes, checked again without the prover")
         yield Fact("certificate", text.format(certificate_hash(decision.certificate), f"{size:,}"))

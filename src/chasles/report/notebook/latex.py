@@ -11,7 +11,8 @@ from chasles.proof.road import Road
 from chasles.proof.verdict import Counterexample, Verdict
 from chasles.report.details import number_in_words, refuted
 from chasles.report.equations import in_latex
-from chasles.report.latex_page import Item, escaped, item_of
+from chasles.report.latex_page import Item, item_of
+from chasles.report.latex_text import escaped
 from chasles.report.notebook.alone import Alone, entry_of, needs_of
 from chasles.report.notebook.text import text
 from chasles.report.road_page import equations_of

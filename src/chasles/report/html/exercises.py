@@ -1,0 +1,171 @@
+"""The exercises of the book, worked for their own data: what is asked, steps, answers, checks, pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from importlib import import_module
+from itertools import groupby
+from typing import Any
+
+from markupsafe import Markup
+
+from chasles.exact.solution import Check, Citation, Line, Solution, Step, cited
+from chasles.exact.solving import solve_with
+from chasles.exact.spelling import decimal_text, latex_of, text_of
+from chasles.proof.spreading import spread
+from chasles.report.html.citing import Link, place_of_number, slug
+from chasles.report.html.formulas import displayed
+from chasles.report.html.pictures import inline, said_of
+from chasles.report.html.shown import Equation
+from chasles.statements import Chapter, load
+from chasles.statements.exercise import Exercise
+from chasles.statements.exercises import exercise, exercise_numbers
+
+__all__ = ["WorkedView", "worked_exercises", "worked_view"]
+
+AN_EXERCISE = 0.5
+"""About how many seconds one takes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """A datum: its name, what it is, its value as text."""
+
+    name: str
+    says: str
+    value: str
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """What was found: its name, the value as a formula, labelled with its decimals, or in `words` if it is words."""
+
+    name: str
+    equations: tuple[Equation, ...]
+    words: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class WorkedStep:
+    """A step or a check: what is done, the numbers that it uses, the formulas, labelled with their decimals."""
+
+    says: str
+    cites: tuple[Link, ...]
+    equations: tuple[Equation, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class WorkedView:
+    """An exercise with its solution; `pictures` are at most one, `without` says why there is none."""
+
+    place: str
+    number: str
+    title: str
+    status: str
+    asked: tuple[str, ...]
+    assumed: tuple[str, ...]
+    given: tuple[Given, ...]
+    steps: tuple[WorkedStep, ...]
+    answers: tuple[Answer, ...]
+    checks: tuple[WorkedStep, ...]
+    pictures: tuple[Markup, ...]
+    captions: tuple[str, ...]
+    without: tuple[str, ...]
+
+
+def worked_exercises(chapter: Chapter) -> tuple[WorkedView, ...]:
+    """All exercises, if the chapter is the one to which they belong; none for another chapter."""
+    book = {id(entry.statement) for entry in load()}
+    if not all(id(entry.statement) in book for entry in chapter):
+        return ()
+    _ready_to_draw()
+    return tuple(spread(lambda number: worked_view(chapter, number), exercise_numbers(), AN_EXERCISE))
+
+
+def worked_view(chapter: Chapter, number: str) -> WorkedView:
+    """The exercise of that number, solved for its default data."""
+    solution, asked = solve_with(number, {}), exercise(number)
+    place = f"exercise-{slug(number)}"
+    drawn, without = _picture(solution, place)
+    known = frozenset(chapter.numbers)
+    return WorkedView(
+        place=place,
+        number=number,
+        title=solution.title,
+        status=solution.status,
+        asked=solution.asked,
+        assumed=solution.assumptions,
+        given=tuple(_given(asked, solution)),
+        steps=tuple(_step(known, step) for step in solution.steps),
+        answers=tuple(_answer(name, value) for name, value in solution.answers.items()),
+        checks=tuple(_step(known, check) for check in solution.checks),
+        pictures=drawn,
+        captions=(solution.picture.title,) if solution.picture and drawn else (),
+        without=without,
+    )
+
+
+def _ready_to_draw() -> None:
+    """Load matplotlib before the work is spread, so that not every process does."""
+    with suppress(ImportError):
+        import_module("mpl_toolkits.mplot3d")
+
+
+def _given(asked: Exercise, solution: Solution) -> Iterator[Given]:
+    """The data that have a value."""
+    for datum in asked.data:
+        if (value := solution.given.get(datum.key)) is not None:
+            yield Given(datum.key, datum.says, text_of(value))
+
+
+def _answer(name: str, value: Any) -> Answer:
+    if words := tuple(_words(value)):
+        return Answer(name, (), words)
+    latex = latex_of(value)
+    return Answer(name, (Equation(displayed(latex), text_of(value), _decimals(decimal_text(value)), latex),))
+
+
+def _words(value: Any) -> Iterator[str]:
+    """The value line by line if it consists of words or truth values, or of what is told of them; else nothing."""
+    match value:
+        case None | bool() | str() | []:
+            yield text_of(value) if value != [] else "none"
+        case Mapping() if any(isinstance(part, bool | str) for part in value.values()):
+            yield from (f"{key}: {text_of(part)}" for key, part in value.items())
+        case [bool(), *_]:
+            yield ", ".join(map(text_of, value))
+        case [Mapping(), *_]:
+            for told in value:
+                yield "; ".join(text_of(part) for part in told.values() if part)
+
+
+def _step(known: frozenset[str], step: Step | Check) -> WorkedStep:
+    return WorkedStep(step.says, tuple(_cites(known, step.cites)), tuple(map(_line, step.lines)))
+
+
+def _line(line: Line) -> Equation:
+    return Equation(displayed(line.latex), line.text, _decimals(line.decimals), line.latex)
+
+
+def _cites(known: frozenset[str], citations: Sequence[Citation]) -> Iterator[Link]:
+    """A reference for each number that the page has."""
+    for number, group in groupby(citations, lambda citation: citation.number):
+        if number in known:
+            yield Link(f"#{place_of_number(number)}", cited(tuple(group)))
+
+
+def _decimals(text: str) -> str:
+    return f"≈ {text}" if text else ""
+
+
+def _picture(solution: Solution, place: str) -> tuple[tuple[Markup, ...], tuple[str, ...]]:
+    """The picture if there is one, or why there is none."""
+    if solution.picture is None:
+        return (), ()
+    try:
+        figure = solution.figure()
+    except ImportError as error:
+        return (), (str(error),)
+    return (inline(figure, f"{place}-picture", solution.picture.title, said_of(solution.picture)),), ()

@@ -1,0 +1,145 @@
+"""What was measured of the kernels: times beside their peers, and errors; read from the evidence of a checkout."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from math import inf, isfinite
+from typing import Any
+
+from chasles.report.html.citing import Link
+
+__all__ = ["ERRORS", "TIMES", "Curve", "Measured", "Speed", "measured"]
+
+TIMES, ERRORS = "kernels.json", "errors.json"
+"""The files of the evidence."""
+OURS, PRINTED = "chasles_kernels", "numpy_by_hand"
+NOT_GENERATED = (OURS, PRINTED, "one", "sympy_lambdify", "sympy_ufuncify", "numba_jit", "scipy_rotation")
+TEN_THOUSAND, A_MILLION = "10000", "1000000 out="
+
+
+@dataclass(frozen=True, slots=True)
+class Curve:
+    """The error over the angle, in units of roundoff, of a kernel and of its formula as printed; infinite if lost."""
+
+    kernel: str
+    phi: tuple[float, ...]
+    ours: tuple[float, ...]
+    printed: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Speed:
+    """A kernel beside what one would use instead: times in ns per element, ratios and errors as text."""
+
+    title: str
+    kernel: Link
+    ours: str
+    best: str
+    by_hand: str
+    faster: str
+    faster_at_a_million: str
+    error: str
+    error_by_hand: str
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """Times and errors; none where nothing was measured. `where` says on what machine the times were."""
+
+    where: tuple[str, ...]
+    speeds: tuple[Speed, ...]
+    curves: tuple[Curve, ...]
+
+
+def measured(evidence: Mapping[str, str], places: Mapping[str, str]) -> Measured:
+    """What the texts of the evidence, by the names of their files, say of the kernels that have a place on the page.
+
+    Raises ValueError, naming the file, for a text that is not what was expected.
+    """
+    times, errors = _read(evidence, TIMES), _read(evidence, ERRORS)
+    try:
+        where = (_where(times["machine"]),) if times else ()
+        peers: Mapping[str, str] = times.get("peers", {})
+        listed = times.get("kernels", {}).items()
+        speeds = tuple(_speed(name, kernel, peers, places[name]) for name, kernel in listed if name in places)
+    except (AttributeError, KeyError, TypeError, ValueError) as error:
+        raise ValueError(f"{TIMES}: {type(error).__name__}: {error}") from error
+    try:
+        curves = tuple(_curve(each) for each in errors.get("curves", ()) if each["kernel"] in places)
+    except (AttributeError, KeyError, TypeError, ValueError) as error:
+        raise ValueError(f"{ERRORS}: {type(error).__name__}: {error}") from error
+    return Measured(where, speeds, curves)
+
+
+def _read(evidence: Mapping[str, str], name: str) -> Mapping[str, Any]:
+    try:
+        found: Mapping[str, Any] = json.loads(evidence.get(name, "{}"))
+    except ValueError as error:
+        raise ValueError(f"{name}: {error}") from error
+    if not isinstance(found, dict):
+        raise ValueError(f"{name} holds no table")
+    return found
+
+
+def _where(machine: Mapping[str, Any]) -> str:
+    """The machine and the day, in a line."""
+    versions: Mapping[str, str] = machine["versions"]
+    loops = machine["instructions"] or machine["backend"]
+    return (
+        f"{machine['date']}; {machine['processor']}, {machine['cores']} cores; {machine['compiler']}; "
+        f"NumPy {versions['numpy']}; loops for {loops}"
+    )
+
+
+def _speed(name: str, kernel: Mapping[str, Any], peers: Mapping[str, str], place: str) -> Speed:
+    times: Mapping[str, float] = kernel["ns"].get(TEN_THOUSAND, {})
+    generated = {peer: ns for peer, ns in times.items() if peer not in NOT_GENERATED}
+    best = min(generated, key=lambda peer: generated[peer], default="")
+    return Speed(
+        title=kernel["title"],
+        kernel=Link(f"#{place}", name),
+        ours=_number(times.get(OURS)),
+        best=f"{_number(generated[best])} {peers[best]}" if best else "",
+        by_hand=_number(times.get(PRINTED)),
+        faster=_faster(kernel, TEN_THOUSAND),
+        faster_at_a_million=_faster(kernel, A_MILLION),
+        error=_worst(kernel["errors"], OURS),
+        error_by_hand=_worst(kernel["errors"], PRINTED),
+    )
+
+
+def _faster(kernel: Mapping[str, Any], size: str) -> str:
+    found = kernel["times_faster"].get(size)
+    return f"{found['ratio']:.2f}" if found else ""
+
+
+def _worst(regions: Mapping[str, Mapping[str, float | None]], name: str) -> str:
+    """The largest error over all regions, in units of roundoff."""
+    found = [region[name] for region in regions.values() if name in region]
+    if not found:
+        return ""
+    return _number(max(inf if error is None else error for error in found))
+
+
+def _number(value: float | None) -> str:
+    if value is None:
+        return ""
+    if not isfinite(value) or value >= 2**53:
+        return "lost"
+    return f"{value:.0f}" if 100 <= value < 1e5 else f"{value:.3g}"
+
+
+def _curve(data: Mapping[str, Any]) -> Curve:
+    phi, ours, printed = (tuple(_errors(data[key])) for key in ("phi", "ours", "printed"))
+    if not len(phi) == len(ours) == len(printed) > 1 or not all(map(isfinite, phi)):
+        raise ValueError(f"the curves of {data['kernel']} are not of one length")
+    return Curve(str(data["kernel"]), phi, ours, printed)
+
+
+def _errors(values: Sequence[float | str | None]) -> Iterator[float]:
+    """The numbers; what is none is infinite."""
+    for value in values:
+        number = inf if value is None else float(value)
+        yield number if number == number else inf

@@ -1,0 +1,19 @@
+"""Words in a LaTeX document: nothing in them is a command."""
+
+from __future__ import annotations
+
+__all__ = ["escaped"]
+
+SPECIAL = str.maketrans(
+    {
+        "\\": r"\textbackslash{}",
+        "~": r"\textasciitilde{}",
+        "^": r"\textasciicircum{}",
+        **{mark: f"\\{mark}" for mark in "{}_#$%&"},
+    }
+)
+
+
+def escaped(text: str) -> str:
+    """The text as it stands."""
+    return text.translate(SPECIAL)
