@@ -14,6 +14,7 @@ pytestmark = pytest.mark.skipif(not (ROOT / "pyproject.toml").exists(), reason="
 
 # Rooms, and the modules beside them, each after everything it may import.
 ORDER = (
+    "keeping",
     "vocabulary",
     "statements",
     "proof",
