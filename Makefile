@@ -40,6 +40,7 @@ bench: $(VENV)/.compiled $(VENV)/.tools $(VENV)/.peers
 	@$(BIN)/python -m benchmarks.kernels $(ARGS)
 	@$(BIN)/python benchmarks/against_sympy.py --budget 1 --every 20
 	@$(BIN)/python benchmarks/deciding.py 1
+	@$(BIN)/python -m benchmarks.cost
 
 lint: $(VENV)/.tools
 	@$(BIN)/ruff check

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from chasles.lowering.builder import Builder
-from chasles.lowering.cost import cost
+from chasles.lowering.cost import price
 from chasles.lowering.declaration import Decide, Sentence, requested
 from chasles.lowering.expansion import Expansion
 from chasles.lowering.passes.angles import respelled
@@ -30,7 +30,7 @@ def lower(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None = No
 
 def program_of(request: Request) -> Program:
     """The cheapest of the programs that lose no digits another one keeps; NaN where one of its divisors is zero."""
-    return guarded(min(stable(request, list(dict.fromkeys(_candidates(request)))), key=cost))
+    return guarded(min(stable(request, list(dict.fromkeys(_candidates(request)))), key=price))
 
 
 def _candidates(request: Request) -> Iterator[Program]:
