@@ -41,6 +41,7 @@ bench: $(VENV)/.compiled $(VENV)/.tools $(VENV)/.peers
 	@$(BIN)/python -m benchmarks.kernels $(ARGS)
 	@$(BIN)/python benchmarks/against_sympy.py --budget 1 --every 20
 	@$(BIN)/python benchmarks/deciding.py 1
+	@$(BIN)/python -m benchmarks.cost
 
 # Cells are executed anew each time: what they show depends on all of the code. A warning is an error.
 docs: $(VENV)/.compiled $(VENV)/.docs

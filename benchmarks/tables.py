@@ -43,6 +43,7 @@ INTRODUCTION = """# Benchmarks
 - `against_sympy.py`: the same equations, asked of the prover and of SymPy.
 - `deciding.py`: how long the whole book takes to decide.
 - `threads.py`: how much sooner several threads are done; `evidence/threads.json` has its last figures.
+- `cost.py`: what an operation takes here, and what the cost model says; its figures are in `evidence/cost.json`.
 
 Every peer is given the formula as the book prints it (`formulas.py`; `peers/` says how). Generated C and C++ is
 compiled with `-O3 -march=native` and bound as a generalised ufunc, as chasles' own loops are. Times are medians of

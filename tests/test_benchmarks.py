@@ -15,7 +15,7 @@ if not (ROOT / "benchmarks").exists():
     pytest.skip("needs the checkout", allow_module_level=True)
 sys.path.insert(0, str(ROOT))
 
-from benchmarks import threads  # noqa: E402
+from benchmarks import cost, threads  # noqa: E402
 from benchmarks.formulas import KERNELS  # noqa: E402
 from benchmarks.peers import OURS, PEERS  # noqa: E402
 from benchmarks.points import batch, references  # noqa: E402
@@ -63,3 +63,23 @@ def test_the_page_is_that_of_the_evidence() -> None:
     missed = json.loads(json.dumps(evidence))
     missed["kernels"]["natural_rate_matrix"]["times_faster"]["10000"]["ratio"] = 0.5
     assert "0.5 (>= 5: **miss**)" in summary(missed)
+
+
+def test_the_cost_model_is_the_one_that_was_measured() -> None:
+    evidence = json.loads((ROOT / "benchmarks" / "evidence" / "cost.json").read_text("utf-8"))
+    assert evidence["model"] == cost.model()
+    assert evidence["rank correlation"]["cost and entries"] > 0.7
+    weights, measured = evidence["model"]["weights"], evidence["in additions"]
+    assert all(1 / 2 < measured[name] / weights[name] < 2 for name in measured)
+
+
+def test_ranks_are_correlated() -> None:
+    assert cost.rank_correlation([1, 2, 2, 9], [1, 4, 4, 5]) == pytest.approx(1)
+    assert cost.rank_correlation([1, 2, 3], [3, 2, 1]) == pytest.approx(-1)
+
+
+@pytest.mark.parametrize("op", ["add", "divide", "sine and cosine"])
+def test_what_is_timed_are_so_many_operations(op: str) -> None:
+    words = {"sine and cosine": ("sine", "cosine")}.get(op, (op,))
+    counts = [cost.chained(op, length).operations for length in (8, 24)]
+    assert [[found[word] for word in words] for found in counts] == [[8] * len(words), [24] * len(words)]

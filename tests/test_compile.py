@@ -405,6 +405,29 @@ def test_a_harmed_cache_is_made_anew(harm, empty_cache, compilations, monkeypatc
 
 
 @needs_c
+def test_what_was_not_used_for_longest_goes_when_there_is_too_much(empty_cache, compilations, monkeypatch):
+    def compiled(number):
+        monkeypatch.setattr(store, "_loaded", {})
+        assert chasles.compile(x + 100 * y + number, (x, y))(1.0, 1.0) == 101.0 + number
+
+    for number in (1, 2):
+        compiled(number)
+    first, second = sorted(empty_cache.glob("*.so"), key=lambda path: path.stat().st_mtime_ns)
+    for age, path in ((200, first), (100, second)):
+        os.utime(path, (path.stat().st_mtime - age,) * 2)
+    compiled(1)
+    monkeypatch.setattr(store, "MOST", 2 * max(first.stat().st_size, second.stat().st_size) + 100)
+    compiled(3)
+    assert len(compilations) == 3
+    assert first.exists()
+    assert not second.exists()
+    assert len(list(empty_cache.glob("*.so"))) == len(list(empty_cache.glob("*.index"))) == 2
+    compiled(1)
+    compiled(2)
+    assert len(compilations) == 4
+
+
+@needs_c
 @pytest.mark.parametrize("place", ["", "/proc/nowhere"])
 def test_without_a_cache_it_compiles_all_the_same(place, empty_cache, compilations, monkeypatch):
     monkeypatch.setenv("CHASLES_CACHE", place)

@@ -14,6 +14,7 @@ from click.testing import CliRunner, Result
 
 from chasles import derivations
 from chasles.cli import book, main
+from chasles.proof import spreading
 from chasles.statements import Chapter, load
 from chasles.targets import commission
 
@@ -163,6 +164,21 @@ def test_a_program_that_is_not_proved_equal_is_refused(tmp_path: Path, monkeypat
     assert "not proved to equal (2.49)" in done.stderr
     assert done.stderr.count("\n") == 1
     assert list(tmp_path.iterdir()) == []
+
+
+def test_kernels_made_in_several_processes_are_the_same(
+    generated: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(spreading, "processors", lambda: 2)
+    monkeypatch.setattr(spreading, "WORTH", 1e-9)
+    done = run("--out", str(tmp_path / "again"))
+    assert done.exit_code == 0, done.stderr
+    one, other = contents(generated), contents(tmp_path / "again")
+    assert {path: text for path, (text, _) in one.items()} == {path: text for path, (text, _) in other.items()}
+    monkeypatch.setattr(commission, "differences", lambda *_: ("it is not",))
+    done = run("--out", str(tmp_path / "refused"))
+    assert done.exit_code == 1
+    assert f"3 of 3 kernels refused: {KERNELS[0]}: " in done.stderr
 
 
 def checkout(folder: Path, declarations: Path) -> Path:

@@ -7,13 +7,13 @@ is checked again like everything else.
 from __future__ import annotations
 
 import json
-import os
 from contextlib import suppress
 from hashlib import sha256
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
+from chasles import keeping
 from chasles.cli.files import replace_whole
 from chasles.proof.memory import Memory
 
@@ -58,16 +58,8 @@ def forget() -> None:
 
 def _path() -> Path | None:
     """The file of this engine; None where nothing is to be kept."""
-    named = os.environ.get("CHASLES_CACHE")
-    if named == "":
-        return None
-    if named is not None:
-        folder = Path(named)
-    else:
-        from platformdirs import user_cache_path
-
-        folder = user_cache_path("chasles", appauthor=False)
-    return folder / f"verdicts-{_engine()[:16]}.json"
+    folder = keeping.folder()
+    return None if folder is None else folder / f"verdicts-{_engine()[:16]}.json"
 
 
 def _engine() -> str:

@@ -2,23 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from chasles.bounds import Bound, bound_of, key_of, remembered
 from chasles.cli.failures import Failure
 from chasles.lowering.program import Program
 from chasles.lowering.request import Request
+from chasles.proof.foresight import foresee
 from chasles.proof.judge import Judge
+from chasles.proof.spreading import spread
 from chasles.report.waiting import watched
 from chasles.statements import Entry
+from chasles.statements import Kernel as Asked
 from chasles.targets import MANIFEST, EmissionError, Kernel, discover, render
 from chasles.targets.commission import kernel_of
 
 __all__ = ["commissioned", "emitted"]
 
+A_KERNEL = 0.025
+"""About how many seconds it takes to make a kernel and to prove it equal to its statement."""
 
-def commissioned(entries: Iterable[Entry], judge: Judge, folder: Path) -> tuple[Kernel, ...]:
+
+def commissioned(entries: Sequence[Entry], judge: Judge, folder: Path) -> tuple[Kernel, ...]:
     """The kernels of all statements that ask for some; error bounds that the manifest in `folder` has are taken over.
 
     Raises Failure with a line for each kernel that is refused, and where a bound has to be proved without python-flint.
@@ -28,16 +34,27 @@ def commissioned(entries: Iterable[Entry], judge: Judge, folder: Path) -> tuple[
     def prove(program: Program, request: Request) -> Bound:
         return known.get(key_of(program, request)) or _proved(program, request)
 
-    asking = [(entry, kernel) for entry in entries for kernel in entry.kernels]
-    kernels, refused = [], []
-    for entry, kernel in watched(asking, len(asking), "Lowering"):
+    def made(asked: tuple[Entry, Asked]) -> Kernel | str:
+        """The kernel, or why it is refused."""
         try:
-            kernels.append(kernel_of(entry, judge.decide, kernel, prove))
+            return kernel_of(asked[0], judge.decide, asked[1], prove)
         except EmissionError as error:
-            refused.append(str(error))
+            return str(error)
+
+    asking = [(entry, kernel) for entry in entries for kernel in entry.kernels]
+    _decide(judge, entries)
+    found = spread(made, asking, A_KERNEL)
+    refused = [why for why in found if isinstance(why, str)]
     if refused:
         raise Failure(f"nothing was emitted; {len(refused)} of {len(asking)} kernels refused: {'; '.join(refused)}")
-    return tuple(kernels)
+    return tuple(kernel for kernel in found if isinstance(kernel, Kernel))
+
+
+def _decide(judge: Judge, entries: Sequence[Entry]) -> None:
+    """Let the judge decide all there is to decide before the work is spread, so that nothing is decided twice."""
+    foresee(judge, [entry.statement for entry in entries])
+    for _ in watched(judge.decide_all(entries), len(entries), "Deciding"):
+        pass
 
 
 def _known(manifest: Path) -> Mapping[str, Bound]:

@@ -1,27 +1,29 @@
 """Where compiled expressions are kept: in the cache folder, by content, each file written whole or not at all.
 
 An index named after all that goes into a compilation holds the hash of what came out, after which the shared object is
-named. A file that does not have its hash is made anew: what is loaded is what was compiled. CHASLES_CACHE names another
-folder; empty, it turns the cache off.
+named. A file that does not have its hash is made anew: what is loaded is what was compiled. What was of no use for
+longest goes when there is too much.
 """
 
 from __future__ import annotations
 
 import ctypes
-import os
 from collections.abc import Callable
 from contextlib import suppress
 from hashlib import sha256
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import time
-from uuid import uuid4
 
-__all__ = ["loaded"]
+from chasles import keeping
+
+__all__ = ["MOST", "loaded"]
 
 Make = Callable[[Path], Path]
 """Makes a shared object in a folder."""
 
+MOST = 64 * 2**20
+"""Bytes of shared objects that are kept: a thousand expressions or so."""
 _ABANDONED = 3600.0
 """Seconds after which nobody writes any more."""
 
@@ -44,6 +46,7 @@ def _from_cache(key: str) -> ctypes.CDLL | None:
         digest = (folder / f"{key}.index").read_text(encoding="ascii")
         path = folder / f"{digest}.so"
         if sha256(path.read_bytes()).hexdigest() == digest:
+            keeping.used(path)
             return ctypes.CDLL(str(path))
     return None
 
@@ -58,24 +61,20 @@ def _made(key: str, make: Make) -> ctypes.CDLL:
                 content = made.read_bytes()
                 digest = sha256(content).hexdigest()
                 folder.mkdir(parents=True, exist_ok=True)
-                _put(folder / f"{digest}.so", content)
-                _put(folder / f"{key}.index", digest.encode("ascii"))
+                keeping.keep(folder / f"{digest}.so", content)
+                keeping.keep(folder / f"{key}.index", digest.encode("ascii"))
                 _sweep(folder)
                 return ctypes.CDLL(str(folder / f"{digest}.so"))
         return ctypes.CDLL(str(made))
 
 
-def _put(path: Path, content: bytes) -> None:
-    draft = path.with_name(f"{uuid4().hex}.part")
-    try:
-        draft.write_bytes(content)
-        draft.replace(path)
-    finally:
-        draft.unlink(missing_ok=True)
-
-
 def _sweep(folder: Path) -> None:
-    """Remove what was left by those who were killed while writing."""
+    """Remove what is too much, and what was left by those who were killed while writing."""
+    keeping.trim(folder.glob("*.so"), MOST)
+    for index in folder.glob("*.index"):
+        with suppress(OSError, UnicodeDecodeError):
+            if not (folder / f"{index.read_text(encoding='ascii')}.so").exists():
+                index.unlink()
     for draft in folder.glob("*.part"):
         with suppress(OSError):
             if time() - draft.stat().st_mtime > _ABANDONED:
@@ -83,11 +82,5 @@ def _sweep(folder: Path) -> None:
 
 
 def _folder() -> Path | None:
-    named = os.environ.get("CHASLES_CACHE")
-    if named == "":
-        return None
-    if named is not None:
-        return Path(named) / "compiled"
-    from platformdirs import user_cache_path
-
-    return user_cache_path("chasles", appauthor=False) / "compiled"
+    root = keeping.folder()
+    return None if root is None else root / "compiled"

@@ -37,6 +37,7 @@ class Algebra:
         self.context: Context = build(Problem(goals, tuple(table.items()), hypotheses=tuple(dict.fromkeys(hypotheses))))
         self.deadline = deadline
         self._completed: Basis | None = None
+        self._remainders: dict[object, list[tuple[Polynomial, Polynomial]]] = {}
         self._roots: list[tuple[Ratio, Ratio | None]] = []
         self._nonzero: list[tuple[Polynomial, bool]] = []
         self._atoms = Atoms(self.context)
@@ -54,17 +55,19 @@ class Algebra:
         """The value of a fraction that is a number as it stands, else None."""
         if ratio.is_zero:
             return Fraction(0)
-        terms = self.context.field.ring.terms(ratio.numerator)
-        return terms[0][1] if len(terms) == 1 and not any(terms[0][0]) and not any(ratio.denominator) else None
+        if len(ratio.numerator) > 1 or any(ratio.denominator):
+            return None
+        exponents, coefficient = self.context.field.ring.leading(ratio.numerator)
+        return None if any(exponents) else coefficient
 
     def reduced(self, ratio: Ratio) -> Ratio:
         """The fraction with its numerator in normal form."""
-        return Ratio(ratio.field, self.context.basis.reduce(ratio.numerator)[1], ratio.denominator)
+        return Ratio(ratio.field, self._remainder(ratio.numerator), ratio.denominator)
 
     def vanishes(self, ratio: Ratio, zeros: tuple[Polynomial, ...] = ()) -> bool:
         """Whether the fraction is zero wherever the hypotheses hold and the further polynomials are zero."""
         numerator = ratio.numerator
-        if self.context.basis.reduce(numerator)[1] == 0:
+        if self._remainder(numerator) == 0:
             return True
         if zeros:
             return bool(self._with(zeros).reduce(numerator)[1] == 0)
@@ -111,6 +114,19 @@ class Algebra:
     def is_product_of_atoms(self, ratio: Ratio) -> bool:
         """Whether the fraction's numerator is a constant times powers of atoms."""
         return self._atoms.product(ratio.numerator) is not None
+
+    def _remainder(self, polynomial: Polynomial) -> Polynomial:
+        """The polynomial in normal form; the ways through a program ask for the same ones again and again."""
+        if polynomial == 0:
+            return polynomial
+        basis = self.context.basis
+        alike = self._remainders.setdefault((len(polynomial), basis.ring.leading(polynomial)), [])
+        for known, remainder in alike:
+            if known == polynomial:
+                return remainder
+        remainder = basis.reduce(polynomial)[1]
+        alike.append((polynomial, remainder))
+        return remainder
 
     def _with(self, zeros: tuple[Polynomial, ...]) -> Basis:
         basis = self.context.basis

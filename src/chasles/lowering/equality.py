@@ -159,5 +159,7 @@ class _Lost:
                 self._places |= {k for k, variable in enumerate(variables) if variable.symbol == symbol}
 
     def __contains__(self, ratio: Ratio) -> bool:
-        polynomials = (ratio.numerator, self._field.power_product(ratio.denominator))
-        return any(exponents[k] for p in polynomials for exponents, _ in self._ring.terms(p) for k in self._places)
+        if not self._places:
+            return False
+        degrees = [self._ring.degrees(p) for p in (ratio.numerator, self._field.power_product(ratio.denominator))]
+        return any(found[k] > 0 for found in degrees for k in self._places)

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 import mpmath
@@ -43,6 +44,7 @@ FLOATS = Arithmetic(float, lambda x: math.sqrt(x) if x >= 0 else math.nan, math.
 """Python's floats."""
 
 
+@cache
 def decimals(digits: int) -> Arithmetic:
     """Floating-point numbers of so many decimal digits."""
     context = mpmath.MPContext()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from chasles.lowering.builder import Builder
-from chasles.lowering.cost import cost
+from chasles.lowering.cost import price
 from chasles.lowering.declaration import Decide, Sentence, requested
 from chasles.lowering.expansion import Expansion
 from chasles.lowering.passes.angles import respelled
@@ -30,7 +30,7 @@ def lower(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None = No
 
 def program_of(request: Request) -> Program:
     """The cheapest of the programs that lose no digits another one keeps; NaN where one of its divisors is zero."""
-    return guarded(min(stable(request, list(_candidates(request))), key=cost))
+    return guarded(min(stable(request, list(dict.fromkeys(_candidates(request)))), key=price))
 
 
 def _candidates(request: Request) -> Iterator[Program]:
@@ -39,8 +39,12 @@ def _candidates(request: Request) -> Iterator[Program]:
     Matrices that a rule defines may be kept in their structure, or written in components once and for all; functions of
     one angle may stay as they are, or be written in lowest terms of the angle or of its half.
     """
+    seen: list[Program] = []
     for dense in (False, True):
         spelled = pruned(expanded(request, dense=dense))
+        if spelled in seen:
+            continue
+        seen.append(spelled)
         yield spelled
         if spelled.operations[Op.SINE] + spelled.operations[Op.COSINE]:
             for halved in (False, True):

@@ -7,12 +7,12 @@ chosen to be a basis as they stand.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from heapq import heapify, heappop, heappush
 
-from chasles.proof.normal_form import reduce_by
-from chasles.proof.rings import Polynomial, Ring
+from chasles.proof.normal_form import leads_of, reduce_by
+from chasles.proof.rings import Exponents, Polynomial, Ring
 
 __all__ = ["Basis", "completed", "stated"]
 
@@ -27,10 +27,13 @@ class Basis:
     generators: tuple[Polynomial, ...]
     origins: tuple[Combination, ...]
     complete: bool
+    _leads: list[Exponents] = field(default_factory=list, compare=False, repr=False)
 
     def reduce(self, polynomial: Polynomial) -> tuple[Combination, Polynomial]:
         """Cofactors on the stated hypotheses, and the remainder."""
-        reduction = reduce_by(self.ring, polynomial, self.generators)
+        if not self._leads:
+            self._leads.extend(leads_of(self.ring, self.generators))
+        reduction = reduce_by(self.ring, polynomial, self.generators, self._leads)
         return folded(reduction.cofactors, self.origins), reduction.remainder
 
 
@@ -67,7 +70,7 @@ def completed(basis: Basis, within_budget: Callable[[], bool]) -> Basis:
         difference = left * generators[i] - right * generators[j]
         if difference == 0:
             continue
-        reduction = reduce_by(ring, difference, generators)
+        reduction = reduce_by(ring, difference, generators, [lead for lead, _ in leads])
         if reduction.is_zero:
             continue
         combination: Combination = {i: left, j: -right}

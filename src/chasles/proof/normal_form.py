@@ -12,9 +12,9 @@ from dataclasses import dataclass
 from math import comb
 
 from chasles.proof.deadline import afford, check
-from chasles.proof.rings import Polynomial, Ring
+from chasles.proof.rings import Exponents, Polynomial, Ring
 
-__all__ = ["Reduction", "reduce_by"]
+__all__ = ["Reduction", "leads_of", "reduce_by"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,15 +29,25 @@ class Reduction:
         return bool(self.remainder == 0)
 
 
-def reduce_by(ring: Ring, polynomial: Polynomial, generators: Sequence[Polynomial]) -> Reduction:
-    """The polynomial reduced by the generators, in their order, until none divides a term of it."""
+def reduce_by(
+    ring: Ring, polynomial: Polynomial, generators: Sequence[Polynomial], leads: Sequence[Exponents] | None = None
+) -> Reduction:
+    """The polynomial reduced by the generators, in their order, until none divides a term of it.
+
+    `leads` are the exponents of the generators' leading terms, where the caller knows them already.
+    """
+    leads = leads_of(ring, generators) if leads is None else leads
     cofactors: dict[int, Polynomial] = {}
     changed = True
     while changed and polynomial != 0:
         changed = False
-        for place, generator in enumerate(generators):
+        degrees = ring.degrees(polynomial)
+        for place, (generator, lead) in enumerate(zip(generators, leads, strict=True)):
             check()
-            afford(_growth(ring, polynomial, generator))
+            times = _times(degrees, lead)
+            if not times:
+                continue
+            afford(_growth(polynomial, generator, times))
             quotient, remainder = ring.divide(polynomial, generator)
             if quotient != 0:
                 cofactors[place] = cofactors[place] + quotient if place in cofactors else quotient
@@ -45,12 +55,20 @@ def reduce_by(ring: Ring, polynomial: Polynomial, generators: Sequence[Polynomia
                 changed = True
                 if polynomial == 0:
                     break
+                degrees = ring.degrees(polynomial)
     return Reduction({k: c for k, c in cofactors.items() if c != 0}, polynomial)
 
 
-def _growth(ring: Ring, polynomial: Polynomial, generator: Polynomial) -> int:
+def leads_of(ring: Ring, generators: Sequence[Polynomial]) -> tuple[Exponents, ...]:
+    """The exponents of the leading terms."""
+    return tuple(ring.leading(generator)[0] for generator in generators)
+
+
+def _times(degrees: Exponents, lead: Exponents) -> int:
+    """At most so often does the leading term occur in a term of a polynomial of these degrees; a constant does once."""
+    return min((degree // exponent for degree, exponent in zip(degrees, lead, strict=False) if exponent), default=1)
+
+
+def _growth(polynomial: Polynomial, generator: Polynomial, times: int) -> int:
     """At most so many terms arise when the generator's leading term is replaced by the others as often as it occurs."""
-    lead = ring.leading(generator)[0]
-    degrees = ring.degrees(polynomial)
-    times = min((degree // exponent for degree, exponent in zip(degrees, lead, strict=False) if exponent), default=0)
     return len(polynomial) * comb(len(generator) + times - 2, times) if times > 1 else 0

@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any, Protocol
 
-__all__ = ["Polynomial", "Ring", "backend", "make_ring"]
+__all__ = ["Exponents", "Polynomial", "Ring", "backend", "make_ring"]
 
 Polynomial = Any
 Exponents = tuple[int, ...]
