@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 
 import pytest
 
@@ -75,7 +75,6 @@ def test_the_readme_leads_to_the_manual() -> None:
 @pytest.fixture(scope="module")
 def links() -> Iterator[ModuleType]:
     """The extension that looks at the built pages."""
-    pytest.importorskip("sphinx")
     spec = spec_from_file_location("links_of_the_manual", DOCS / "_extensions" / "links.py")
     assert spec is not None
     assert spec.loader is not None
@@ -103,3 +102,15 @@ def test_links_that_lead_nowhere_are_found(links: ModuleType, tmp_path: Path, bo
     (tmp_path / "page.html").write_text(body, "utf-8")
     (tmp_path / "other.html").write_text('<h1 id="there">', "utf-8")
     assert list(links.faults(tmp_path)) == said
+
+
+def test_the_build_fails_for_a_link_that_leads_nowhere(links: ModuleType, tmp_path: Path) -> None:
+    heard: dict[str, Callable[..., None]] = {}
+    links.setup(SimpleNamespace(connect=heard.__setitem__))
+    app = SimpleNamespace(outdir=tmp_path, builder=SimpleNamespace(format="html"))
+    (tmp_path / "page.html").write_text('<a href="page.html">', "utf-8")
+    heard["build-finished"](app, None)
+    (tmp_path / "page.html").write_text('<a href="none.html">', "utf-8")
+    with pytest.raises(links.DeadLinks, match=r"there is no none\.html"):
+        heard["build-finished"](app, None)
+    heard["build-finished"](app, RuntimeError("it has failed already"))
