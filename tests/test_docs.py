@@ -20,6 +20,17 @@ pytestmark = pytest.mark.skipif(not DOCS.exists(), reason="needs the checkout")
 PAGES = sorted(DOCS.glob("*.md"))
 FENCE = re.compile(r"^(`{3,}|:{3,}|~{3,})(.*)$", re.MULTILINE)
 EXECUTED = "{code-cell} python"
+HEAD = """---
+jupytext:
+  text_representation:
+    extension: .md
+    format_name: myst
+kernelspec:
+  display_name: Python 3
+  name: python3
+---
+"""
+"""By this Sphinx knows a page whose cells it is to execute, and jupytext one that it can open as a notebook."""
 OTHERS = ("{toctree}", "{eval-rst}", "{literalinclude}")
 """Directives that show no code of their own: a file that is included is part of the project, and tested there."""
 
@@ -42,7 +53,7 @@ def test_every_code_block_is_a_cell(page: Path) -> None:
     found = list(openings(text))
     assert not [what for what in found if what != EXECUTED and not what.startswith(OTHERS)]
     if EXECUTED in found:
-        assert text.startswith("---\njupytext:\n"), "a page with cells needs the head of a notebook"
+        assert text.startswith(HEAD), "a page with cells needs the head of a notebook"
     assert "raises-exception" not in text
     assert "skip-execution" not in text
 
