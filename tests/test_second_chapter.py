@@ -251,6 +251,14 @@ def test_by_name_from_the_current_folder_and_from_where_python_looks(
     assert load("a_small_chapter").package == "a_small_chapter"
 
 
+def test_a_chapter_without_kernels_is_summed_up(write: Callable[..., Path]) -> None:
+    folder = write("without_kernels", __init__="SECTIONS = ('one',)", one=SMALL)
+    done = run("summary", chapter=folder)
+    assert done.exit_code == 0, done.stderr
+    assert "1 statements: 1 hold" in done.stdout
+    assert "0 kernels" in run("verify", chapter=folder).stdout
+
+
 def test_what_is_installed_comes_before_the_current_folder(
     write: Callable[..., Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
