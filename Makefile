@@ -44,7 +44,7 @@ bench: $(VENV)/.compiled $(VENV)/.tools $(VENV)/.peers
 	@$(BIN)/python -m benchmarks.cost
 
 # Cells are executed anew each time: what they show depends on all of the code. A warning is an error.
-docs: $(VENV)/.compiled $(VENV)/.docs
+docs: $(VENV)/.compiled $(VENV)/.tools $(VENV)/.docs
 	@rm -rf docs/_build
 	@$(BIN)/python -m sphinx -W --keep-going --nitpicky --quiet --jobs 2 --builder html docs docs/_build/html
 	@echo "docs/_build/html/index.html"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import os
 import sys
 from pathlib import Path
@@ -40,12 +41,15 @@ nb_execution_timeout = 300
 nb_execution_in_temp = True
 nb_execution_show_tb = True
 nb_merge_streams = True
+nb_render_markdown_format = "myst"
 
 autodoc_typehints = "signature"
 autodoc_member_order = "bysource"
 napoleon_google_docstring = True
 default_role = "code"
 
+# Who executes a page need not be told of each.
+logging.getLogger("traitlets").setLevel(logging.WARNING)
 # What a command prints arrives in pieces, which do not end where lines do.
 NotebookClient.coalesce_streams = True
 

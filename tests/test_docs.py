@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 
 import pytest
 
@@ -19,7 +19,9 @@ pytestmark = pytest.mark.skipif(not DOCS.exists(), reason="needs the checkout")
 
 PAGES = sorted(DOCS.glob("*.md"))
 FENCE = re.compile(r"^(`{3,}|:{3,}|~{3,})(.*)$", re.MULTILINE)
-EXECUTED = "{code-cell} python"
+CELL = "{code-cell}"
+HEAD = ("jupytext:", "extension: .md", "format_name: myst", "kernelspec:", "name: python3")
+"""By these Sphinx knows a page whose cells it is to execute, and jupytext one that it can open as a notebook."""
 OTHERS = ("{toctree}", "{eval-rst}", "{literalinclude}")
 """Directives that show no code of their own: a file that is included is part of the project, and tested there."""
 
@@ -40,15 +42,16 @@ def openings(text: str) -> Iterator[str]:
 def test_every_code_block_is_a_cell(page: Path) -> None:
     text = page.read_text("utf-8")
     found = list(openings(text))
-    assert not [what for what in found if what != EXECUTED and not what.startswith(OTHERS)]
-    if EXECUTED in found:
-        assert text.startswith("---\njupytext:\n"), "a page with cells needs the head of a notebook"
+    assert not [what for what in found if not what.startswith((CELL, *OTHERS))]
+    if any(what.startswith(CELL) for what in found):
+        head = {line.strip() for line in text.partition("\n---\n")[0].splitlines()}
+        assert head.issuperset(HEAD), "a page with cells needs the head of a notebook"
     assert "raises-exception" not in text
     assert "skip-execution" not in text
 
 
 def test_a_block_that_is_not_executed_is_seen() -> None:
-    assert list(openings("```{code-cell} python\n1\n```\n\n```python\n2\n```\n")) == [EXECUTED, "python"]
+    assert list(openings("```{code-cell} python\n1\n```\n\n```python\n2\n```\n")) == [f"{CELL} python", "python"]
     with pytest.raises(AssertionError, match="not closed"):
         list(openings("```python\n"))
 
@@ -75,7 +78,6 @@ def test_the_readme_leads_to_the_manual() -> None:
 @pytest.fixture(scope="module")
 def links() -> Iterator[ModuleType]:
     """The extension that looks at the built pages."""
-    pytest.importorskip("sphinx")
     spec = spec_from_file_location("links_of_the_manual", DOCS / "_extensions" / "links.py")
     assert spec is not None
     assert spec.loader is not None
@@ -103,3 +105,15 @@ def test_links_that_lead_nowhere_are_found(links: ModuleType, tmp_path: Path, bo
     (tmp_path / "page.html").write_text(body, "utf-8")
     (tmp_path / "other.html").write_text('<h1 id="there">', "utf-8")
     assert list(links.faults(tmp_path)) == said
+
+
+def test_the_build_fails_for_a_link_that_leads_nowhere(links: ModuleType, tmp_path: Path) -> None:
+    heard: dict[str, Callable[..., None]] = {}
+    links.setup(SimpleNamespace(connect=heard.__setitem__))
+    app = SimpleNamespace(outdir=tmp_path, builder=SimpleNamespace(format="html"))
+    (tmp_path / "page.html").write_text('<a href="page.html">', "utf-8")
+    heard["build-finished"](app, None)
+    (tmp_path / "page.html").write_text('<a href="none.html">', "utf-8")
+    with pytest.raises(links.DeadLinks, match=r"there is no none\.html"):
+        heard["build-finished"](app, None)
+    heard["build-finished"](app, RuntimeError("it has failed already"))

@@ -131,6 +131,7 @@ def test_commands_show_the_chapter_and_nothing_of_the_book(tmp_path: Path) -> No
     assert "the book has no equation '1.6'; near it: 2.6, 1.5" in refused("show", "1.6", chapter=PLANAR)
     done = run("report", "--out", str(tmp_path))
     assert done.exit_code == 0, done.stderr
+    assert "1 of 1 derivations arrive" in done.stdout
     page = (tmp_path / "index.html").read_text("utf-8")
     assert "Motion in a Plane" in page
     assert "Chasles" not in page
@@ -251,13 +252,23 @@ def test_by_name_from_the_current_folder_and_from_where_python_looks(
     assert load("a_small_chapter").package == "a_small_chapter"
 
 
+def test_a_chapter_without_kernels_is_summed_up(write: Callable[..., Path]) -> None:
+    folder = write("without_kernels", __init__="SECTIONS = ('one',)", one=SMALL)
+    done = run("summary", chapter=folder)
+    assert done.exit_code == 0, done.stderr
+    assert "1 statements: 1 hold" in done.stdout
+    assert "0 kernels" in run("verify", chapter=folder).stdout
+
+
 def test_what_is_installed_comes_before_the_current_folder(
     write: Callable[..., Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    write("json", __init__='SECTIONS = ("one",)\n', one=SMALL)
+    assert "wsgiref" not in sys.modules, "it would be found there, wherever Python looks"
+    write("wsgiref", __init__='SECTIONS = ("one",)\n', one=SMALL)
     monkeypatch.chdir(tmp_path)
-    assert "json has no SECTIONS" in refused("list", chapter="json")
-    assert "rename the folder" in refused("list", chapter="./json")
+    assert "rename the folder" in refused("list", chapter="./wsgiref")
+    assert "wsgiref has no SECTIONS" in refused("list", chapter="wsgiref")
+    del sys.modules["wsgiref"]
 
 
 @pytest.mark.parametrize(

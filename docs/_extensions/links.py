@@ -5,19 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 from html.parser import HTMLParser
 from pathlib import Path
+from typing import TYPE_CHECKING
 from urllib.parse import unquote, urlsplit
 
-from sphinx.application import Sphinx
-from sphinx.errors import SphinxError
+if TYPE_CHECKING:
+    from sphinx.application import Sphinx
 
 LOADED = {"script": "src", "img": "src", "link": "href", "iframe": "src", "source": "src"}
 """Elements that a browser loads something for, and the attribute that says what."""
 
 
-class DeadLinks(SphinxError):
+class DeadLinks(ValueError):
     """What does not lead anywhere, a line each."""
-
-    category = "Dead links"
 
 
 class _Page(HTMLParser):

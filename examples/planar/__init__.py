@@ -1,6 +1,7 @@
-"""A short chapter on rigid bodies that move in a plane: a second book, to show how one is written.
+"""A short chapter on rigid bodies that move in a plane, to show how a chapter is written.
 
-Decide it with `chasles --chapter examples/planar/ decide`. One equation, (2.6), is misprinted on purpose.
+`chasles --chapter examples/planar/ decide` decides it. One equation, (2.6), is misprinted
+on purpose.
 """
 
 TITLE = "Motion in a Plane"

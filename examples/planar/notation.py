@@ -1,6 +1,7 @@
 """Every symbol once: name, LaTeX letter, meaning, dimension.
 
-Positions are columns of two coordinates in the plane; angles are in radians, counterclockwise; units are SI.
+Positions are columns of two coordinates; angles are in radians, counterclockwise; units
+are SI.
 """
 
 from chasles.vocabulary import (
@@ -45,8 +46,13 @@ a = place("a", "a", "position of the landmark point A")
 a_ = place("a'", "a'", "position of A after the displacement")
 p = place("p", "p", "position of any point P of the body")
 p_ = place("p'", "p'", "position of P after the displacement")
-a_0 = array("a_0", "a_0", "position of A in the reference configuration", uniform((2, 1), LENGTH))
-r = Symbol("r", r"\mathbf{r}", uniform((2, 1), LENGTH), "position of P from A as the body sees it", constant=True)
+r = Symbol(
+    "r",
+    r"\mathbf{r}",
+    uniform((2, 1), LENGTH),
+    "position of P from A, as the body sees it",
+    constant=True,
+)
 c = place("c", "c", "position of the pole, or of the instant center")
 
 # Three bodies

@@ -1,4 +1,4 @@
-"""Section 1: where a body comes to lie, and the point about which it could have been turned there."""
+"""Section 1: where a body comes to lie, and the point about which it is turned there."""
 
 from chasles.statements import Claim, Condition, Definition, Kernel, Section, nonzero
 from chasles.vocabulary import cos, cot, paren, sin

@@ -30,10 +30,11 @@ PRECISIONS: tuple[type[np.floating[Any]], ...] = (np.float64, np.float32)
 def installed_kernels(book: Chapter) -> ModuleType:
     """The module of the kernels that programs get here: for another chapter than the book, those emitted in NumPy.
 
-    Raises Failure where there are none.
+    Raises Failure where there are none, and the chapter asks for some.
     """
     if book.package != BOOK:
-        return _written_out(generated_package(book))
+        asks = any(entry.kernels for entry in book)
+        return _written_out(generated_package(book)) if asks else ModuleType(generated_package(book))
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
