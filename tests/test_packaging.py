@@ -275,7 +275,7 @@ def test_an_editable_installation_sees_what_is_edited(tree: Path, tmp_path: Path
     assert sentence in text
     section.write_text(text.replace(sentence, "A sentence that was edited."), "utf-8")
     assert "✓ holds under  A sentence that was edited." in builder.run("chasles decide 3.18")
-    assert json.loads(builder.run("chasles doctor --json"))["chasles"]["place"] == str(edited / "src" / "chasles")
+    assert json.loads(builder.run("chasles doctor --json"))["chasles"]["folder"] == str(edited / "src" / "chasles")
 
 
 def test_compiled_kernels_can_be_insisted_on(tree: Path, tmp_path: Path) -> None:
