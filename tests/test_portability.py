@@ -79,20 +79,35 @@ def test_clang_in_place_of_msvc_gets_its_flags_where_it_reads_them(tmp_path: Pat
     subprocess.run([need("clang"), *windows, *said], cwd=tmp_path, check=True)
 
 
+def preprocessed(folder: Path, *defined: str) -> str:
+    """The C files as a compiler leaves them that predefines nothing of gcc's; system headers are left out."""
+    texts = {path: path.read_text("utf-8") for path in sorted(SOURCES.rglob("*.[ch]"))}
+    assert any(GNU_ONLY.search(text) for text in texts.values()), "nothing is to be guarded"
+    for name in {name for text in texts.values() for name in SYSTEM.findall(text)}:
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text("", "utf-8")
+    folders = [f"-I{SOURCES}/c/include", f"-I{SOURCES}/c/src", f"-I{folder}"]
+    command = [need("gcc"), "-E", "-P", "-undef", "-nostdinc", *folders, *(f"-D{macro}" for macro in defined)]
+    files = [path for path in texts if path.suffix == ".c"]
+    return subprocess.run([*command, *files], capture_output=True, text=True, check=True).stdout
+
+
 @pytest.mark.skipif(not SOURCES.exists(), reason="needs the generated files")
 def test_a_compiler_that_is_neither_gcc_nor_clang_sees_plain_c(tmp_path: Path) -> None:
-    """As the preprocessor leaves it for MSVC: system headers are left out, and nothing of gcc is predefined."""
-    texts = {path: path.read_text("utf-8") for path in sorted(SOURCES.rglob("*.[ch]"))}
-    for name in {name for text in texts.values() for name in SYSTEM.findall(text)}:
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text("", "utf-8")
-    folders = [f"-I{SOURCES}/c/include", f"-I{SOURCES}/c/src", f"-I{tmp_path}"]
-    command = [need("gcc"), "-E", "-P", "-undef", "-nostdinc", "-D_MSC_VER=1940", "-D_WIN32", *folders]
-    files = [path for path in texts if path.suffix == ".c"]
-    assert any(GNU_ONLY.search(text) for text in texts.values()), "nothing is to be guarded"
-    seen = subprocess.run([*command, *files], capture_output=True, text=True, check=True).stdout
+    seen = preprocessed(tmp_path, "_MSC_VER=1940", "_WIN32")
     assert "chasles_screw_axis_point" in seen
     assert sorted(set(GNU_ONLY.findall(seen))) == []
+
+
+@pytest.mark.skipif(not SOURCES.exists(), reason="needs the generated files")
+def test_only_a_free_threaded_build_says_that_it_does_without_the_global_lock(tmp_path: Path) -> None:
+    """Under the stable ABI of Python 3.11 there are neither this slot nor that of several interpreters."""
+    said = "{Py_mod_gil, Py_MOD_GIL_NOT_USED}"
+    slots = re.compile(r"PyModuleDef_Slot slots\[\] = \{(.*?)\};", re.DOTALL)
+    [stable], [free] = (slots.findall(preprocessed(tmp_path, *macros)) for macros in ((), ("Py_GIL_DISABLED=1",)))
+    assert said not in stable
+    assert said in free
+    assert "Py_mod_multiple_interpreters" not in stable + free
 
 
 @pytest.mark.slow

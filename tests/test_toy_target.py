@@ -87,7 +87,7 @@ def folder(tmp_path):
 def test_a_folder_is_a_language(folder, kernel, tmp_path):
     plain = render([kernel], discover())
     targets = discover([folder])
-    assert [target.name for target in targets] == ["c", "gufunc", "numpy", "julia"]
+    assert [target.name for target in targets] == ["c", "gufunc", "numpy", "stubs", "julia"]
     texts = render([kernel], targets)
     assert texts["julia/src/Chasles.jl"] == EXPECTED
     others = {path for path in texts if path not in ("MANIFEST.toml", "README.md", "julia/src/Chasles.jl")}

@@ -17,13 +17,14 @@ from importlib import import_module, metadata
 from pathlib import Path
 from typing import Any
 
-import chasles
+from chasles import __version__
 
 __all__ = ["examined", "problems"]
 
 Data = dict[str, Any]
 _BACKEND, _INSTRUCTIONS = "CHASLES_BACKEND", "CHASLES_INSTRUCTIONS"
 _REQUIRED = re.compile(r"[A-Za-z0-9._-]+")
+_EMITTED = "chasles.generated"
 _EXTRAS = {"fast": "python-flint", "plots": "matplotlib"}
 """Extras that commands make use of where they are there."""
 
@@ -70,7 +71,7 @@ def _some(names: list[str]) -> str:
 
 
 def _chasles() -> Data:
-    folder = Path(str(chasles.__file__)).parent
+    folder = Path(__file__).parents[1]
     installed, editable = None, False
     with suppress(metadata.PackageNotFoundError, ValueError):
         distribution = metadata.distribution("chasles")
@@ -78,7 +79,7 @@ def _chasles() -> Data:
         origin = json.loads(distribution.read_text("direct_url.json") or "{}")
         editable = bool(origin.get("dir_info", {}).get("editable"))
     return {
-        "version": chasles.__version__,
+        "version": __version__,
         "installed_version": installed,
         "folder": str(folder),
         "editable": editable,
@@ -163,7 +164,7 @@ def _compiler(instructions: str) -> Data | None:
 def _manifest() -> Data:
     """What was emitted; empty where that cannot be read."""
     try:
-        folder = Path(str(import_module("chasles.generated").__file__)).parent
+        folder = Path(str(import_module(_EMITTED).__file__)).parent
         return tomllib.loads((folder / "MANIFEST.toml").read_text("utf-8")) | {"folder": str(folder)}
     except (ImportError, OSError, ValueError):
         return {}
