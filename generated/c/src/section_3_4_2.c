@@ -1791,7 +1791,7 @@ void chasles_screw_of_motion_batchf(
  *   error bound axis: 15.51 u of the sum of its terms' sizes, for all inputs
  *               pitch: 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single
  *                 precision 2^-24
- *   derivation  sha256 9598a1865cb19c5ccd2eed55d55180fed3cbd74f42a42a3309e82ecfc3b6e7f7
+ *   derivation  sha256 08f61d1364f32cd980675c2c982387b0404b3c2069f72429195ad15600cd8055
  */
 void chasles_instant_screw(
     const double omega[3],
@@ -1828,7 +1828,7 @@ void chasles_instant_screw(
 /*
  * text 3.4.1 c chasles_instant_screw in single precision.
  *   verdict: holds under; assumes omega != 0
- *   38 operations; derivation sha256 9598a1865cb19c5ccd2eed55d55180fed3cbd74f42a42a3309e82ecfc3b6e7f7
+ *   38 operations; derivation sha256 08f61d1364f32cd980675c2c982387b0404b3c2069f72429195ad15600cd8055
  */
 void chasles_instant_screwf(
     const float omega[3],
@@ -1865,7 +1865,7 @@ void chasles_instant_screwf(
 /*
  * text 3.4.1 c chasles_instant_screw for a batch.
  *   verdict: holds under; assumes omega != 0
- *   38 operations; derivation sha256 9598a1865cb19c5ccd2eed55d55180fed3cbd74f42a42a3309e82ecfc3b6e7f7
+ *   38 operations; derivation sha256 08f61d1364f32cd980675c2c982387b0404b3c2069f72429195ad15600cd8055
  */
 void chasles_instant_screw_batch(
     size_t count,
@@ -1890,7 +1890,7 @@ void chasles_instant_screw_batch(
 /*
  * text 3.4.1 c chasles_instant_screwf for a batch.
  *   verdict: holds under; assumes omega != 0
- *   38 operations; derivation sha256 9598a1865cb19c5ccd2eed55d55180fed3cbd74f42a42a3309e82ecfc3b6e7f7
+ *   38 operations; derivation sha256 08f61d1364f32cd980675c2c982387b0404b3c2069f72429195ad15600cd8055
  */
 void chasles_instant_screw_batchf(
     size_t count,
