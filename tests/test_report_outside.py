@@ -59,6 +59,7 @@ def test_a_browser_shows_it_all(html: str, tmp_path: Path) -> None:
             assert drawn["elements"] == elements
             assert drawn["flat"] == []
             assert drawn["clipped"] == []
+            assert drawn["outside"] == []
             assert not re.search(r"\\[A-Za-z]+|[_^]\{", drawn["text"])
         window.run("document.getElementById('verdict-fails').click()")
         assert window.run(SHOWN) == ["(3.96e)", "(3.148)"]
@@ -87,6 +88,11 @@ return {
   flat: formulas.filter(each => size(each).width < 4 || size(each).height < 4).map(each => each.textContent),
   clipped: formulas.filter(each => tall(each) && tall(each).scrollHeight > tall(each).clientHeight + 1)
                    .map(each => each.textContent),
+  outside: [...document.querySelectorAll('svg.picture text')].filter(each => {
+    const letters = size(each), frame = size(each.closest('svg'));
+    return letters.left < frame.left - 1 || letters.right > frame.right + 1
+        || letters.top < frame.top - 1 || letters.bottom > frame.bottom + 1;
+  }).map(each => `${each.closest('svg').querySelector('title').textContent}: ${each.textContent}`),
   text: document.body.innerText,
 };
 """

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from math import inf
 from pathlib import Path
 
 import pytest
@@ -17,7 +18,7 @@ from chasles.report.html.citing import Book
 from chasles.report.html.error_plots import plotted
 from chasles.report.html.exercises import worked_exercises, worked_view
 from chasles.report.html.formulas import displayed
-from chasles.report.html.measured import Curve, measured
+from chasles.report.html.measured import Curve, DamagedEvidence, Place, measured
 from chasles.report.html.page import Sources, page
 from chasles.report.html.trusted import Trusted
 from chasles.statements import Chapter, Claim, Entry, Section, load
@@ -53,7 +54,22 @@ TIMES = {
         "of_another_book": {},
     },
 }  # fmt: skip
-CURVE = {"kernel": "twice", "phi": [1e-8, 1e-4, 1.0, 3.14159265], "ours": [0.5, 1, 2, 1], "printed": [None, 1e9, 2, 1]}
+POINTS = [
+    {"phi": 1e-300, "ours": None, "as_typed": None},
+    {"phi": 1e-8, "ours": 0.5, "as_typed": None},
+    {"phi": 1.0, "ours": 2, "as_typed": 1e9},
+    {"pi - phi": 1e-3, "ours": 1, "as_typed": 3},
+]
+ERRORS = {
+    "kernels": {
+        "twice": {
+            "proved": {"r": {"units": "1.01", "against": "itself"}},
+            "float64": {"r": {"proved": {"units": 0.75}}},
+            "float32": {"r": {"proved": {"units": 0.5}}},
+        }
+    },
+    "curves": {"twice": {"title": "2x", "points": POINTS}, "of_another_book": {}},
+}
 
 
 def twice(evidence: dict[str, str]) -> str:
@@ -103,18 +119,21 @@ def test_another_chapter_has_none_of_the_exercises() -> None:
 
 
 def test_bounds_times_and_errors_are_those_of_the_files() -> None:
-    html = twice({"kernels.json": json.dumps(TIMES), "errors.json": json.dumps({"curves": [CURVE]})})
+    html = twice({"kernels.json": json.dumps(TIMES), "errors.json": json.dumps(ERRORS)})
     row = html.split('<tr id="kernel-twice">')[1].split("</tr>")[0]
     assert "1.01 u of itself, for x" in row
+    assert "found 0.75 u, in single precision 0.5 u" in row
     assert "3 add; as stated" in row
     speeds = html.split('<table class="speeds">')[1].split("</table>")[0]
     cells = re.findall(r"<td[^>]*>(?:<strong>)?([^<]*)", speeds)
     assert cells == ["2", "5 CasADi C", "1.5", "2.50", "", "0.75", "lost"]
-    assert "twice: at most 2 u as emitted, no digit is right at φ = 1e-08 by the formula as printed." in html
+    assert "2x: at most 2 u as emitted, no digit is right at φ = 1e-08 by the formula as typed." in html
 
 
 def test_without_measurements_the_page_says_how_to_measure() -> None:
-    assert twice({}).count("<code>make bench</code> measures") == 2
+    html = twice({})
+    assert "<code>make bench</code> measures" in html
+    assert "<code>python -m benchmarks.errors</code> measures" in html
 
 
 @pytest.mark.parametrize(
@@ -123,12 +142,13 @@ def test_without_measurements_the_page_says_how_to_measure() -> None:
         ("kernels.json", "{"),
         ("kernels.json", "[]"),
         ("kernels.json", json.dumps({**TIMES, "kernels": {"twice": {}}})),
-        ("errors.json", json.dumps({"curves": [{**CURVE, "ours": [1]}]})),
-        ("errors.json", json.dumps({"curves": [{"phi": [1]}]})),
+        ("errors.json", json.dumps({"curves": {"twice": {"title": "2x", "points": POINTS[:1]}}})),
+        ("errors.json", json.dumps({"curves": {"twice": {"title": "2x", "points": [{"ours": 1}]}}})),
+        ("errors.json", json.dumps({"kernels": {"twice": {}}})),
     ],
 )
 def test_damaged_evidence_is_named(name: str, text: str) -> None:
-    with pytest.raises(ValueError, match=name):
+    with pytest.raises(DamagedEvidence, match=name):
         measured({name: text}, {"twice": "kernel-twice"})
 
 
@@ -144,11 +164,12 @@ def test_evidence_lies_beside_the_declarations(monkeypatch: pytest.MonkeyPatch, 
 
 
 def test_a_plot_has_a_panel_for_each_end() -> None:
-    near_zero = Curve("k", (1e-8, 1.0), (1.0, 1.0), (1e9, 1.0))
-    both = Curve("k", (1e-8, 1.0, 3.1415), (1.0, 1.0, 1.0), (1e9, 1.0, 1.0))
+    near_zero = Curve("k", "k", (Place(False, 1e-8, 1.0, 1e9), Place(False, 1.0, 1.0, 1.0)))
+    both = Curve("k", "k", (*near_zero.places, Place(True, 1e-3, 1.0, inf)))
     plots = plotted((near_zero, both)).plots
     assert ["π − φ" in plot.drawing for plot in plots] == [False, True]
-    assert plots[0].caption == "k: at most 1 u as emitted, at most 1e+09 u by the formula as printed."
+    assert plots[0].caption == "k: at most 1 u as emitted, at most 1e+09 u by the formula as typed."
+    assert plots[1].caption == "k: at most 1 u as emitted, no digit is right at φ = π − 0.001 by the formula as typed."
 
 
 @pytest.mark.parametrize(

@@ -16,7 +16,7 @@ from chasles.cli.failures import Failure
 from chasles.cli.outcome import Outcome, decide
 from chasles.cli.roads import all_roads
 from chasles.report.html.exercises import worked_exercises
-from chasles.report.html.measured import ERRORS, TIMES
+from chasles.report.html.measured import ERRORS, TIMES, DamagedEvidence
 from chasles.report.html.page import Sources, page
 from chasles.report.html.roads import walked
 from chasles.report.html.shown import RoadView
@@ -59,7 +59,7 @@ class Reported:
 
 
 def reported(book: Chapter) -> Reported:
-    """The report on the whole chapter. Raises Failure for declarations that contradict each other."""
+    """The report on the whole chapter. Raises Failure for contradictory declarations, and for damaged files."""
     started = perf_counter()
     outcome, judge = decide(book.entries, book)
     roads = walked(_roads_of(book), judge)
@@ -70,8 +70,8 @@ def reported(book: Chapter) -> Reported:
     trusted = checked_again(again.certificates, again.counterexamples, len(again.rejected))
     try:
         html = page(book, decisions, Sources(trusted, _manifest(book), _evidence(book), roads, exercises))
-    except ValueError as error:
-        raise Failure(f"{'/'.join(EVIDENCE)}/{error}: `make bench` writes it anew") from error
+    except DamagedEvidence as error:
+        raise Failure(f"{'/'.join(EVIDENCE)}/{error}; benchmarks/README.md says how to measure anew") from error
     texts = {
         "index.html": html,
         "chapter.tex": latex_page(book, decisions, exercises),

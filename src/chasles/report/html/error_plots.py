@@ -1,23 +1,23 @@
-"""Errors over the angle, drawn: a kernel's and those of its formula as printed, near zero and near pi."""
+"""Errors over the angle, drawn: a kernel's and those of its formula typed as printed, near zero and near pi."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import inf, log10, pi
+from math import inf, log10
 from typing import Any
 
 from markupsafe import Markup
 
-from chasles.report.html.measured import Curve
+from chasles.report.html.measured import Curve, Place
 from chasles.report.html.pictures import inline
 
 __all__ = ["ErrorPlot", "Plotted", "plotted"]
 
 MOST, LEAST = 53 * log10(2), -1.0
 """With 2^53 roundoffs no digit is right: errors that are larger are drawn there; those below a tenth, at a tenth."""
-FINE = 0.05
-"""Points as near to pi as this are worth a panel of their own."""
+SMALLEST = 1e-20
+"""Nearer than that, nothing changes."""
 BLUE, RED = "#0072B2", "#D55E00"
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -54,17 +54,16 @@ def _plot(curve: Curve) -> ErrorPlot:
 
 def _in_words(curve: Curve) -> str:
     """The largest errors of the two, said."""
-    return (
-        f"{curve.kernel}: {_largest(curve, curve.ours)} as emitted, "
-        f"{_largest(curve, curve.printed)} by the formula as printed."
-    )
+    ours, typed = ([(getattr(place, name), place) for place in curve.places] for name in ("ours", "typed"))
+    return f"{curve.title}: {_largest(ours)} as emitted, {_largest(typed)} by the formula as typed."
 
 
-def _largest(curve: Curve, errors: Sequence[float]) -> str:
-    worst, at = max(zip(errors, curve.phi, strict=True))
-    if worst == inf or worst >= 2**53:
-        return f"no digit is right at φ = {at:.3g}"
-    return f"at most {worst:.3g} u"
+def _largest(errors: Sequence[tuple[float, Place]]) -> str:
+    worst, at = max(errors, key=lambda each: each[0])
+    if worst < 2**53:
+        return f"at most {worst:.3g} u"
+    near = f"π − {at.small:.3g}" if at.near_pi else f"{at.small:.3g}"
+    return f"no digit is right at φ = {near}"
 
 
 def _figure(curve: Curve) -> Any:
@@ -73,33 +72,33 @@ def _figure(curve: Curve) -> Any:
         from matplotlib.figure import Figure
     except ImportError as error:
         raise ImportError("plots are drawn by matplotlib: pip install 'chasles[plots]'") from error
-    near_pi = any(0 < pi - phi < FINE for phi in curve.phi)
+    sides = [side for side in (False, True) if any(place.near_pi is side for place in curve.places)]
     figure = Figure(figsize=(5.2, 2.6), layout="constrained")
     FigureCanvasAgg(figure)
-    panels = figure.subplots(1, 1 + near_pi, sharey=True, squeeze=False)[0]
-    rows = sorted(zip(curve.phi, curve.ours, curve.printed, strict=True))
-    _panel(panels[0], [row for row in rows if 0 < row[0] <= pi / 2 or (row[0] > 0 and not near_pi)], "φ")
-    if near_pi:
-        _panel(panels[1], [(pi - phi, *errors) for phi, *errors in rows if pi / 2 < phi < pi], "π − φ")
-        panels[1].invert_xaxis()
+    panels = figure.subplots(1, len(sides), sharey=True, squeeze=False)[0]
+    for axes, side in zip(panels, sides, strict=True):
+        _panel(axes, [place for place in curve.places if place.near_pi is side and place.small >= SMALLEST])
+        axes.set_xlabel("π − φ" if side else "φ")
+        if side:
+            axes.invert_xaxis()
     panels[0].set_ylabel("error in u")
     panels[0].legend(fontsize=8, loc="best")
     return figure
 
 
-def _panel(axes: Any, rows: Sequence[tuple[float, ...]], name: str) -> None:
+def _panel(axes: Any, places: Sequence[Place]) -> None:
     """Both errors over the distance from where the formula is singular, by their decimal logarithms."""
-    places = [log10(row[0]) for row in rows]
-    for k, (label, colour, style) in enumerate((("as emitted", BLUE, "-"), ("as printed", RED, "--")), 1):
-        heights = [_height(row[k]) for row in rows]
-        axes.plot(places, heights, style, color=colour, label=label, linewidth=1.4, marker=".", markersize=3)
-    axes.set_xlabel(name)
+    rows = sorted(places, key=lambda place: place.small)
+    distances = [log10(place.small) for place in rows]
+    ours, typed = ([_height(getattr(place, name)) for place in rows] for name in ("ours", "typed"))
+    for label, heights, colour, style in (("as emitted", ours, BLUE, "-"), ("as typed", typed, RED, "--")):
+        axes.plot(distances, heights, style, color=colour, label=label, linewidth=1.4, marker=".", markersize=3)
     axes.set_ylim(LEAST - 0.5, MOST + 0.7)
     axes.set_yticks([0, 4, 8, 12, 16], [_power(k) for k in (0, 4, 8, 12, 16)])
     axes.grid(color="#DDDDDD")
-    if places:
+    if rows:
         axes.xaxis.get_major_locator().set_params(integer=True, nbins=6)
-        ticks = [tick for tick in axes.get_xticks() if min(places) <= tick <= max(places)]
+        ticks = [tick for tick in axes.get_xticks() if distances[0] <= tick <= distances[-1]]
         axes.set_xticks(ticks, [_power(round(tick)) for tick in ticks])
 
 

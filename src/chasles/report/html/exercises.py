@@ -138,7 +138,7 @@ def _words(value: Any) -> Iterator[str]:
             yield ", ".join(map(text_of, value))
         case [Mapping(), *_]:
             for told in value:
-                yield "; ".join(text_of(part) for part in told.values() if part)
+                yield "; ".join(text_of(part).rstrip(".") for part in told.values() if part)
 
 
 def _step(known: frozenset[str], step: Step | Check) -> WorkedStep:

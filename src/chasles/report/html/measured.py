@@ -3,30 +3,48 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from math import inf, isfinite
 from typing import Any
 
 from chasles.report.html.citing import Link
 
-__all__ = ["ERRORS", "TIMES", "Curve", "Measured", "Speed", "measured"]
+__all__ = ["ERRORS", "TIMES", "Curve", "DamagedEvidence", "Measured", "Place", "Speed", "measured"]
 
 TIMES, ERRORS = "kernels.json", "errors.json"
 """The files of the evidence."""
 OURS, PRINTED = "chasles_kernels", "numpy_by_hand"
 NOT_GENERATED = (OURS, PRINTED, "one", "sympy_lambdify", "sympy_ufuncify", "numba_jit", "scipy_rotation")
+PRECISIONS = ("float64", "float32")
+NEAR_PI = "pi - phi"
 TEN_THOUSAND, A_MILLION = "10000", "1000000 out="
+
+
+class DamagedEvidence(ValueError):
+    """A file of the evidence is not what it should be; the message names it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """The errors of a kernel and of its formula as typed, at an angle that is as `small` as that or as near to pi.
+
+    They are in units of roundoff, and infinite where there is no finite result.
+    """
+
+    near_pi: bool
+    small: float
+    ours: float
+    typed: float
 
 
 @dataclass(frozen=True, slots=True)
 class Curve:
-    """The error over the angle, in units of roundoff, of a kernel and of its formula as printed; infinite if lost."""
+    """The errors over the angle of one kernel."""
 
     kernel: str
-    phi: tuple[float, ...]
-    ours: tuple[float, ...]
-    printed: tuple[float, ...]
+    title: str
+    places: tuple[Place, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,17 +64,21 @@ class Speed:
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """Times and errors; none where nothing was measured. `where` says on what machine the times were."""
+    """Times and errors; none where nothing was measured. `where` says on what machine the times were.
+
+    `found` has the largest errors of a kernel, by its name, a line for each result.
+    """
 
     where: tuple[str, ...]
     speeds: tuple[Speed, ...]
+    found: Mapping[str, tuple[str, ...]]
     curves: tuple[Curve, ...]
 
 
 def measured(evidence: Mapping[str, str], places: Mapping[str, str]) -> Measured:
     """What the texts of the evidence, by the names of their files, say of the kernels that have a place on the page.
 
-    Raises ValueError, naming the file, for a text that is not what was expected.
+    Raises DamagedEvidence, naming the file, for a text that is not what was expected.
     """
     times, errors = _read(evidence, TIMES), _read(evidence, ERRORS)
     try:
@@ -65,21 +87,22 @@ def measured(evidence: Mapping[str, str], places: Mapping[str, str]) -> Measured
         listed = times.get("kernels", {}).items()
         speeds = tuple(_speed(name, kernel, peers, places[name]) for name, kernel in listed if name in places)
     except (AttributeError, KeyError, TypeError, ValueError) as error:
-        raise ValueError(f"{TIMES}: {type(error).__name__}: {error}") from error
+        raise DamagedEvidence(f"{TIMES}: {type(error).__name__}: {error}") from error
     try:
-        curves = tuple(_curve(each) for each in errors.get("curves", ()) if each["kernel"] in places)
+        found = {name: tuple(_found(each)) for name, each in errors.get("kernels", {}).items() if name in places}
+        curves = tuple(_curve(name, each) for name, each in errors.get("curves", {}).items() if name in places)
     except (AttributeError, KeyError, TypeError, ValueError) as error:
-        raise ValueError(f"{ERRORS}: {type(error).__name__}: {error}") from error
-    return Measured(where, speeds, curves)
+        raise DamagedEvidence(f"{ERRORS}: {type(error).__name__}: {error}") from error
+    return Measured(where, speeds, found, curves)
 
 
 def _read(evidence: Mapping[str, str], name: str) -> Mapping[str, Any]:
     try:
         found: Mapping[str, Any] = json.loads(evidence.get(name, "{}"))
     except ValueError as error:
-        raise ValueError(f"{name}: {error}") from error
+        raise DamagedEvidence(f"{name}: {error}") from error
     if not isinstance(found, dict):
-        raise ValueError(f"{name} holds no table")
+        raise DamagedEvidence(f"{name}: it holds no table")
     return found
 
 
@@ -131,15 +154,23 @@ def _number(value: float | None) -> str:
     return f"{value:.0f}" if 100 <= value < 1e5 else f"{value:.3g}"
 
 
-def _curve(data: Mapping[str, Any]) -> Curve:
-    phi, ours, printed = (tuple(_errors(data[key])) for key in ("phi", "ours", "printed"))
-    if not len(phi) == len(ours) == len(printed) > 1 or not all(map(isfinite, phi)):
-        raise ValueError(f"the curves of {data['kernel']} are not of one length")
-    return Curve(str(data["kernel"]), phi, ours, printed)
+def _found(kernel: Mapping[str, Any]) -> Iterator[str]:
+    """The largest error of each result, in the measure of what is proved of it, in both precisions."""
+    for result in kernel["proved"]:
+        units = [kernel[precision].get(result, {}).get("proved", {}).get("units") for precision in PRECISIONS]
+        if None not in units:
+            lead = f"{result}: " if len(kernel["proved"]) > 1 else ""
+            yield f"{lead}found {_number(units[0])} u, in single precision {_number(units[1])} u"
 
 
-def _errors(values: Sequence[float | str | None]) -> Iterator[float]:
-    """The numbers; what is none is infinite."""
-    for value in values:
-        number = inf if value is None else float(value)
-        yield number if number == number else inf
+def _curve(name: str, data: Mapping[str, Any]) -> Curve:
+    places = tuple(_place(point) for point in data["points"] if (point["ours"], point["as_typed"]) != (None, None))
+    if not places:
+        raise ValueError(f"there are no errors of {name}")
+    return Curve(name, str(data["title"]), places)
+
+
+def _place(point: Mapping[str, Any]) -> Place:
+    near_pi = NEAR_PI in point
+    ours, typed = (inf if point[key] is None else float(point[key]) for key in ("ours", "as_typed"))
+    return Place(near_pi, float(point[NEAR_PI if near_pi else "phi"]), ours, typed)

@@ -66,7 +66,7 @@ class Sources:
 
 
 def page(chapter: Chapter, decisions: Decisions, sources: Sources) -> str:
-    """The whole page; the same decisions and sources give the same text. Raises ValueError for damaged evidence."""
+    """The whole page; the same decisions and sources give the same text. Raises DamagedEvidence."""
     book = Book(chapter)
     decided = ordered(chapter, decisions)
     kernels = kernel_rows(book, sources.manifest)

@@ -78,7 +78,7 @@ def _drawn(figure: Any) -> str:
         text.set_path_effects([])
     written = StringIO()
     with rc_context({"svg.fonttype": "none", "svg.hashsalt": "chasles"}):
-        figure.savefig(written, format="svg", metadata={"Date": None})
+        figure.savefig(written, format="svg", metadata={"Date": None}, bbox_inches="tight", pad_inches=0.05)
     return written.getvalue()
 
 
