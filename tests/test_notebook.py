@@ -218,18 +218,17 @@ def test_deciding_would_be_seen() -> None:
     assert any(DECIDING.search(Path(file).as_posix()) for file in found)
 
 
-def test_solutions_are_displayed_as_they_were() -> None:
+def test_solutions_are_displayed_as_they_were_worked() -> None:
     solution = chasles.solve("3.5")
-    assert "<math" in require_solution(solution._repr_html_())
-    for formula in formulas(solution._repr_latex_()):
+    bundle = solution._repr_mimebundle_()
+    assert bundle["text/plain"].startswith("Exercise 3.5  The Plücker coordinates of a joint axis")
+    assert "<math" in bundle["text/html"]
+    assert Parsed(bundle["text/html"]).mistakes == []
+    assert len(formulas(bundle["text/latex"])) > 5
+    for formula in formulas(bundle["text/latex"]):
         assert "<math" in convert(formula)
-    names = {Path(file).as_posix() for file in called(solution._repr_latex_)}
+    names = {Path(file).as_posix() for file in called(solution._repr_mimebundle_)}
     assert not [file for file in names if re.search(r"sympy/(simplify|solvers)/|chasles/proof/(decide|judge)", file)]
-
-
-def require_solution(html: str) -> str:
-    assert Parsed(html).mistakes == []
-    return html
 
 
 def test_ipython_shows_them(shown: dict[str, Any]) -> None:

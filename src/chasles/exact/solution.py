@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from chasles.display import Displayed
 from chasles.exact.spelling import as_data
 from chasles.proof.decision import HOW
 
@@ -77,7 +78,7 @@ class Check:
 
 
 @dataclass(frozen=True)
-class Solution:
+class Solution(Displayed):
     """The solution of an exercise for one set of data.
 
     `answers` are exact: SymPy numbers and matrices, words, truth values, nested lists and dictionaries of them.
@@ -114,13 +115,3 @@ class Solution:
         from chasles.exact.drawing import drawn
 
         return drawn(self.picture)
-
-    def _repr_html_(self) -> str:
-        from chasles.exact.sheet_html import as_html
-
-        return as_html(self)
-
-    def _repr_latex_(self) -> str:
-        from chasles.exact.sheet_latex import as_latex
-
-        return as_latex(self)

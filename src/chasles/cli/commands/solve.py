@@ -25,11 +25,11 @@ def command(exercise: str, data: Path | None, html: Path | None, json: bool) -> 
 
     Data that contradict themselves are answered as such and are no error. Data that are malformed are: exit status 2.
     """
-    from chasles.cli.worked import worked_page
     from chasles.exact.data import DataError, read_json
     from chasles.exact.solving import solve_with
     from chasles.report.records import as_json
     from chasles.report.screen import Screen
+    from chasles.report.worked_page import worked_page
     from chasles.statements.exercises import UnknownExercise
 
     only_of_the_book("the exercises")

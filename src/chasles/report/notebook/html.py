@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+from chasles.exact.sheet_html import as_html
+from chasles.exact.solution import Solution
 from chasles.report.html.filling import filled
 from chasles.report.html.palette import LIGHT
 from chasles.report.notebook.cards import card_of
@@ -16,4 +18,6 @@ _LINK = re.compile(r'<a href="#[^"]*">(.*?)</a>')
 
 def html(value: object) -> str:
     """The part of a page that shows the value. Raises TypeError for what is not displayed."""
+    if isinstance(value, Solution):
+        return as_html(value)
     return _LINK.sub(r"\1", filled("notebook.html.jinja", card=card_of(value), light=LIGHT))

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from functools import singledispatch
 
+from chasles.exact.sheet_latex import as_latex
+from chasles.exact.solution import Solution
 from chasles.proof.decision import Decision
 from chasles.proof.repair import Repair
 from chasles.proof.road import Road
@@ -33,6 +35,11 @@ def latex(value: object) -> str:
 def _parts(value: object) -> Iterator[str]:
     """What has no formulas, line by line as it is in plain text."""
     yield from (rf"\texttt{{{escaped(line)}}}" for line in text(value).splitlines())
+
+
+@_parts.register
+def _(value: Solution) -> Iterator[str]:
+    yield as_latex(value).rstrip()
 
 
 @_parts.register

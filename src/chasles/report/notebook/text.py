@@ -13,6 +13,7 @@ from rich.text import Text
 
 from chasles.compiling.kernel import CompiledKernel
 from chasles.emitted import EmittedKernel
+from chasles.exact.solution import Solution
 from chasles.proof.decision import Certificate, Decision
 from chasles.proof.repair import Repair
 from chasles.proof.road import Road
@@ -23,6 +24,7 @@ from chasles.report.records import certificate_hash
 from chasles.report.road_page import road_page
 from chasles.report.screen import Screen
 from chasles.report.words import labelled, point_in_words, reason
+from chasles.report.worked_page import worked_page
 from chasles.statements import Chapter, Entry, Inverse, Statement, Theorem
 from chasles.statements.derivation import Derivation
 from chasles.vocabulary import Node, plain
@@ -41,6 +43,11 @@ def text(value: object) -> str:
 @singledispatch
 def _pages(value: object, screen: Screen) -> Iterator[RenderableType]:
     raise TypeError(f"nothing is known of how to display {type(value).__name__}")
+
+
+@_pages.register
+def _(value: Solution, screen: Screen) -> Iterator[RenderableType]:
+    yield from worked_page(value, screen.signs)
 
 
 @_pages.register
