@@ -70,6 +70,9 @@ EXPRESSIONS = [
         "if",
     ),
     (sp.Piecewise((x, sp.Not(sp.And(sp.Ne(x, 1), x < y))), (y, True)), "not"),
+    (sp.Piecewise((x, sp.ITE(x < y, y > z, z < 0)), (y, True)), "if in if"),
+    (sp.cot(1 + x**2 / 9) + sp.sec(y / 4) * sp.csc(2 + z / 5) + sp.sinc(x) + sp.sinc(0 * y), "reciprocals"),
+    (sp.sqrt(x**2 + 1) ** sp.Float(3.0) + (y**2 + 1) ** sp.Float(-0.5), "powers that are floats"),
 ]
 
 
@@ -265,12 +268,35 @@ def test_symbols_of_one_name_are_told_apart():
         chasles.compile(positive, x)
 
 
+def test_symbols_of_any_name_go_in(backend):
+    words = ("I", "E", "lambda", "class", "alpha", "my x", "x'", r"\dot{q}_1", "ω", "result")
+    symbols = [sp.Symbol(word) for word in words]
+    kernel = chasles.compile(sum(k * symbol for k, symbol in enumerate(symbols, 1)), symbols)
+    assert kernel(*range(len(words))) == sum((k + 1) * k for k in range(len(words)))
+
+
+def test_indexed_symbols_go_in(backend):
+    a = sp.IndexedBase("a")
+    assert chasles.compile(a[0] + 2 * a[1], (a[0], a[1]))(1.0, 2.0) == 5.0
+    assert chasles.compile(a[0] + 2 * a[1], {"a": [a[0], a[1]]})([1.0, 2.0]) == 5.0
+    with pytest.raises(LoweringError, match=r"a\[2\]"):
+        chasles.compile(a[2], (a[0], a[1]))
+
+
 def test_latex_and_unicode_names_are_made_plain(backend):
     phi, psi = sp.Symbol(r"\phi'"), sp.Symbol("ψ")
     assert chasles.compile(phi - psi, (phi, psi))(3.0, 2.0) == 1.0
 
 
 REFUSED = [
+    (lambda: chasles.compile(sp.floor(x), x), r"floor\(x\) \(floor\); it computes"),
+    (lambda: chasles.compile(sp.exp(x), x), r"exp\(x\) \(exp\); it computes"),
+    (lambda: chasles.compile(x < y, (x, y)), "no scalar and no matrix"),
+    (
+        lambda: chasles.compile(sp.Max(x, y + sp.asin(2, evaluate=False)), (x, y)),
+        "no value for real inputs|no finite real",
+    ),
+    (lambda: chasles.compile(x ** sp.Float(0.25), x), "exponents must be"),
     (lambda: chasles.compile(sp.gamma(x), x), r"gamma\(x\) \(gamma\)"),
     (lambda: chasles.compile(sp.Function("f")(x), x), r"f\(x\) is an unknown function"),
     (lambda: chasles.compile(sp.Derivative(sp.sin(x), x), x), r"call \.doit\(\)"),
