@@ -204,6 +204,34 @@ def test_it_is_a_ufunc():
         chasles.compile(v, [v])(np.zeros(4))
 
 
+def test_one_is_the_same_for_an_element_or_a_batch(backend, draw):
+    kernel = chasles.compile([v * x, v.dot(v)], (v, x), outputs=("scaled", "square"))
+    vectors, factors = draw(-1, 1, (7, 3)), draw(-1, 1, 7)
+    for given in ((vectors, factors), (vectors[0], 2.0), (vectors.astype(np.float32), factors.astype(np.float32))):
+        for found, wanted in zip(kernel.one(*given), kernel(*given), strict=True):
+            np.testing.assert_array_equal(found, wanted)
+            assert found.dtype == wanted.dtype
+
+
+@needs_c
+def test_one_takes_what_it_takes_and_says_what_not():
+    kernel = chasles.compile(v * x, (v, x), outputs="scaled", name="stretched")
+    out = np.empty((2, 3))
+    assert kernel.one(np.ones((2, 3)), 4.0, out=out) is out
+    assert (out == 4).all()
+    with pytest.raises(TypeError, match=r"one\.stretched: v must be a NumPy array"):
+        kernel.one([1.0, 2.0, 3.0], 4.0)
+    with pytest.raises(TypeError, match="takes 2 inputs"):
+        kernel.one(1.0)
+    large = np.ones((1000, 3))
+    assert kernel.one(large, 2.0, out=large) is large
+    assert (large == 2).all()
+    for _ in range(50):
+        light = chasles.compile(x + 1, x).one
+        assert light(1.0) == 2.0
+        del light
+
+
 @needs_c
 def test_ufuncs_are_freed_with_what_they_point_to():
     for _ in range(50):
