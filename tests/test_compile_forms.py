@@ -18,7 +18,7 @@ from chasles.compiling.program_of import program_of
 from chasles.lowering.builder import Builder
 from chasles.lowering.cost import cost, latency, price
 from chasles.lowering.passes.angles import respelled
-from chasles.lowering.program import Argument, Program, Result
+from chasles.lowering.program import Argument, Op, Program, Result
 from chasles.lowering.rounding import losses, points_of, steady
 from chasles.lowering.sameness import same
 
@@ -172,6 +172,15 @@ def test_a_spelling_that_loses_digits_is_not_taken():
     assert price(stated) < price(halved)
     assert steady([stated, halved], points_of(stated)) == [halved]
     assert max(losses(halved, point)[0] for point in points_of(halved)) < 16
+
+
+def test_what_loses_digits_elsewhere_is_not_taken_either():
+    stated = program(sp.sin(x) - sp.tan(x))
+    for at in (1.5707963267, 1.57079632679):
+        wanted = mpmath.sin(mpmath.mpf(at)) - mpmath.tan(mpmath.mpf(at))
+        assert chasles.compile(sp.sin(x) - sp.tan(x), x)(at) == pytest.approx(float(wanted), rel=1e-15)
+    assert stated.operations[Op.DIVIDE] == 1
+    assert stated.operations[Op.MULTIPLY] == 0
 
 
 def test_a_chain_is_as_long_as_its_longest_way():

@@ -39,7 +39,7 @@ def program_of(name: str, inputs: Sequence[Input], outputs: Sequence[Output], *,
 
     stated = spelled(outputs, common=False)
     candidates = dict.fromkeys(_candidates(stated, outputs, spelled))
-    ranked = sorted(steady(list(candidates), points_of(stated)), key=price)
+    ranked = sorted(steady(list(candidates), points_of(stated), stated), key=price)
     return guarded(next((program for program in ranked if program == stated or same(stated, program)), stated))
 
 

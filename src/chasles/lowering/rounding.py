@@ -42,13 +42,24 @@ def stable(request: Request, programs: Sequence[Program]) -> list[Program]:
     return steady(programs, [_point(request, dict.fromkeys(angles, value)) for value in ANGLES])
 
 
-def steady(programs: Sequence[Program], points: Iterable[Sequence[Sequence[Any]]]) -> list[Program]:
-    """The programs that lose at none of the points much more than the best of them does there; all if there is none."""
+def steady(
+    programs: Sequence[Program], points: Iterable[Sequence[Sequence[Any]]], stated: Program | None = None
+) -> list[Program]:
+    """The programs that lose at none of the points much more than the best of them does there; all if there is none.
+
+    None of them loses much more at any point than the one `stated`, which is among the programs.
+    """
     points = list(points)
-    table = [[loss for point in points for loss in losses(program, point)] for program in programs]
-    least = [min(column) for column in zip(*table, strict=True)]
-    fair = [all(x <= max(FEW, TIMES * best) for x, best in zip(row, least, strict=True)) for row in table]
-    return [program for program, good in zip(programs, fair, strict=True) if good] or list(programs)
+    table = {program: [loss for point in points for loss in losses(program, point)] for program in programs}
+    if stated is not None:
+        bar = table[stated]
+        table = {program: row for program, row in table.items() if _is_fair(row, bar)}
+    least = [min(column) for column in zip(*table.values(), strict=True)]
+    return [program for program, row in table.items() if _is_fair(row, least)] or list(table)
+
+
+def _is_fair(row: Sequence[float], least: Sequence[float]) -> bool:
+    return all(x <= max(FEW, TIMES * best) for x, best in zip(row, least, strict=True))
 
 
 def points_of(program: Program) -> Iterator[list[list[Any]]]:
