@@ -70,6 +70,9 @@ EXPRESSIONS = [
         "if",
     ),
     (sp.Piecewise((x, sp.Not(sp.And(sp.Ne(x, 1), x < y))), (y, True)), "not"),
+    (sp.Piecewise((x, sp.ITE(x < y, y > z, z < 0)), (y, True)), "if in if"),
+    (sp.cot(1 + x**2 / 9) + sp.sec(y / 4) * sp.csc(2 + z / 5) + sp.sinc(x) + sp.sinc(0 * y), "reciprocals"),
+    (sp.sqrt(x**2 + 1) ** sp.Float(3.0) + (y**2 + 1) ** sp.Float(-0.5), "powers that are floats"),
 ]
 
 
@@ -201,6 +204,34 @@ def test_it_is_a_ufunc():
         chasles.compile(v, [v])(np.zeros(4))
 
 
+def test_one_is_the_same_for_an_element_or_a_batch(backend, draw):
+    kernel = chasles.compile([v * x, v.dot(v)], (v, x), outputs=("scaled", "square"))
+    vectors, factors = draw(-1, 1, (7, 3)), draw(-1, 1, 7)
+    for given in ((vectors, factors), (vectors[0], 2.0), (vectors.astype(np.float32), factors.astype(np.float32))):
+        for found, wanted in zip(kernel.one(*given), kernel(*given), strict=True):
+            np.testing.assert_array_equal(found, wanted)
+            assert found.dtype == wanted.dtype
+
+
+@needs_c
+def test_one_takes_what_it_takes_and_says_what_not():
+    kernel = chasles.compile(v * x, (v, x), outputs="scaled", name="stretched")
+    out = np.empty((2, 3))
+    assert kernel.one(np.ones((2, 3)), 4.0, out=out) is out
+    assert (out == 4).all()
+    with pytest.raises(TypeError, match=r"one\.stretched: v must be a NumPy array"):
+        kernel.one([1.0, 2.0, 3.0], 4.0)
+    with pytest.raises(TypeError, match="takes 2 inputs"):
+        kernel.one(1.0)
+    large = np.ones((1000, 3))
+    assert kernel.one(large, 2.0, out=large) is large
+    assert (large == 2).all()
+    for _ in range(50):
+        light = chasles.compile(x + 1, x).one
+        assert light(1.0) == 2.0
+        del light
+
+
 @needs_c
 def test_ufuncs_are_freed_with_what_they_point_to():
     for _ in range(50):
@@ -265,12 +296,35 @@ def test_symbols_of_one_name_are_told_apart():
         chasles.compile(positive, x)
 
 
+def test_symbols_of_any_name_go_in(backend):
+    words = ("I", "E", "lambda", "class", "alpha", "my x", "x'", r"\dot{q}_1", "ω", "result")
+    symbols = [sp.Symbol(word) for word in words]
+    kernel = chasles.compile(sum(k * symbol for k, symbol in enumerate(symbols, 1)), symbols)
+    assert kernel(*range(len(words))) == sum((k + 1) * k for k in range(len(words)))
+
+
+def test_indexed_symbols_go_in(backend):
+    a = sp.IndexedBase("a")
+    assert chasles.compile(a[0] + 2 * a[1], (a[0], a[1]))(1.0, 2.0) == 5.0
+    assert chasles.compile(a[0] + 2 * a[1], {"a": [a[0], a[1]]})([1.0, 2.0]) == 5.0
+    with pytest.raises(LoweringError, match=r"a\[2\]"):
+        chasles.compile(a[2], (a[0], a[1]))
+
+
 def test_latex_and_unicode_names_are_made_plain(backend):
     phi, psi = sp.Symbol(r"\phi'"), sp.Symbol("ψ")
     assert chasles.compile(phi - psi, (phi, psi))(3.0, 2.0) == 1.0
 
 
 REFUSED = [
+    (lambda: chasles.compile(sp.floor(x), x), r"floor\(x\) \(floor\); it computes"),
+    (lambda: chasles.compile(sp.exp(x), x), r"exp\(x\) \(exp\); it computes"),
+    (lambda: chasles.compile(x < y, (x, y)), "no scalar and no matrix"),
+    (
+        lambda: chasles.compile(sp.Max(x, y + sp.asin(2, evaluate=False)), (x, y)),
+        "no value for real inputs|no finite real",
+    ),
+    (lambda: chasles.compile(x ** sp.Float(0.25), x), "exponents must be"),
     (lambda: chasles.compile(sp.gamma(x), x), r"gamma\(x\) \(gamma\)"),
     (lambda: chasles.compile(sp.Function("f")(x), x), r"f\(x\) is an unknown function"),
     (lambda: chasles.compile(sp.Derivative(sp.sin(x), x), x), r"call \.doit\(\)"),

@@ -2322,6 +2322,10 @@ static PyMethodDef methods[] = {
      "make_ufunc(name, doc, signature, inputs, outputs, loop, data, data_of_double)\n\n"
      "The ufunc of the inner loop at the address `loop`, called with the one address for float32 and with the other for\n"
      "float64. What lies there must outlive the ufunc."},
+    {"make_light", chasles_make_light, METH_VARARGS,
+     "make_light(name, doc, operands, run, data, data_of_double)\n\n"
+     "A function like those of `one`, of what the function at the address `run` computes, called with the one address\n"
+     "for float32 and with the other for float64. What lies there must outlive it."},
     {NULL, NULL, 0, NULL},
 };
 

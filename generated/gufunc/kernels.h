@@ -23,13 +23,18 @@
 
 #include "batches.h"
 
-/* A kernel: a loop for float32 and one for float64, and what its operands are called. */
+/* Runs a batch of items without gaps of a loop compiled elsewhere, at the level that is best there. */
+typedef void (*chasles_runner)(const chasles_loop *loop, ptrdiff_t count, char *const *at, const ptrdiff_t *steps);
+
+/* A kernel: a loop for float32 and one for float64, and what its operands are called; `run` is NULL for those of the library.
+ */
 typedef struct {
     const char *name;
     const char *signature;
     const char *doc;
     const chasles_loop *loops[2];
     const char *operands[CHASLES_OPERANDS];
+    chasles_runner run;
 } Kernel;
 
 /* All kernels; one without a name is the end. */
@@ -40,6 +45,12 @@ extern int chasles_level;
 
 /* A module with a light function for each kernel; NULL with an exception set where that fails. */
 PyObject *chasles_light_functions(void);
+
+/* The light function of a kernel, which the capsule holds; NULL with an exception set where that fails. */
+PyObject *chasles_light_function(PyMethodDef *method, PyObject *capsule, const Kernel *kernel);
+
+/* The light function of loops compiled elsewhere: see `methods`; NULL with an exception set where that fails. */
+PyObject *chasles_make_light(PyObject *module, PyObject *arguments);
 
 /* The ufunc of a loop compiled elsewhere: see `methods`; NULL with an exception set where that fails. */
 PyObject *chasles_make_ufunc(PyObject *module, PyObject *arguments);

@@ -220,20 +220,29 @@ static int keep_apart(Call *call, PyObject **copies)
     return 1;
 }
 
+static void go(const Call *call)
+{
+    if (call->kernel->run != NULL) {
+        call->kernel->run(call->loop, call->count, call->at, call->steps);
+    } else {
+        chasles_run(call->loop, chasles_level, call->count, call->at, call->steps, NULL);
+    }
+}
+
 /* Runs the kernel on operands that are all in place. */
 static int run(Call *call)
 {
     if (call->count == 1) {
-        chasles_run(call->loop, chasles_level, 1, call->at, call->steps, NULL);
+        go(call);
         return 1;
     }
     PyObject *copies[CHASLES_OPERANDS] = {NULL};
     const int apart = keep_apart(call, copies);
     if (apart && call->count < MANY) {
-        chasles_run(call->loop, chasles_level, call->count, call->at, call->steps, NULL);
+        go(call);
     } else if (apart) {
         Py_BEGIN_ALLOW_THREADS
-        chasles_run(call->loop, chasles_level, call->count, call->at, call->steps, NULL);
+        go(call);
         Py_END_ALLOW_THREADS
     }
     for (int i = 0; i < CHASLES_OPERANDS; i++) {
@@ -351,15 +360,20 @@ static PyObject *one(PyObject *self, PyObject *const *args, Py_ssize_t count, Py
     return compute(&call, named == 1 ? args[count] : NULL);
 }
 
-/* Adds the function of a kernel; -1 with an exception set where that fails. */
-static int add(PyObject *module, PyMethodDef *method, const Kernel *kernel)
+PyObject *chasles_light_function(PyMethodDef *method, PyObject *capsule, const Kernel *kernel)
 {
     method->ml_name = kernel->name;
     method->ml_meth = (PyCFunction)(void (*)(void))one;
     method->ml_flags = METH_FASTCALL | METH_KEYWORDS;
     method->ml_doc = kernel->doc;
+    return PyCFunction_NewEx(method, capsule, NULL);
+}
+
+/* Adds the function of a kernel; -1 with an exception set where that fails. */
+static int add(PyObject *module, PyMethodDef *method, const Kernel *kernel)
+{
     PyObject *capsule = PyCapsule_New((void *)kernel, NULL, NULL);
-    PyObject *function = capsule == NULL ? NULL : PyCFunction_NewEx(method, capsule, NULL);
+    PyObject *function = capsule == NULL ? NULL : chasles_light_function(method, capsule, kernel);
     const int status = function == NULL ? -1 : PyModule_AddObjectRef(module, kernel->name, function);
     Py_XDECREF(capsule);
     Py_XDECREF(function);

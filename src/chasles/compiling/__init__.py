@@ -22,13 +22,16 @@ def compile(
 ) -> CompiledKernel:
     """The kernel that computes SymPy expressions, with NaN wherever something is divided by zero.
 
+    What is compiled is the cheapest spelling that is proved equal and loses no digits that another one keeps: a sum is
+    nested, 1 - cos(x) is 2 sin(x/2)^2. A quotient of functions of one angle that has a limit has that for its value.
+
     Symbols are real. A comparison with NaN does not hold, as in C; a Piecewise without a piece that applies is NaN.
 
     Args:
         expr: a scalar or a matrix, or a list or tuple of them: one result each. A matrix with one row or one column is
             a vector, one of a single entry a scalar.
-        inputs: the arguments in their order: symbols, matrix symbols, and matrices or lists of symbols; or a mapping
-            of names to them.
+        inputs: the arguments in their order: symbols, indexed ones too, matrix symbols, and matrices or lists of
+            symbols; or a mapping of names to them.
         outputs: the results' names; else `result`, or `result_1`, `result_2`...
         name: what the kernel is called.
         jacobian: adds a result for each result: the derivatives of its entries, row by row, by all numbers that go in,

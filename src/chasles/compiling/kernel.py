@@ -31,6 +31,8 @@ class CompiledKernel(Displayed):
         signature: its core shapes, as NumPy writes them.
         backend: "c" or "numpy".
         ufunc: the `numpy.ufunc` of the "c" backend, else None.
+        one: the same for one element or a C-contiguous batch of one shape, all of one precision, for a fraction of a
+            call's time, as in `chasles.kernels.one`; the kernel itself of the "numpy" backend.
         program: the straight-line program of which all texts are made.
         operations: how often each operation occurs, by its name.
         c_source: C99 functions of one item, in both precisions, to be used anywhere.
@@ -38,7 +40,7 @@ class CompiledKernel(Displayed):
         array_api: that function, for arrays of every library of the array API, which may trace and differentiate it.
     """
 
-    def __init__(self, program: Program, sources: Sources, ufunc: Any, written: Callable[..., Any]) -> None:
+    def __init__(self, program: Program, sources: Sources, ufunc: Any, one: Any, written: Callable[..., Any]) -> None:
         self.name = program.name
         self.signature = signature(program)
         self.backend = "numpy" if ufunc is None else "c"
@@ -50,7 +52,8 @@ class CompiledKernel(Displayed):
         self.numpy_source = sources.numpy
         self.array_api = written
         self.__doc__ = written.__doc__
-        self._function = _undisturbed(written) if ufunc is None else ufunc
+        self._function: Callable[..., Any] = _undisturbed(written) if ufunc is None else ufunc
+        self.one: Callable[..., Any] = one or self._function
 
     def __call__(self, *inputs: Any, **options: Any) -> Any:
         """The results for the inputs; a tuple where there are several."""
@@ -79,25 +82,29 @@ def kernel_of(program: Program) -> CompiledKernel:
     heading = Heading("Expression", "given to chasles.compile.", "nothing is claimed", (), digest, section="expression")
     sources = sources_of(Kernel(program, heading))
     written = _written_out(program, sources)
-    ufunc = _ufunc(program, sources, written.__doc__ or "")
-    return CompiledKernel(program, sources, ufunc, written)
+    ufunc, one = _compiled(program, sources, written.__doc__ or "")
+    return CompiledKernel(program, sources, ufunc, one, written)
 
 
-def _ufunc(program: Program, sources: Sources, doc: str) -> Any:
-    """The ufunc of the compiled program; None where there is no compiler, or no extension that makes ufuncs."""
+def _compiled(program: Program, sources: Sources, doc: str) -> tuple[Any, Any]:
+    """The ufunc of the compiled program and its light function; None where nothing compiles or nothing makes these."""
     compiler = found(kernels.instructions) if kernels.make_ufunc is not None else None
     if compiler is None:
-        return None
+        return None, None
     try:
         library = loaded(_key(sources, compiler), lambda folder: compiler.shared_object(sources.files, folder))
     except (CompilerFailed, OSError) as error:
         warn(f"{program.name} runs as NumPy kernel: it could not be compiled: {error}", RuntimeWarning, stacklevel=4)
-        return None
+        return None, None
     data = library.chasles_data
     data.restype = ctypes.c_void_p
-    loop = ctypes.cast(library.chasles_entry, ctypes.c_void_p).value
+    loop, items = (ctypes.cast(f, ctypes.c_void_p).value for f in (library.chasles_entry, library.chasles_items))
     sizes = len(program.arguments), len(program.results)
-    return kernels.make_ufunc(program.name, doc, signature(program), *sizes, loop, data(0), data(1))
+    names = tuple(item.name for item in program.parameters)
+    return (
+        kernels.make_ufunc(program.name, doc, signature(program), *sizes, loop, data(0), data(1)),
+        kernels.make_light(program.name, doc, names, items, data(0), data(1)),
+    )
 
 
 def _key(sources: Sources, compiler: Compiler) -> str:

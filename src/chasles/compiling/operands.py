@@ -109,7 +109,7 @@ def _input(item: Any, taken: list[str]) -> Input:
     else:
         shape, entries = (), (item,)
     for entry in entries:
-        if not isinstance(entry, sympy.Symbol | MatrixElement):
+        if not isinstance(entry, sympy.Symbol | sympy.Indexed | MatrixElement):
             raise LoweringError(f"an input must be a symbol or hold symbols; {shown(entry)} is none")
     name = wanted or _name(whole.name if whole else "", [str(getattr(entry, "name", entry)) for entry in entries])
     name = name if name and not iskeyword(name) else f"input_{len(taken) + 1}"
@@ -174,7 +174,10 @@ def _output(name: str, value: Any, table: Mapping[sympy.Basic, sympy.Basic]) -> 
 def _closed(entry: sympy.Expr, table: Mapping[sympy.Basic, sympy.Basic]) -> sympy.Expr:
     """The entry in symbols of inputs alone."""
     known = {symbol for key in table for symbol in key.free_symbols}
-    closed = entry.xreplace(table)
+    try:
+        closed = entry.xreplace(table)
+    except (TypeError, ValueError) as error:
+        raise LoweringError(f"{shown(entry)} has no value for real inputs: {error}") from None
     if closed.has(sympy.MatrixExpr, sympy.MatrixBase):
         closed = closed.doit()
     stray = (entry.free_symbols - known) | (closed.free_symbols - set(table.values()))

@@ -3,30 +3,60 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace as with_fields
 
 import sympy
 
 from chasles.compiling.derivatives import derivatives
+from chasles.compiling.nesting import nested
 from chasles.compiling.operands import Input, Output
 from chasles.compiling.scalars import Scalars
 from chasles.lowering.builder import Builder
-from chasles.lowering.cost import cost
+from chasles.lowering.cost import price
+from chasles.lowering.passes.angles import respelled
 from chasles.lowering.passes.guard import guarded
 from chasles.lowering.passes.prune import pruned
-from chasles.lowering.program import Program, Result
+from chasles.lowering.program import Op, Program, Result
+from chasles.lowering.rounding import points_of, steady
+from chasles.lowering.sameness import same
 
 __all__ = ["program_of"]
 
+MOST_STEPS = 1000
+"""A program of more steps is not looked at in other spellings: that would take longer than it saves."""
+
 
 def program_of(name: str, inputs: Sequence[Input], outputs: Sequence[Output], *, jacobian: bool) -> Program:
-    """The cheaper of the expressions as they stand and what SymPy's common subexpressions make of them.
+    """The cheapest program that is proved to be the same as the expressions and loses no digits another one keeps.
 
     NaN where a divisor is zero. Raises `LoweringError` for what no program computes.
     """
-    candidates = [_program(name, inputs, outputs, common=common, jacobian=jacobian) for common in (False, True)]
-    return guarded(min(candidates, key=cost))
+
+    def spelled(outputs: Sequence[Output], *, common: bool) -> Program:
+        return _program(name, inputs, outputs, common=common, jacobian=jacobian)
+
+    stated = spelled(outputs, common=False)
+    candidates = dict.fromkeys(_candidates(stated, outputs, spelled))
+    ranked = sorted(steady(list(candidates), points_of(stated), stated), key=price)
+    return guarded(next((program for program in ranked if program == stated or same(stated, program)), stated))
+
+
+def _candidates(stated: Program, outputs: Sequence[Output], spelled: Callable[..., Program]) -> Iterator[Program]:
+    """The expressions as they stand, nested, with common subexpressions; functions of an angle in lowest terms, too."""
+    yield stated
+    if len(stated.steps) > MOST_STEPS:
+        yield spelled(outputs, common=True)
+        return
+    inner = [with_fields(output, entries=tuple(map(nested, output.entries))) for output in outputs]
+    programs = [stated, spelled(outputs, common=True), spelled(inner, common=False), spelled(inner, common=True)]
+    for program in dict.fromkeys(programs):
+        yield program
+        if program.operations[Op.SINE] + program.operations[Op.COSINE]:
+            for halved in (False, True):
+                with suppress(ZeroDivisionError):
+                    yield pruned(respelled(program, halved=halved))
 
 
 def _program(name: str, inputs: Sequence[Input], outputs: Sequence[Output], *, common: bool, jacobian: bool) -> Program:

@@ -22,8 +22,8 @@ NEGLIGIBLE = sympy.Float("1e-40")
 _SHOWN = 60
 
 KNOWN = (
-    "sums, products, quotients, whole and half powers, sqrt, sin, cos, tan, asin, acos, atan, atan2, Abs, sign, Min, "
-    "Max and Piecewise"
+    "sums, products, quotients, whole and half powers, sqrt, sin, cos, tan, cot, sec, csc, sinc, asin, acos, atan, "
+    "atan2, Abs, sign, Min, Max and Piecewise"
 )
 
 
@@ -38,6 +38,10 @@ class Scalars:
             sympy.sin: build.sine,
             sympy.cos: build.cosine,
             sympy.tan: lambda a: build.divide(build.sine(a), build.cosine(a)),
+            sympy.cot: lambda a: build.divide(build.cosine(a), build.sine(a)),
+            sympy.sec: lambda a: build.divide(build.one, build.cosine(a)),
+            sympy.csc: lambda a: build.divide(build.one, build.sine(a)),
+            sympy.sinc: self._sinc,
             sympy.atan2: build.arctangent2,
             sympy.atan: lambda a: build.arctangent2(a, build.one),
             sympy.asin: lambda a: build.arctangent2(a, self._leg(a)),
@@ -104,10 +108,11 @@ class Scalars:
         below: list[int] = []
         for factor in factors:
             base, exponent = factor.as_base_exp() if isinstance(factor, sympy.Pow) else (factor, sympy.Integer(1))
-            if not (exponent.is_Rational and (2 * exponent).is_Integer):
+            halves = 2 * sympy.Rational(exponent) if isinstance(exponent, sympy.Rational | sympy.Float) else sympy.nan
+            if not halves.is_Integer:
                 raise LoweringError(_refusal(factor))
-            power = self._power(self.of(base), abs(int(2 * exponent)))
-            (below if exponent.is_negative else above).append(power)
+            power = self._power(self.of(base), abs(int(halves)))
+            (below if halves.is_negative else above).append(power)
         numerator = self._multiplied(above)
         return self.build.divide(numerator, self._multiplied(below)) if below else numerator
 
@@ -132,6 +137,12 @@ class Scalars:
         """The root of 1 - a^2, in factors, which lose nothing near 1."""
         build = self.build
         return build.square_root(build.multiply(build.subtract(build.one, a), build.add(build.one, a)))
+
+    def _sinc(self, a: int) -> int:
+        """The quotient sin(a) / a, and 1 for 0."""
+        build = self.build
+        is_zero = build.equal(a, build.zero)
+        return build.divide(build.select(is_zero, build.one, build.sine(a)), build.select(is_zero, build.one, a))
 
     def _sign(self, a: int) -> int:
         build = self.build
@@ -163,6 +174,9 @@ class Scalars:
                 for part in sorted(condition.args, key=sympy.default_sort_key):
                     other = self._chosen(part, one, other)
                 return other
+            case sympy.ITE():
+                test, if_so, otherwise = condition.args
+                return self._chosen(test, self._chosen(if_so, one, other), self._chosen(otherwise, one, other))
             case sympy.Not():
                 return self._chosen(condition.args[0], other, one)
             case Relational():

@@ -65,6 +65,8 @@ instructions: str = getattr(_module, "instructions", "")
 one: Any = getattr(_module, "one", _module)
 make_ufunc: Any = getattr(_module, "make_ufunc", None)
 """For `chasles.compile`: the ufunc of an inner loop compiled elsewhere; None where nothing is compiled."""
+make_light: Any = getattr(_module, "make_light", None)
+"""The same for a light function."""
 _names = frozenset(name for name in getattr(_module, "__all__", dir(_module)) if not name.startswith("_"))
 
 

@@ -8,18 +8,19 @@ so for no reason.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from math import prod
 from typing import Any
 
 from chasles.lowering.evaluate import Arithmetic, decimals
-from chasles.lowering.program import Op, Program
+from chasles.lowering.program import Op, Program, Step
 from chasles.lowering.request import Request
 from chasles.statements.kernel import places_of
 from chasles.vocabulary import Node
 
-__all__ = ["losses", "stable"]
+__all__ = ["losses", "points_of", "stable", "steady"]
 
 DIGITS = 80
 FEW = 16
@@ -29,6 +30,8 @@ TIMES = 4
 NEAR = Fraction(1, 10**12)
 ANGLES = (Fraction(13, 10), NEAR, "pi", "pi/2", Fraction(17, 5))
 """At large, near zero, near half a turn and near a right angle."""
+SCALES = (Fraction(1), Fraction(1, 1000), Fraction(1000))
+"""By how much the inputs are scaled of a program of which no more is known."""
 
 
 def stable(request: Request, programs: Sequence[Program]) -> list[Program]:
@@ -36,11 +39,40 @@ def stable(request: Request, programs: Sequence[Program]) -> list[Program]:
     angles = [node for node in request.of if node in _angles(programs, request)]
     if not angles or len(programs) == 1:
         return list(programs)
-    points = [_point(request, dict.fromkeys(angles, value)) for value in ANGLES]
-    table = [[loss for point in points for loss in losses(program, point)] for program in programs]
-    least = [min(column) for column in zip(*table, strict=True)]
-    fair = [all(x <= max(FEW, TIMES * best) for x, best in zip(row, least, strict=True)) for row in table]
-    return [program for program, good in zip(programs, fair, strict=True) if good] or list(programs)
+    return steady(programs, [_point(request, dict.fromkeys(angles, value)) for value in ANGLES])
+
+
+def steady(
+    programs: Sequence[Program], points: Iterable[Sequence[Sequence[Any]]], stated: Program | None = None
+) -> list[Program]:
+    """The programs that lose at none of the points much more than the best of them does there; all if there is none.
+
+    None of them loses much more at any point than the one `stated`, which is among the programs.
+    """
+    points = list(points)
+    table = {program: [loss for point in points for loss in losses(program, point)] for program in programs}
+    if stated is not None:
+        bar = table[stated]
+        table = {program: row for program, row in table.items() if _is_fair(row, bar)}
+    least = [min(column) for column in zip(*table.values(), strict=True)]
+    return [program for program, row in table.items() if _is_fair(row, least)] or list(table)
+
+
+def _is_fair(row: Sequence[float], least: Sequence[float]) -> bool:
+    return all(x <= max(FEW, TIMES * best) for x, best in zip(row, least, strict=True))
+
+
+def points_of(program: Program) -> Iterator[list[list[Any]]]:
+    """Inputs of a program of which no more is known: large and small ones, those of angles as formulas dislike them."""
+    arithmetic = decimals(DIGITS)
+    angular = _angular(program)
+    sizes = [prod(argument.shape) for argument in program.arguments]
+    places = [(number, entry) for number, size in enumerate(sizes) for entry in range(size)]
+    for scale, angle in [*((Fraction(1), angle) for angle in ANGLES if angular), *((scale, None) for scale in SCALES)]:
+        values = dict(zip(places, (arithmetic.constant(x * scale) for x in _numbers(0, len(places))), strict=True))
+        if angle is not None:
+            values |= dict.fromkeys(angular, _angle(angle, arithmetic))
+        yield [[values[number, entry] for entry in range(size)] for number, size in enumerate(sizes)]
 
 
 def losses(program: Program, inputs: Sequence[Sequence[Any]]) -> list[float]:
@@ -53,6 +85,9 @@ def losses(program: Program, inputs: Sequence[Sequence[Any]]) -> list[float]:
             values.append(_Rounded(running.inputs[step.argument][step.entry], 0))
         elif step.op is Op.CONSTANT:
             values.append(_Rounded(arithmetic.constant(step.value), 0))
+        elif step.op is Op.MULTIPLY and _is_power_of_two(program.steps[step.operands[0]]):
+            factor, other = (values[k] for k in step.operands)
+            values.append(_Rounded(factor.value * other.value, abs(factor.value) * other.error))
         else:
             values.append(running.step(step.op, [values[k] for k in step.operands]))
     found = []
@@ -61,6 +96,13 @@ def losses(program: Program, inputs: Sequence[Sequence[Any]]) -> list[float]:
         error = max(values[k].error for k in result.entries)
         found.append(float(error / size) if size and math.isfinite(float(error / size)) else math.inf)
     return found
+
+
+def _is_power_of_two(step: Step) -> bool:
+    if step.op is not Op.CONSTANT:
+        return False
+    above, below = step.value.numerator, step.value.denominator
+    return above > 0 and above & (above - 1) == 0 and below & (below - 1) == 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +121,7 @@ class _Running:
         self.inputs = inputs
 
     def step(self, op: Op, of: list[_Rounded]) -> _Rounded:
-        """One step; a comparison and a selection round nothing, and a constant factor of two neither."""
+        """One step; a comparison and a selection round nothing."""
         match op:
             case Op.NOT_A_NUMBER:
                 return _Rounded(self.arithmetic.nan, math.inf)
@@ -127,14 +169,19 @@ class _Running:
 
 def _angles(programs: Sequence[Program], request: Request) -> set[Node]:
     """The arguments of which some program takes a cosine or sine."""
-    found: set[Node] = set()
-    for program in programs:
-        below = [step.operands[0] for step in program.steps if step.op in (Op.SINE, Op.COSINE)]
-        while below:
-            step = program.steps[below.pop()]
-            below += step.operands
+    return {request.place(*place)[0] for program in programs for place in _angular(program)}
+
+
+def _angular(program: Program) -> set[tuple[int, int]]:
+    """The arguments and entries of which the program takes a cosine or sine."""
+    found: set[tuple[int, int]] = set()
+    below = {step.operands[0] for step in program.steps if step.op in (Op.SINE, Op.COSINE)}
+    for number in reversed(range(len(program.steps))):
+        step = program.steps[number]
+        if number in below:
+            below.update(step.operands)
             if step.op is Op.INPUT:
-                found.add(request.place(step.argument, step.entry)[0])
+                found.add((step.argument, step.entry))
     return found
 
 
@@ -146,7 +193,7 @@ def _point(request: Request, angles: dict[Node, Any]) -> list[list[Any]]:
     drawn = 0
     for node in request.of:
         size = node.shape[0] * node.shape[1]
-        numbers = [Fraction((7 * k * k + 5 * k) % 31 - 15, 11) + Fraction(1, 7) for k in range(drawn, drawn + size)]
+        numbers = _numbers(drawn, size)
         drawn += size
         if node in angles:
             values[node] = [_angle(angles[node], arithmetic)]
@@ -156,6 +203,11 @@ def _point(request: Request, angles: dict[Node, Any]) -> list[list[Any]]:
         else:
             values[node] = [arithmetic.constant(x) for x in numbers]
     return [[values[node][i * node.shape[1] + j] for node, i, j in places_of(a)] for a in request.arguments]
+
+
+def _numbers(start: int, count: int) -> list[Fraction]:
+    """Numbers of no particular kind, always the same."""
+    return [Fraction((7 * k * k + 5 * k) % 31 - 15, 11) + Fraction(1, 7) for k in range(start, start + count)]
 
 
 def _angle(value: Fraction | str, arithmetic: Arithmetic) -> Any:

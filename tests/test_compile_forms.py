@@ -1,0 +1,250 @@
+"""`chasles.compile` chooses among spellings: each is proved equal, none loses digits, the cheapest is taken."""
+
+from __future__ import annotations
+
+import random
+from sys import modules
+
+import mpmath
+import numpy as np
+import pytest
+import sympy as sp
+
+import chasles
+from chasles.compiling import LoweringError
+from chasles.compiling.nesting import nested
+from chasles.compiling.operands import inputs_of, outputs_of
+from chasles.compiling.program_of import program_of
+from chasles.lowering.builder import Builder
+from chasles.lowering.cost import cost, latency, price
+from chasles.lowering.passes.angles import respelled
+from chasles.lowering.program import Argument, Op, Program, Result
+from chasles.lowering.rounding import losses, points_of, steady
+from chasles.lowering.sameness import same
+
+x, y, z = SYMBOLS = sp.symbols("x y z")
+
+
+@pytest.fixture(autouse=True)
+def _in_numpy(monkeypatch):
+    """The NumPy text says the same as the compiled one, and is there at once."""
+    monkeypatch.setenv("CC", "no-such-compiler")
+
+
+def program(expression, *, jacobian=False):
+    given = inputs_of(SYMBOLS)
+    return program_of("k", given, outputs_of(expression, given, None), jacobian=jacobian)
+
+
+def as_stated(make):
+    """A program of steps as they are asked for, of x, y and z."""
+    build = Builder()
+    end = make(build, *(build.input(k, 0) for k in range(3)))
+    arguments = tuple(Argument(name, (), "a number") for name in "xyz")
+    return Program("k", arguments, build.steps, (Result("result", (), "a number", (end,)),))
+
+
+def one_minus_cosine(build, x, y, z):
+    return build.subtract(build.one, build.cosine(x))
+
+
+CLOSE = [
+    (1 - sp.cos(x), "multiply"),
+    ((1 - sp.cos(x)) / x**2, "multiply"),
+    ((1 - sp.cos(x)) / sp.sin(x), "divide"),
+    (sp.sqrt(1 - sp.cos(sp.pi * x)), "square_root"),
+    (sp.atan2(1 - sp.cos(x), sp.sin(x)), "arctangent2"),
+    (sp.cos(x) ** 2 - 1, "sine"),
+    (1 - sp.cos(x / 3), "sine"),
+]
+
+
+@pytest.mark.parametrize(("expression", "has"), CLOSE, ids=str)
+def test_what_cancels_near_zero_is_respelled(expression, has):
+    kernel = chasles.compile(expression, x)
+    assert has in kernel.operations
+    exact = sp.lambdify(x, expression, "mpmath")
+    with mpmath.workdps(80):
+        for at in (1e-1, 1e-4, 1e-8, -1e-12, 1e-30):
+            assert kernel(at) == pytest.approx(float(exact(mpmath.mpf(at))), rel=2e-15, abs=0)
+
+
+@pytest.mark.parametrize(
+    ("expression", "at", "limit"),
+    [
+        ((1 - sp.cos(x)) / sp.sin(x), 0.0, 0.0),
+        (sp.sin(2 * x) / sp.sin(x), 0.0, 2.0),
+        (sp.sin(x) ** 2 / sp.sin(x), 0.0, 0.0),
+    ],
+)
+def test_a_quotient_of_functions_of_one_angle_has_its_limit(expression, at, limit):
+    assert chasles.compile(expression, x)(at) == limit
+
+
+@pytest.mark.parametrize(
+    "expression", [1 / sp.sin(x), sp.sin(x) / x, (1 - sp.cos(x)) / x**2, sp.sin(x) / sp.sin(x) / x]
+)
+def test_any_other_quotient_by_zero_has_no_value(expression):
+    with np.errstate(all="ignore"):
+        assert np.isnan(chasles.compile(expression, x)(0.0))
+
+
+@pytest.mark.parametrize(
+    ("expression", "operations"),
+    [
+        (x**5 + 3 * x**4 - 2 * x**3 + x - 7, 8),
+        (x * y + x * z + y * z, 4),
+        (sp.sin(2 * x) * sp.cos(x) + sp.cos(2 * x) * sp.sin(x), 5),
+        (x**2 * y**2 + 2 * x * y + 1, 4),
+        ((x - 1) ** 5, 4),
+    ],
+)
+def test_sums_are_nested(expression, operations):
+    assert sum(program(expression).operations.values()) == operations
+
+
+def test_nothing_is_multiplied_out():
+    assert nested((x - 1) ** 5 * (x + 1)) == (x - 1) ** 5 * (x + 1)
+    assert nested(sp.Piecewise((x * y + x * z, x * y + x * z > 0))).args[0].cond == (x * y + x * z > 0)
+
+
+def test_the_same_is_seen_and_what_is_not_is_not():
+    stated = as_stated(one_minus_cosine)
+    halved = respelled(stated, halved=True)
+    assert halved != stated
+    assert same(stated, halved)
+    assert same(halved, stated)
+    for wrong in (
+        lambda b, x, y, z: b.subtract(b.one, b.cosine(y)),
+        lambda b, x, y, z: b.subtract(b.cosine(x), b.one),
+        lambda b, x, y, z: b.multiply(b.constant(2), b.sine(b.multiply(b.constant(sp.Rational(1, 2)), x))),
+        lambda b, x, y, z: b.subtract(b.one, b.sine(x)),
+    ):
+        assert not same(stated, as_stated(wrong))
+
+
+SAME = [
+    (lambda b, x, y, z: b.square_root(b.multiply(b.add(x, y), b.add(x, y))), True),
+    (lambda b, x, y, z: b.square_root(b.add(b.multiply(x, x), b.multiply(y, y))), False),
+]
+
+
+def test_roots_and_other_functions_of_the_same_are_the_same():
+    squared = as_stated(
+        lambda b, x, y, z: b.square_root(
+            b.add(b.add(b.multiply(x, x), b.multiply(b.constant(2), b.multiply(x, y))), b.multiply(y, y))
+        )
+    )
+    for make, expected in SAME:
+        assert same(squared, as_stated(make)) is expected
+    root = as_stated(lambda b, x, y, z: b.multiply(b.square_root(x), b.multiply(b.square_root(x), b.square_root(y))))
+    assert same(root, as_stated(lambda b, x, y, z: b.multiply(x, b.square_root(y))))
+    assert not same(root, as_stated(lambda b, x, y, z: b.multiply(x, b.square_root(x))))
+    chosen = [
+        as_stated(lambda b, x, y, z, t=turn: b.select(b.less(*((x, y) if t else (y, x))), z, b.add(z, x)))
+        for turn in (True, False)
+    ]
+    assert same(chosen[0], chosen[0])
+    assert not same(*chosen)
+
+
+def test_what_is_too_large_is_not_said_to_be_the_same():
+    def power(b, x, y, z):
+        total = b.add(b.add(x, y), b.add(z, b.one))
+        for _ in range(6):
+            total = b.multiply(total, total)
+        return total
+
+    assert not same(as_stated(power), as_stated(lambda b, x, y, z: b.add(power(b, x, y, z), b.one)))
+
+
+def test_a_spelling_that_is_not_proved_is_not_taken(monkeypatch):
+    module = modules["chasles.compiling.program_of"]
+    monkeypatch.setattr(module, "nested", lambda entry: sp.Integer(3))
+    assert chasles.compile(x * y + x * z, SYMBOLS)(1.0, 2.0, 3.0) == 5.0
+
+
+def test_a_spelling_that_loses_digits_is_not_taken():
+    stated = as_stated(one_minus_cosine)
+    halved = respelled(stated, halved=True)
+    assert price(stated) < price(halved)
+    assert steady([stated, halved], points_of(stated)) == [halved]
+    assert max(losses(halved, point)[0] for point in points_of(halved)) < 16
+
+
+def test_what_loses_digits_elsewhere_is_not_taken_either():
+    stated = program(sp.sin(x) - sp.tan(x))
+    for at in (1.5707963267, 1.57079632679):
+        wanted = mpmath.sin(mpmath.mpf(at)) - mpmath.tan(mpmath.mpf(at))
+        assert chasles.compile(sp.sin(x) - sp.tan(x), x)(at) == pytest.approx(float(wanted), rel=1e-15)
+    assert stated.operations[Op.DIVIDE] == 1
+    assert stated.operations[Op.MULTIPLY] == 0
+
+
+def test_a_chain_is_as_long_as_its_longest_way():
+    assert latency(as_stated(lambda b, x, y, z: b.add(b.add(x, y), b.multiply(x, z)))) == 2
+    assert latency(as_stated(lambda b, x, y, z: b.divide(b.add(x, y), z))) > 2
+    assert cost(as_stated(one_minus_cosine)) > 20
+
+
+FUNCTIONS = [
+    sp.sin,
+    sp.cos,
+    sp.atan,
+    sp.Abs,
+    sp.sign,
+    sp.tan,
+    sp.sinc,
+    lambda a: 1 - sp.cos(a),
+    lambda a: sp.sqrt(a**2 + 1),
+]
+
+
+def drawn(draw, depth):
+    """A random expression."""
+    if not depth or draw.random() < 0.1:
+        return draw.choice([*SYMBOLS, *SYMBOLS, sp.Rational(draw.randint(-5, 5), draw.randint(1, 4)), sp.pi, sp.E])
+    one, other = drawn(draw, depth - 1), drawn(draw, depth - 1)
+    match draw.randrange(8):
+        case 0 | 1:
+            return one + other
+        case 2 | 3:
+            return one * other
+        case 4:
+            return one / other
+        case 5:
+            return draw.choice([sp.Max, sp.Min, sp.atan2])(one, other)
+        case 6:
+            return sp.Piecewise((one, draw.choice([sp.Lt, sp.Ge, sp.Ne])(one, other)), (other, True))
+        case _:
+            return draw.choice(FUNCTIONS)(one)
+
+
+POINTS = [(0.3, 1.7, -0.6), (1e-8, 2.0, 1e-8), (3.14159, 0.5, -2.0), (0.0, 1.0, 1.0), (-1.25, 0.75, 2.5)]
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_no_finite_value_is_wrong(seed):
+    """What is computed is as far from 60 digits as the expression as it stands may be, or nearer."""
+    draw = random.Random(seed)
+    expression = drawn(draw, draw.choice([2, 3, 4]))
+    try:
+        kernel = chasles.compile(expression, SYMBOLS)
+    except LoweringError as refused:
+        pytest.skip(str(refused))
+    given = inputs_of(SYMBOLS)
+    module = modules["chasles.compiling.program_of"]
+    stated = module._program("k", given, outputs_of(expression, given, None), common=False, jacobian=False)
+    assert price(kernel.program)[0] <= cost(stated) + 12
+    exact = sp.lambdify(SYMBOLS, expression, "mpmath")
+    with mpmath.workdps(80), np.errstate(all="ignore"):
+        for point in POINTS:
+            found = float(kernel(*point))
+            try:
+                wanted = exact(*map(mpmath.mpf, point))
+            except (ZeroDivisionError, ValueError):
+                continue
+            if not (np.isfinite(found) and mpmath.isfinite(wanted)):
+                continue
+            [loss] = losses(stated, [[mpmath.mpf(value)] for value in point])
+            assert abs(found - wanted) <= (64 + 4 * loss) * 2**-53 * abs(wanted) or loss == np.inf, (expression, point)
