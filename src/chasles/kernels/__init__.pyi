@@ -10,5 +10,6 @@ from chasles.kernels import array_api as array_api
 backend: Literal["c", "numpy"]
 instructions: str
 make_ufunc: Any
+make_light: Any
 
 def written_out() -> ModuleType: ...
