@@ -12,14 +12,17 @@ __all__ = ["DOUBLE", "SINGLE", "Model"]
 
 @dataclass(frozen=True, slots=True)
 class Model:
-    """Each operation returns its exact result times 1 + d, |d| <= `roundoff`; a function is within `ulps` units.
+    """Each operation returns its exact result times 1 + d, |d| <= `roundoff`; a function is within its `ulps` units.
 
-    A unit in the last place is at most twice the roundoff of the value. A contracted a b + c rounds once where the
-    model lets it round twice, so that contraction is allowed and never needed. Nothing overflows or underflows.
+    A function is what rounding to nearest makes of something within `excess`, which is half a unit less. A unit in the
+    last place is at most twice the roundoff of the value. A contracted a b + c rounds once where the
+    model lets it round twice, so that contraction is allowed and never needed. Nothing overflows, and nothing
+    underflows but where `least` says by how much a result below the smallest normal number is rounded.
     """
 
     roundoff: Fraction
-    ulps: Fraction = Fraction(1)
+    ulps: Fraction = Fraction(4, 5)
+    least: Fraction = Fraction(0)
 
     def __post_init__(self) -> None:
         if not 0 < self.roundoff <= Fraction(1, 2**20):
@@ -32,6 +35,16 @@ class Model:
         if op in (Op.SINE, Op.COSINE, Op.ARCTANGENT2):
             return 2 * self.ulps * self.roundoff
         return self.roundoff
+
+    @property
+    def rounding(self) -> Fraction:
+        """By how much a function is rounded, in parts of the power of two below what is rounded."""
+        return min(2 * self.ulps, Fraction(1)) * self.roundoff
+
+    @property
+    def excess(self) -> Fraction:
+        """How far what a function rounds is from its value, in parts of the power of two below the value."""
+        return 2 * self.ulps * self.roundoff - self.rounding
 
     def is_exact(self, value: Fraction) -> bool:
         """Whether a constant is a number of the precision."""

@@ -9,6 +9,7 @@ from hashlib import sha256
 
 from chasles.bounds.bound import Bound, Guarantee
 from chasles.bounds.covering import covered, largest
+from chasles.bounds.intervals import Array
 from chasles.bounds.model import SINGLE, Model
 from chasles.bounds.norms import Group, against_largest
 from chasles.bounds.outline import NoBound, Outline, outlined
@@ -21,9 +22,9 @@ from chasles.vocabulary.nodes import measured
 
 __all__ = ["bound_of", "key_of"]
 
-METHOD = 1
+METHOD = 2
 """Changes with every change of what is proved of a program, so that remembered bounds are not taken for new ones."""
-BOXES = 16000
+BOXES = 400_000
 DIGITS = Decimal("0.01")
 COVERED_DIGITS = Decimal("0.1")
 """To what units are rounded upwards: coarser where the end depends on the order in which boxes are halved."""
@@ -80,8 +81,8 @@ def _over_boxes(outline: Outline, request: Request, model: Model) -> tuple[Guara
         cover = covered(outline, units)
         for result, members in zip(program.results, groups, strict=True):
 
-            def measure(running: Running, members: list[Group] = members) -> float:
-                return against_largest(running, members, model.roundoff)
+            def measure(running: Running, enough: float, members: list[Group] = members) -> Array:
+                return against_largest(running, members, model.roundoff, enough)
 
             error = largest(outline, model, cover, measure, BOXES)
             found.append(

@@ -1,35 +1,42 @@
-"""How far may rounding take each step, over a whole box of inputs? Ball arithmetic along with the program.
+"""How far may rounding take each step, over many boxes of inputs? Interval arithmetic along with the program.
 
-Each step has a ball that holds its exact values, and a bound on how far the computed ones are from them. All terms are
-kept, those of second order too.
+Each step has an interval that holds its exact values, and a bound on how far the computed ones are from them. All terms
+are kept, those of second order too.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
+from chasles.bounds.intervals import SAFE, Array, Interval, exactly, function_of
 from chasles.bounds.model import Model
 from chasles.bounds.outline import NoBound, Outline, is_power_of_two
-from chasles.bounds.scaled import Scaled, exactly
+from chasles.bounds.scaled import Scaled
 from chasles.lowering.program import Op, Step
 
-__all__ = ["SAFE", "Running"]
+__all__ = ["Angles", "Places", "Running"]
 
-SAFE = 1e-12
-"""By how much a float is moved outwards that stands for the end of a ball: thousands of its own roundings."""
+Places = tuple[NDArray[np.int64], NDArray[np.int64]]
+"""The smallest and the largest exponent of two that a step's result may have before it is rounded."""
+
+Angles = Callable[[int, int, Fraction], tuple[Scaled, Scaled]]
+"""Sine and cosine of a multiple of an argument's entry."""
+
+TURNS = (Op.SINE, Op.COSINE)
+FUNCTIONS = (*TURNS, Op.ARCTANGENT2)
 
 
 class Running:
-    """The program's steps over one box.
+    """The program's steps over as many boxes as each interval of `inputs` has ends.
 
-    `inputs` gives values to entries of arguments, `angles` sine and cosine of multiples of an argument's entry; `small`
-    is what t runs over. `values` has each step's exact values and errors, `near` encloses its computed values.
-    `rounded` are the steps behind which something is rounded, and `losses` says of those that round themselves how
-    much: relative to the value, or absolutely (True) where the value's size is known. Raises ZeroDivisionError where
-    the box is so large that a divisor may be zero.
+    `inputs` gives values to entries of arguments, `angles` sines and cosines to the outline's angles; `values` has each step's exact values and errors, `near` encloses its
+    computed values, and `losses` has the error that a step adds of itself; what rounds nothing has none. `bad` says in
+    which boxes a step has no value that is known, and `why` is the first such step.
     """
 
     def __init__(
@@ -37,38 +44,59 @@ class Running:
         outline: Outline,
         model: Model,
         inputs: Mapping[tuple[int, int], Scaled],
-        angles: Callable[[int, int, Fraction], tuple[Scaled, Scaled]],
-        small: tuple[float, float],
+        angles: Angles,
+        count: int,
+        places: Mapping[int, Places] | None = None,
     ) -> None:
-        from flint import arb
-
         self.outline, self._model, self._inputs, self._angles = outline, model, inputs, angles
-        self.zero = arb(0)
-        self._unit, self._function = exactly(model.roundoff), exactly(model.loss(Op.SINE))
-        # What a derivative changes by where the step's own rounding is taken into account.
-        self.wobble = arb(1, 2 * float(max(model.roundoff, model.loss(Op.SINE))))
-        self._small = arb(small[0]), arb(small[1])
+        self._places = places or {}
+        self.zero = np.zeros(count)
+        self._unit, self._rounding = float(model.roundoff), float(model.rounding)
+        self._excess = float(model.excess)
         self.values: dict[int, Scaled] = {}
         self.near: dict[int, Scaled] = {}
+        self.losses: dict[int, Array] = {}
         self.rounded: set[int] = set()
-        self.losses: dict[int, tuple[Any, bool]] = {}
-        for number in outline.needed:
-            found = self.values[number] = self._step(number, outline.program.steps[number])
-            self.near[number] = found
-            if number in self.rounded:
-                self.near[number] = Scaled(found.power, found.value + arb(0, found.error.abs_upper()), found.error)
+        self.bad = np.zeros(count, dtype=bool)
+        self.why = np.full(count, -1)
+        self.empty = np.zeros(count, dtype=bool)
+        self.split = np.full(count, -1), np.zeros(count, dtype=np.int64)
+        self._weight = np.zeros(count)
+        self._sides: dict[int, tuple[NDArray[np.bool_], NDArray[np.int64]]] = {}
+        with np.errstate(all="ignore"):
+            for number in outline.needed:
+                self._run(number, outline.program.steps[number])
 
-    def lowered(self, x: Any, power: int, to: int) -> Any:
-        """A multiple of one power of t as a multiple of a lower one."""
-        if power == to:
-            return x
-        low, high = self._small
-        return x * (low ** (power - to)).union(high ** (power - to))
+    def _run(self, number: int, step: Step) -> None:
+        found = self.values[number] = self._step(number, step)
+        if number not in self.near:
+            near = found.value.widened(found.error) if number in self.rounded else found.value
+            self.near[number] = Scaled(found.power, near, found.error)
+        near = self.near[number].value
+        lost = ~(np.isfinite(near.low) & np.isfinite(near.high)) & ~self.bad
+        self.why[lost] = number
+        self.bad |= lost
+
+    def part(self, rows: NDArray[np.bool_]) -> Running:
+        """The same in some of the boxes."""
+        found: Running = object.__new__(Running)
+        found.outline, found.rounded, found._model = self.outline, self.rounded, self._model
+        found.zero, found._weight = self.zero[rows], self._weight[rows]
+        found.split = self.split[0][rows], self.split[1][rows]
+        found.values = {k: x.part(rows) for k, x in self.values.items()}
+        found.near = {k: x.part(rows) for k, x in self.near.items()}
+        found.losses = {k: x[rows] for k, x in self.losses.items()}
+        found._sides = {k: (x[rows], y[rows]) for k, (x, y) in self._sides.items()}
+        return found
+
+    def lowered(self, x: Interval, power: int, to: int) -> Interval:
+        """A multiple of one power of 2^-j as a multiple of a lower one."""
+        return x if power == to else x.union(Interval(self.zero, self.zero))
 
     def _step(self, number: int, step: Step) -> Scaled:
         if number in self.outline.angles:
             value = self._angles(*self.outline.angles[number])[0 if step.op is Op.SINE else 1]
-            return self._graded(number, value.power, value.value, self.zero, self._function)
+            return self._graded(number, value.power, value.value, self.zero, step.op)
         operands = self.outline.operands(number)
         of = [self.values[k] for k in operands]
         if not self.rounded.isdisjoint(operands):
@@ -77,10 +105,10 @@ class Running:
             case Op.INPUT:
                 return self._inputs[step.argument, step.entry]
             case Op.CONSTANT:
-                value = exactly(step.value)
+                value = exactly(step.value, self.zero)
                 if self._model.is_exact(step.value):
                     return Scaled(0, value, self.zero)
-                return self._graded(number, 0, value, self.zero, self._unit)
+                return self._graded(number, 0, value, self.zero, step.op)
             case Op.NEGATE:
                 return Scaled(of[0].power, -of[0].value, of[0].error)
             case Op.ADD | Op.SUBTRACT:
@@ -91,55 +119,137 @@ class Running:
                 return self._quotient(number, of[0], of[1])
             case Op.SQUARE_ROOT:
                 return self._root(number, of[0])
+            case Op.SINE | Op.COSINE:
+                return self._turn(number, of[0], step.op)
+            case Op.ARCTANGENT2:
+                return self._direction(number, of[0], of[1], operands)
             case op:
                 raise NoBound(f"no bound over a box is known of the operation {op}")
 
-    def _graded(self, number: int, power: int, value: Any, error: Any, loss: Any) -> Scaled:
-        """The value with the operation's own rounding.
+    def _graded(
+        self, number: int, power: int, value: Interval, error: Array, op: Op, raw: Interval | None = None
+    ) -> Scaled:
+        """The value with the operation's own rounding; `raw` encloses what is rounded.
 
-        Half a unit in the last place is the roundoff times the largest power of two that is not above the value's size.
-        The unit that a function is measured in is that of its exact value, which is below 1.
+        Half a unit in the last place is the roundoff times the largest power of two that is not above the size of what
+        is rounded; and a power of two is not rounded, so that what is hardly above one is hardly rounded either. Sine
+        and cosine are at most 1.
         """
         self.rounded.add(number)
-        size = abs(value) + error
-        if power:
-            self.losses[number] = loss, False
-            return Scaled(power, value, error + size * loss)
-        most = float(size.abs_upper()) * (1 + SAFE)
-        place = min(math.frexp(most)[1] - 1, -1 if loss is self._function else math.inf)
-        step = loss * 2.0**place if most else self.zero
-        self.losses[number] = step, True
-        return Scaled(0, value, error + step)
+        own, loss = self.zero, self._unit
+        if op in FUNCTIONS:
+            # What is rounded is not the function's value, but something near it, in units of that value's last place.
+            loss = self._rounding
+            place = np.frexp(value.above)[1] - 1
+            own = np.ldexp(self._excess, np.minimum(place, -1) if op in TURNS else place)
+            own = np.where(value.above == 0, 0, own)
+            error = (error + own) * SAFE
+        around = value.widened(error)
+        raw = around if raw is None else raw.common(around)
+        if number in self._places:
+            value, raw = self._restricted(value, error, raw, self._places[number])
+        most = np.frexp(raw.above)[1] - 1
+        least = np.frexp(raw.below)[1] - 1
+        if op in TURNS:
+            most = np.minimum(most, -1)
+        self._sides[number] = most == least + 1, most
+        power_of_two = np.ldexp(1.0, most)
+        half = np.minimum(loss * power_of_two, np.maximum(raw.above - power_of_two, loss / 2 * power_of_two))
+        half = np.where(least == most, np.minimum(loss * power_of_two, raw.above - power_of_two), half)
+        half = np.where(raw.above < power_of_two, loss * power_of_two, half)
+        step = np.where(raw.above == 0, 0, np.maximum(half * SAFE, float(self._model.least)))
+        self.losses[number] = (own + step) * SAFE
+        near = raw.widened(step)
+        if loss == self._unit or op in TURNS:
+            near = near.common(_snapped(near, raw, self._unit))
+        if number in self._places:
+            near = near.common(_powers(raw, self._places[number]))
+        self.near[number] = Scaled(power, near, step)
+        return Scaled(power, value, (error + step) * SAFE)
+
+    def _restricted(self, value: Interval, error: Array, raw: Interval, places: Places) -> tuple[Interval, Interval]:
+        """What of the exact values may come out between the powers of two, and what of those that are rounded."""
+        least, most = np.ldexp(1.0, places[0]), np.ldexp(1.0, places[1] + 1)
+        outer = Interval(np.maximum(least - error * SAFE, 0), (most + error) * SAFE)
+        parts = [x.sized(size) for x, size in ((value, outer), (raw, Interval(least, most)))]
+        for x in parts:
+            self.empty |= x.low > x.high
+        first, second = (Interval(np.minimum(x.low, x.high), np.maximum(x.low, x.high)) for x in parts)
+        return first, second
+
+    def weigh(self, number: int, moved: Array) -> None:
+        """Choose the step to part boxes by: that whose error moves some entry most."""
+        where, power = self._sides[number]
+        more = where & (moved > self._weight)
+        self._weight[more], self.split[0][more], self.split[1][more] = moved[more], number, power[more]
 
     def _sum(self, number: int, x: Scaled, y: Scaled, op: Op) -> Scaled:
         power = min(x.power, y.power)
         a, b = self.lowered(x.value, x.power, power), self.lowered(y.value, y.power, power)
-        error = self.lowered(x.error, x.power, power) + self.lowered(y.error, y.power, power)
-        return self._graded(number, power, a + b if op is Op.ADD else a - b, error, self._unit)
+        c, d = (self.lowered(near.value, near.power, power) for near in self._near(number))
+        value, raw = (a + b, c + d) if op is Op.ADD else (a - b, c - d)
+        return self._graded(number, power, value, (x.error + y.error) * SAFE, op, raw)
+
+    def _near(self, number: int) -> list[Scaled]:
+        """What encloses the computed operands of a step."""
+        return [self.near[k] for k in self.outline.operands(number)]
 
     def _product(self, number: int, x: Scaled, y: Scaled, operands: tuple[int, ...]) -> Scaled:
         power = x.power + y.power
-        value = x.value**2 if operands[0] == operands[1] else x.value * y.value
-        error = abs(x.value) * y.error + abs(y.value) * x.error + x.error * y.error
+        value = x.value.squared if operands[0] == operands[1] else x.value * y.value
+        error = (x.value.above * y.error + y.value.above * x.error + x.error * y.error) * SAFE
         if any(self._only_scales(k) for k in operands):
             return Scaled(power, value, error)
-        return self._graded(number, power, value, error, self._unit)
+        a, b = self._near(number)
+        raw = a.value.squared if operands[0] == operands[1] else a.value * b.value
+        return self._graded(number, power, value, error, Op.MULTIPLY, raw)
 
     def _only_scales(self, number: int) -> bool:
         step = self.outline.program.steps[number]
-        return step.op is Op.CONSTANT and is_power_of_two(step.value)
+        return step.op is Op.CONSTANT and is_power_of_two(abs(step.value))
 
     def _quotient(self, number: int, x: Scaled, y: Scaled) -> Scaled:
-        least = (y.value.abs_lower() - y.error).lower()
-        if not least > 0:
-            raise ZeroDivisionError
+        least = y.value.below * (2 - SAFE) - y.error * SAFE
         value = x.value / y.value
-        error = (x.error + abs(value) * y.error) / least
-        return self._graded(number, x.power - y.power, value, error, self._unit)
+        error = np.where(least > 0, (x.error + value.above * y.error) / least * SAFE, np.nan)
+        a, b = self._near(number)
+        return self._graded(number, x.power - y.power, value, error, Op.DIVIDE, a.value / b.value)
 
     def _root(self, number: int, x: Scaled) -> Scaled:
-        least = (x.value.lower() - x.error).lower()
-        if x.power or not least > 0:
-            raise ZeroDivisionError
-        error = x.error / (x.value.lower().sqrt() + least.sqrt())
-        return self._graded(number, 0, x.value.sqrt(), error, self._unit)
+        if x.power:
+            raise NoBound("it takes the root of what vanishes at a singular angle")
+        root = x.value.root
+        least = x.value.low * (2 - SAFE) - x.error * SAFE
+        carried = x.error / (root.low + np.sqrt(np.maximum(least, 0))) * SAFE
+        error = np.where(x.error == 0, 0, np.where(least > 0, carried, np.nan))
+        return self._graded(number, 0, root, error, Op.SQUARE_ROOT, self._near(number)[0].value.root)
+
+    def _turn(self, number: int, x: Scaled, op: Op) -> Scaled:
+        return self._graded(number, 0, function_of(op.value, x.value), x.error, op)
+
+    def _direction(self, number: int, y: Scaled, x: Scaled, operands: tuple[int, ...]) -> Scaled:
+        """The angle moves by no more than the point does, over the smallest distance from the origin."""
+        near = [self.near[k].value for k in operands]
+        least = (near[0].squared + near[1].squared).low
+        moved = (y.error * near[1].above + x.error * near[0].above) / least * SAFE
+        error = np.where((y.error == 0) & (x.error == 0), 0, moved)
+        seen = function_of(Op.ARCTANGENT2.value, *near)
+        value = function_of(Op.ARCTANGENT2.value, y.value, x.value)
+        return self._graded(number, 0, value, error + 0 * seen.low, Op.ARCTANGENT2)
+
+
+def _powers(raw: Interval, places: Places) -> Interval:
+    """The powers of two that rounding does not pass, on the side of zero on which the values are."""
+    least, most = np.ldexp(1.0, places[0]), np.ldexp(1.0, places[1] + 1)
+    low = np.where(raw.low > 0, least, -most)
+    high = np.where(raw.high < 0, -least, most)
+    return Interval(low, high)
+
+
+def _snapped(near: Interval, raw: Interval, unit: float) -> Interval:
+    """What is above a power of two by less than half the distance to the next number is rounded to that power."""
+    ends = []
+    for end, far in ((-raw.low, -near.low), (raw.high, near.high)):
+        power = np.ldexp(1.0, np.frexp(end)[1] - 1)
+        ends.append(np.where((end >= power) & (end - power < unit / 2 * power), power, far))
+    return Interval(-ends[0], ends[1])
