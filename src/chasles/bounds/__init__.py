@@ -14,8 +14,24 @@ as at a singular point, nothing is said.
 from __future__ import annotations
 
 from chasles.bounds.bound import AGAINST, Bound, Guarantee
+from chasles.bounds.box import BoxBound, ResultBound, bound_of_program
 from chasles.bounds.memory import remembered
 from chasles.bounds.model import DOUBLE, SINGLE, Model
+from chasles.bounds.outline import NoBound
 from chasles.bounds.proving import bound_of, key_of
 
-__all__ = ["AGAINST", "DOUBLE", "SINGLE", "Bound", "Guarantee", "Model", "bound_of", "key_of", "remembered"]
+__all__ = [
+    "AGAINST",
+    "DOUBLE",
+    "SINGLE",
+    "Bound",
+    "BoxBound",
+    "Guarantee",
+    "Model",
+    "NoBound",
+    "ResultBound",
+    "bound_of",
+    "bound_of_program",
+    "key_of",
+    "remembered",
+]

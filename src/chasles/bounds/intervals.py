@@ -183,7 +183,7 @@ def _cosine(x: Any) -> Any:
 
 def _direction(y: Any, x: Any) -> Any:
     """No number where the origin, or a point of the half line on which the angle jumps, is among the points."""
-    return y / 0 if x.lower() <= 0 and y.contains(0) else y.atan2(x)
+    return y / 0 if x.lower() <= 0 and y.contains(0) else type(y).atan2(y, x)
 
 
 def _within(ball: Any, most: int) -> Any:

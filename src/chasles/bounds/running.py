@@ -7,6 +7,7 @@ are kept, those of second order too.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -19,15 +20,29 @@ from chasles.bounds.outline import NoBound, Outline, is_power_of_two
 from chasles.bounds.scaled import Scaled
 from chasles.lowering.program import Op, Step
 
-__all__ = ["Angles", "Places", "Running"]
+__all__ = ["Angles", "Places", "Running", "Truth"]
 
 Places = tuple[NDArray[np.int64], NDArray[np.int64]]
 """The smallest and the largest exponent of two that a step's result may have before it is rounded."""
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Truth:
+    """In which boxes a comparison may hold, and in which it may not; `exact` if rounding never changes which."""
+
+    may: NDArray[np.bool_]
+    may_not: NDArray[np.bool_]
+    exact: bool
+
+    def part(self, rows: NDArray[np.bool_]) -> Truth:
+        """The same in some of the boxes."""
+        return Truth(self.may[rows], self.may_not[rows], self.exact)
+
 
 Angles = Callable[[int, int, Fraction], tuple[Scaled, Scaled]]
 """Sine and cosine of a multiple of an argument's entry."""
 
 TURNS = (Op.SINE, Op.COSINE)
+COMPARISONS = (Op.LESS, Op.EQUAL)
 FUNCTIONS = (*TURNS, Op.ARCTANGENT2)
 
 
@@ -47,16 +62,17 @@ class Running:
         angles: Angles,
         count: int,
         places: Mapping[int, Places] | None = None,
+        known: Mapping[int, Interval] | None = None,
     ) -> None:
         self.outline, self._model, self._inputs, self._angles = outline, model, inputs, angles
-        self._places = places or {}
+        self._places, self._known = places or {}, known or {}
         self.zero = np.zeros(count)
-        self._unit, self._rounding = float(model.roundoff), float(model.rounding)
-        self._excess = float(model.excess)
+        self._unit = float(model.roundoff)
         self.values: dict[int, Scaled] = {}
         self.near: dict[int, Scaled] = {}
         self.losses: dict[int, Array] = {}
         self.rounded: set[int] = set()
+        self.truths: dict[int, Truth] = {}
         self.bad = np.zeros(count, dtype=bool)
         self.why = np.full(count, -1)
         self.empty = np.zeros(count, dtype=bool)
@@ -68,7 +84,16 @@ class Running:
                 self._run(number, outline.program.steps[number])
 
     def _run(self, number: int, step: Step) -> None:
-        found = self.values[number] = self._step(number, step)
+        if step.op in COMPARISONS:
+            self.truths[number] = self._truth(step.op, self.outline.operands(number))
+            return
+        found = self._step(number, step)
+        if number in self._known:
+            found = Scaled(found.power, found.value.common(self._known[number]), found.error)
+        self.values[number] = found
+        if number in self._known and number in self.near:
+            near = self.near[number].value.common(found.value.widened(found.error))
+            self.near[number] = Scaled(found.power, near, found.error)
         if number not in self.near:
             near = found.value.widened(found.error) if number in self.rounded else found.value
             self.near[number] = Scaled(found.power, near, found.error)
@@ -86,6 +111,7 @@ class Running:
         found.values = {k: x.part(rows) for k, x in self.values.items()}
         found.near = {k: x.part(rows) for k, x in self.near.items()}
         found.losses = {k: x[rows] for k, x in self.losses.items()}
+        found.truths = {k: x.part(rows) for k, x in self.truths.items()}
         found._sides = {k: (x[rows], y[rows]) for k, (x, y) in self._sides.items()}
         return found
 
@@ -98,12 +124,17 @@ class Running:
             value = self._angles(*self.outline.angles[number])[0 if step.op is Op.SINE else 1]
             return self._graded(number, value.power, value.value, self.zero, step.op)
         operands = self.outline.operands(number)
+        if step.op is Op.SELECT:
+            return self._chosen(number, operands)
         of = [self.values[k] for k in operands]
         if not self.rounded.isdisjoint(operands):
             self.rounded.add(number)
         match step.op:
             case Op.INPUT:
-                return self._inputs[step.argument, step.entry]
+                found = self._inputs[step.argument, step.entry]
+                if found.error.any():
+                    self.rounded.add(number)
+                return found
             case Op.CONSTANT:
                 value = exactly(step.value, self.zero)
                 if self._model.is_exact(step.value):
@@ -139,9 +170,9 @@ class Running:
         own, loss = self.zero, self._unit
         if op in FUNCTIONS:
             # What is rounded is not the function's value, but something near it, in units of that value's last place.
-            loss = self._rounding
+            loss = float(self._model.rounding(op))
             place = np.frexp(value.above)[1] - 1
-            own = np.ldexp(self._excess, np.minimum(place, -1) if op in TURNS else place)
+            own = np.ldexp(float(self._model.excess(op)), np.minimum(place, -1) if op in TURNS else place)
             own = np.where(value.above == 0, 0, own)
             error = (error + own) * SAFE
         around = value.widened(error)
@@ -236,6 +267,59 @@ class Running:
         seen = function_of(Op.ARCTANGENT2.value, *near)
         value = function_of(Op.ARCTANGENT2.value, y.value, x.value)
         return self._graded(number, 0, value, error + 0 * seen.low, Op.ARCTANGENT2)
+
+    def _truth(self, op: Op, operands: tuple[int, ...]) -> Truth:
+        a, b = (self.near[k].value for k in operands)
+        exact = self.rounded.isdisjoint(operands) or self._has_right_sign(operands)
+        if op is Op.LESS:
+            return Truth(a.low < b.high, a.high >= b.low, exact)
+        same = (a.low == a.high) & (b.low == b.high) & (a.low == b.low)
+        return Truth((a.low <= b.high) & (b.low <= a.high), ~same, exact)
+
+    def _has_right_sign(self, operands: tuple[int, ...]) -> bool:
+        """Whether zero is compared with a sum of two exact values, whose sign rounding leaves as it is."""
+        steps = self.outline.program.steps
+        zero = [steps[k].op is Op.CONSTANT and steps[k].value == 0 for k in operands]
+        if not any(zero):
+            return False
+        other = operands[zero.index(True) - 1]
+        while steps[other].op is Op.NEGATE:
+            (other,) = self.outline.operands(other)
+        return steps[other].op in (Op.ADD, Op.SUBTRACT) and self.rounded.isdisjoint(self.outline.operands(other))
+
+    def _chosen(self, number: int, operands: tuple[int, ...]) -> Scaled:
+        """Either value where both may be; and how far they are apart where rounding may have chosen the other one."""
+        truth, x, y = self.truths[operands[0]], self.values[operands[1]], self.values[operands[2]]
+        both = truth.may & truth.may_not
+
+        def either(a: Interval, b: Interval) -> Interval:
+            whole = a.union(b)
+            low = np.where(both, whole.low, np.where(truth.may, a.low, b.low))
+            return Interval(low, np.where(both, whole.high, np.where(truth.may, a.high, b.high)))
+
+        near = either(self.near[operands[1]].value, self.near[operands[2]].value)
+        error = np.where(both, np.maximum(x.error, y.error), np.where(truth.may, x.error, y.error))
+        jump = self.zero
+        if not truth.exact and not self._is_continuous(operands):
+            jump = np.where(both, (near - near).above, 0.0)
+        if jump.any() or not self.rounded.isdisjoint(operands[1:]):
+            self.rounded.add(number)
+        if jump.any():
+            self.losses[number] = jump
+            self._sides[number] = np.zeros(len(jump), dtype=bool), np.zeros(len(jump), dtype=np.int64)
+        self.near[number] = Scaled(0, near, error)
+        return Scaled(0, either(x.value, y.value), (error + jump) * SAFE)
+
+    def _is_continuous(self, operands: tuple[int, ...]) -> bool:
+        """Whether what is chosen from is what is compared, or is opposite and compared with zero."""
+        steps = self.outline.program.steps
+        compared, chosen = self.outline.operands(operands[0]), operands[1:]
+        if sorted(compared) == sorted(chosen):
+            return True
+        opposite = [k for k in chosen if steps[k].op is Op.NEGATE and self.outline.operands(k)[0] in chosen]
+        return bool(opposite) and any(k in chosen for k in compared) and any(
+            steps[k].op is Op.CONSTANT and steps[k].value == 0 for k in compared
+        )
 
 
 def _powers(raw: Interval, places: Places) -> Interval:

@@ -88,6 +88,14 @@ def _passed_on(running: Running, number: int, found: list[_Slope]) -> Iterator[t
         yield from ((operands[0], _Slope(s.power, -s.value, s.contracted)) for s in found)
         return
     slope = _sum(running, found)
+    if op is Op.SELECT:
+        truth, nothing = running.truths[operands[0]], Interval(running.zero, running.zero)
+        for k, may, may_not in ((operands[1], truth.may, truth.may_not), (operands[2], truth.may_not, truth.may)):
+            given = slope.value.union(nothing)
+            low = np.where(may, np.where(may_not, given.low, slope.value.low), 0.0)
+            high = np.where(may, np.where(may_not, given.high, slope.value.high), 0.0)
+            yield k, _Slope(slope.power, Interval(low, high))
+        return
     near = [running.near[k] for k in operands]
     match op:
         case Op.ADD | Op.SUBTRACT:
