@@ -41,6 +41,7 @@ const chasles_loop chasles_instant_screw_point_loopf = {
  *   operations  29: 2 add, 9 subtract, 15 multiply, 3 divide
  *   error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 1562849f177e6c267d458290e7a5bbddc3b1feee4c93b5c27822ff1e01156afe
  */
 void chasles_instant_screw_point(

@@ -16,7 +16,7 @@ import numpy as np
 from chasles.bounds.intervals import SAFE, Array, Interval, below
 from chasles.bounds.model import Model, precision
 from chasles.bounds.outline import NoBound, Outline, with_cases
-from chasles.bounds.running import Running
+from chasles.bounds.running import Running, no_angles
 from chasles.bounds.scaled import Scaled
 from chasles.bounds.sensitivity import entry_error
 from chasles.lowering.program import Op, Program
@@ -172,7 +172,7 @@ class _Search:
             place: Scaled(0, Interval(lows[:, k].copy(), highs[:, k].copy()), zero)
             for k, place in enumerate(self._places)
         }
-        return Running(self._outline, self._model, inputs, {}.__getitem__, len(lows))
+        return Running(self._outline, self._model, inputs, no_angles, len(lows))
 
     def _bounds(self, lows: Array, highs: Array) -> tuple[Array, Running]:
         """A row for each box: the errors of all entries, then the relative ones of results."""
@@ -181,9 +181,9 @@ class _Search:
         known: dict[int, Array] = {}
         columns, relative = [], []
         with np.errstate(all="ignore"):
-            for near in running.near.values():
+            for near in running.around.values():
                 bad |= near.value.above > self._largest
-            for k, result in enumerate(self._outline.program.results):
+            for k in range(len(self._outline.program.results)):
                 numbers = self._outline.entries(k)
                 for number in numbers:
                     if number not in known:

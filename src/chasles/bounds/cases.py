@@ -18,7 +18,7 @@ from chasles.bounds.intervals import SAFE, Array, Interval, below
 from chasles.bounds.model import Model
 from chasles.bounds.outline import NoBound, Outline, is_sign, outlined
 from chasles.bounds.rotations import enclosed_forms, forms
-from chasles.bounds.running import Running
+from chasles.bounds.running import Running, no_angles
 from chasles.bounds.scaled import Scaled
 from chasles.bounds.sensitivity import entry_error
 from chasles.bounds.termwise import Share, shares
@@ -89,7 +89,7 @@ def _sums(outline: Outline, argument: int) -> tuple[int, ...]:
     found: list[int] = []
     for number in outline.needed:
         step, operands = steps[number], outline.operands(number)
-        if step.op is Op.INPUT and step.argument == argument or step.op is Op.CONSTANT:
+        if (step.op is Op.INPUT and step.argument == argument) or step.op is Op.CONSTANT:
             alone.add(number)
         elif step.op is Op.MULTIPLY and alone.issuperset(operands):
             if any(steps[k].op is Op.CONSTANT for k in operands):
@@ -149,7 +149,7 @@ class _Rotations:
             for k in self._outline.needed
             if steps[k].op is Op.INPUT
         }
-        running = Running(self._outline, self._model, inputs, {}.__getitem__, len(low), known=known)
+        running = Running(self._outline, self._model, inputs, no_angles, len(low), known=known)
         taken = np.zeros(len(low), dtype=bool)
         for truths in self._case.truths:
             possible = np.ones(len(low), dtype=bool)
@@ -158,14 +158,13 @@ class _Rotations:
                 possible &= a.low < b.high if outcome else a.high >= b.low
             taken |= possible
         with np.errstate(all="ignore"):
-            error = entry_error(running, self._number, 0) / below(running.near[self._number].value.below) * SAFE
+            error = entry_error(running, self._number, 0) / below(running.around[self._number].value.below) * SAFE
         return np.where(taken, np.where(np.isnan(error), np.inf, error), 0.0)
 
 
 def _with(outline: Outline, further: Sequence[int]) -> Outline:
     """The outline with further steps, of those that need entries of inputs alone."""
     needed, ahead = set[int](), [outline.sources.get(k, k) for k in further]
-    steps = outline.program.steps
     while ahead:
         number = ahead.pop()
         if number not in needed:

@@ -20,19 +20,20 @@ from chasles.bounds.intervals import Array, Interval
 from chasles.bounds.model import Model
 from chasles.bounds.outline import NoBound, Outline
 from chasles.bounds.pieces import AnglePiece, FacePiece, Piece, Range, face_values, faces
-from chasles.bounds.running import Places, Running
+from chasles.bounds.places import Places
+from chasles.bounds.running import Running
 from chasles.bounds.scaled import Scaled
 from chasles.bounds.symmetry import Sign, Symmetry, symmetry
 from chasles.lowering.program import Op
 
 __all__ = ["Cover", "Measure", "bounds_of", "covered", "largest"]
 
-CLOSE = 1.10
+CLOSE = 1.033
 """How much larger than at a point the bound over all boxes may be."""
-PARTED = 1.5
+PARTED = 1.25
 """How much too large a bound may be for its box to be parted at a power of two besides being halved."""
-POINTS = 64
-"""At how many points the bound is looked at, in the worst of each kind of boxes."""
+POINTS, MOVES, CLIMBS = 32, 8, 14
+"""How many of the best points are kept, into how many each is moved, and how often."""
 WIDEST = 1.5
 """How much larger it may be where the budget is spent, lest it says more of the boxes than of the program."""
 
@@ -254,21 +255,38 @@ def _largest(outline: Outline, model: Model, cover: Cover, measure: Measure, bud
     batches: dict[tuple[object, ...], list[Region]] = {}
     for region in cover.regions:
         batches.setdefault(tuple(piece.batch for piece in region), []).append(region)
-    reached, found, spent = 0.0, 0.0, 0
+    at_large = [regions for kind, regions in batches.items() if not any(kind)]
+    reached = max(_climbed(outline, model, measure, regions) for regions in at_large)
+    found, spent, within = 0.0, 0, CLOSE * reached
     ahead = [_whole(regions) for regions in batches.values()]
     while ahead:
-        measured = [(boxes, *_bounds(outline, model, measure, boxes, CLOSE * reached)) for boxes in ahead]
+        measured = [(boxes, *_bounds(outline, model, measure, boxes, within)) for boxes in ahead]
         spent += sum(len(bounds) for _, bounds, _ in measured)
-        for boxes, bounds, _ in measured:
-            worst = boxes.kept(np.argsort(-bounds)[:POINTS])
-            here, _ = _bounds(outline, model, measure, worst.middles, 0.0)
-            reached = max(reached, float(np.where(np.isfinite(here), here, 0).max()))
         if spent > budget:
             return max(found, *(float(bounds.max()) for _, bounds, _ in measured)), reached
-        within = CLOSE * reached
         found = max(found, *(float(bounds[bounds <= within].max(initial=0.0)) for _, bounds, _ in measured))
         ahead = [_finer(boxes, bounds, split, within) for boxes, bounds, split in measured if bounds.max() > within]
     return found, reached
+
+
+def _climbed(outline: Outline, model: Model, measure: Measure, regions: Sequence[Region]) -> float:
+    """The largest bound at points, the best of which are moved about, ever less."""
+    whole = _whole(regions)
+    generator = np.random.default_rng(0)
+    owner = np.arange(POINTS * MOVES) % len(regions)
+    low, high = whole.low[owner], whole.high[owner]
+    places = low + generator.random(low.shape) * (high - low)
+    reached = 0.0
+    for attempt in range(CLIMBS):
+        bounds, _ = _bounds(outline, model, measure, _Boxes(whole.regions, owner, places, places), 0.0)
+        bounds = np.where(np.isfinite(bounds), bounds, 0)
+        reached = max(reached, float(bounds.max()))
+        best = np.repeat(np.argsort(-bounds)[:POINTS], MOVES)
+        owner, low, high = owner[best], whole.low[owner[best]], whole.high[owner[best]]
+        moved = generator.standard_normal(low.shape) * (high - low) * 0.25 * 0.5**attempt
+        moved[::MOVES] = 0
+        places = np.clip(places[best] + moved, low, high)
+    return reached
 
 
 def _finer(boxes: _Boxes, bounds: Array, split: tuple[NDArray[Any], NDArray[Any]], within: float) -> _Boxes:

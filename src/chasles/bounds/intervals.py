@@ -112,13 +112,6 @@ class Interval:
         ends = self.low * factor, self.high * factor
         return Interval(np.minimum(*ends), np.maximum(*ends))
 
-    def power(self, exponent: int) -> Interval:
-        """Whole powers of what is positive."""
-        found = self if exponent else Interval(0 * self.low + 1, 0 * self.high + 1)
-        for _ in range(abs(exponent) - 1):
-            found = Interval(_down(found.low * self.low), _up(found.high * self.high))
-        return found if exponent >= 0 else Interval(_down(1 / found.high), _up(1 / found.low))
-
 
 def below(x: Array) -> Array:
     """Numbers below sizes that have been rounded."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -52,6 +53,16 @@ class Model:
         if op in (Op.SINE, Op.COSINE):
             return self.ulps
         return self.directions if op is Op.ARCTANGENT2 else Fraction(1, 2)
+
+    def in_words(self, operations: Collection[Op]) -> str:
+        """What is supposed of the machine, as far as it concerns these operations."""
+        said = ["every operation rounded to nearest, with or without FMA"]
+        turns = [op.value for op in (Op.SINE, Op.COSINE) if op in operations]
+        if turns:
+            said.append(f"{' and '.join(turns)} within {float(self.ulps):g} ulp")
+        if Op.ARCTANGENT2 in operations:
+            said.append(f"arctangent within {float(self.directions):g} ulp")
+        return ", ".join(said)
 
     def is_exact(self, value: Fraction) -> bool:
         """Whether a constant is a number of the precision."""

@@ -82,8 +82,10 @@ def is_sign(number: int, program: Program) -> bool:
         return False
     comparison = program.steps[step.operands[0]]
     compared = [k for k in comparison.operands if not _is_zero(program.steps[k])]
-    return comparison.op is Op.LESS and len(compared) == 1 and all(
-        is_one(k, program) or is_sign(k, program) for k in step.operands[1:]
+    return (
+        comparison.op is Op.LESS
+        and len(compared) == 1
+        and all(is_one(k, program) or is_sign(k, program) for k in step.operands[1:])
     )
 
 

@@ -1,7 +1,7 @@
-"""What are sums of a rotation's entries? Polynomials in a quaternion, which are enclosed without what cancels in them.
+"""What are sums of a rotation's entries? Polynomials in a quaternion, enclosed without what cancels in them.
 
-A rotation's entries are quadratic in a quaternion (w, x, y, z), over its square; 1 + 2 Q_11 - tr(Q) is 4 x^2 over it, and
-so is never near zero where x is the largest component.
+A rotation's entries are quadratic in a quaternion (w, x, y, z), over its square; 1 + 2 Q_11 - tr(Q) is 4 x^2 over it,
+and so is never near zero where x is the largest component.
 """
 
 from __future__ import annotations

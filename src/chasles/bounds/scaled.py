@@ -1,4 +1,4 @@
-"""An interval times a power of 2^-j, for all j at once, so that what grows or vanishes at a singular point keeps digits.
+"""An interval times a power of 2^-j, for all j at once: what grows or vanishes at a singular point keeps its digits.
 
 Near a singular angle, at the distance s 2^-j, every value is some power of 2^-j times something that stays away from
 zero; so one evaluation holds for all distances, down to the smallest. Rounding takes no notice of powers of two.

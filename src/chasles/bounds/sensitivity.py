@@ -96,7 +96,7 @@ def _passed_on(running: Running, number: int, found: list[_Slope]) -> Iterator[t
             high = np.where(may, np.where(may_not, given.high, slope.value.high), 0.0)
             yield k, _Slope(slope.power, Interval(low, high))
         return
-    near = [running.near[k] for k in operands]
+    near = [running.around[k] for k in operands]
     match op:
         case Op.ADD | Op.SUBTRACT:
             yield operands[0], _Slope(slope.power, slope.value, contracted=True)
@@ -109,7 +109,10 @@ def _passed_on(running: Running, number: int, found: list[_Slope]) -> Iterator[t
             above, below = near
             shared = _Slope(slope.power - below.power, slope.value / below.value)
             yield operands[0], shared
-            yield operands[1], _Slope(shared.power + above.power - below.power, shared.value * -(above.value / below.value))
+            yield (
+                operands[1],
+                _Slope(shared.power + above.power - below.power, shared.value * -(above.value / below.value)),
+            )
         case Op.SQUARE_ROOT:
             yield operands[0], _Slope(slope.power, slope.value / near[0].value.root.times(2.0))
         case Op.SINE:

@@ -37,9 +37,9 @@ def shares(
 ) -> dict[int, Share]:
     """The share of every step that results need; `known` are relative errors of sums that do not cancel.
 
-    With `most` above 1 a divisor may cancel: shares are in parts of the sum of terms times the divisor's condition, which
-    is the sum of its terms' sizes over its own size, as long as that is not above `most`. Errors are convex functions
-    of the condition that vanish with it, so that what holds for the largest holds, in proportion, for all.
+    With `most` above 1 a divisor may cancel: shares are in parts of the sum of terms times the divisor's condition,
+    which is the sum of its terms' sizes over its own size, as long as that is not above `most`. Errors are convex
+    functions of the condition that vanish with it: what holds for the largest holds, in proportion, for all.
 
     Raises NoBound where a divisor may cancel that must not, a radicand, or what a sign is chosen by.
     """
