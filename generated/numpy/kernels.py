@@ -261,7 +261,7 @@ def normal_matrix_inverse(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     assumes     phi != 0
                 |e| = 1
     operations  17: 3 add, 1 subtract, 11 multiply, 1 divide, 1 sine
-    error bound 9.0 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
+    error bound 8.3 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
                   precision 2^-24
                 supposed: every operation rounded to nearest, with or without FMA, sine within 0.8 ulp
     derivation  sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c
@@ -655,7 +655,7 @@ def linear_rate_matrix(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     |e| = 1
     operations  30: 4 add, 7 subtract, 17 multiply, 1 sine, 1 cosine
-    error bound 5.3 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
+    error bound 5.2 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
                   precision 2^-24
                 supposed: every operation rounded to nearest, with or without FMA, sine and cosine
                   within 0.8 ulp
@@ -1168,7 +1168,7 @@ def natural_velocity_matrix(e: Any, phi: Any, /, *, out: Any = None) -> Any:
     verdict     ill-formed as printed, defined as read
     assumes     |e| = 1
     operations  6: 1 subtract, 3 multiply, 1 sine, 1 cosine
-    error bound 2.4 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
+    error bound 2.3 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
                   precision 2^-24
                 supposed: every operation rounded to nearest, with or without FMA, sine and cosine
                   within 0.8 ulp
@@ -2992,7 +2992,7 @@ def rotation_from_euler_xyx(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+    error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
                 supposed: every operation rounded to nearest, with or without FMA, sine and cosine
                   within 0.8 ulp
     derivation  sha256 49974e148b9969b7a23a303df375f906766eda03e5d7416d35c36a35c77fea06
@@ -3099,7 +3099,7 @@ def rotation_from_euler_xyz(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+    error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
                 supposed: every operation rounded to nearest, with or without FMA, sine and cosine
                   within 0.8 ulp
     derivation  sha256 f87af8285d9801669ca9041e726f9817a40f9c95ddf51a655b261236297c04af
@@ -3206,7 +3206,7 @@ def rotation_from_euler_xzx(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+    error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
                 supposed: every operation rounded to nearest, with or without FMA, sine and cosine
                   within 0.8 ulp
     derivation  sha256 509556f6df445dd3c7fe5324e0ad671112ed8aaa27442b8973ddf4f722eb8d9b
@@ -3313,7 +3313,7 @@ def rotation_from_euler_xzy(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+    error bound 5.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
                 supposed: every operation rounded to nearest, with or without FMA, sine and cosine
                   within 0.8 ulp
     derivation  sha256 6a4fd734359cc43f74679d358abf691bfd6612dbcd721aa9a209c64050a5d383
@@ -3420,7 +3420,7 @@ def rotation_from_euler_yxy(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+    error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
                 supposed: every operation rounded to nearest, with or without FMA, sine and cosine
                   within 0.8 ulp
     derivation  sha256 42de6926cd35f5c06da566065b065c8ba754cee65703557fa42410e42dde4a35
@@ -3527,7 +3527,7 @@ def rotation_from_euler_yxz(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+    error bound 5.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
                 supposed: every operation rounded to nearest, with or without FMA, sine and cosine
                   within 0.8 ulp
     derivation  sha256 aac4d38f938bc0f3b21fc5113a3e553f105a0b99bd2a46001cf5af56197be36a
@@ -3634,7 +3634,7 @@ def rotation_from_euler_yzx(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+    error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
                 supposed: every operation rounded to nearest, with or without FMA, sine and cosine
                   within 0.8 ulp
     derivation  sha256 73ccad1507926c77a4de1804d6ccee68b6eedcb0a87a5d797076c3aaa328556a
@@ -3741,7 +3741,7 @@ def rotation_from_euler_yzy(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+    error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
                 supposed: every operation rounded to nearest, with or without FMA, sine and cosine
                   within 0.8 ulp
     derivation  sha256 fc249fbe7ecf26a2cf23c7eb4a1ae340b6f6d6b71fd0a11c005275bed3b0541a
@@ -3848,7 +3848,7 @@ def rotation_from_euler_zxy(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+    error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
                 supposed: every operation rounded to nearest, with or without FMA, sine and cosine
                   within 0.8 ulp
     derivation  sha256 00df5b3e078a442b89ec92320b9be4d00f69c8c69b5377ceed30ce97167894d8
@@ -3955,7 +3955,7 @@ def rotation_from_euler_zxz(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+    error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
                 supposed: every operation rounded to nearest, with or without FMA, sine and cosine
                   within 0.8 ulp
     derivation  sha256 90292a7b1973bd54561384a1b0aca95f4b081c5031f08a71f5bf1eeb509996f8
@@ -4062,7 +4062,7 @@ def rotation_from_euler_zyx(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+    error bound 5.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
                 supposed: every operation rounded to nearest, with or without FMA, sine and cosine
                   within 0.8 ulp
     derivation  sha256 77eae5b015783de7dba57287593533e40a4bf6d57321c5d7151d36cf1a028acc
@@ -4169,7 +4169,7 @@ def rotation_from_euler_zyz(angles: Any, /, *, out: Any = None) -> Any:
     verdict     defined
     assumes     nothing
     operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-    error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+    error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
                 supposed: every operation rounded to nearest, with or without FMA, sine and cosine
                   within 0.8 ulp
     derivation  sha256 35a70c6c05dd2903cd2f50766b4e415a63eb2ffed2c6d3e412124e8647c7b716

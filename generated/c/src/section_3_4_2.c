@@ -618,7 +618,7 @@ void chasles_natural_rate_matrix_batchf(
  *   verdict     defined
  *   assumes     |e| = 1
  *   operations  30: 4 add, 7 subtract, 17 multiply, 1 sine, 1 cosine
- *   error bound 5.3 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
+ *   error bound 5.2 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
  *                 precision 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
  *                 within 0.8 ulp
@@ -1944,7 +1944,7 @@ void chasles_instant_screw_batchf(
  *   verdict     ill-formed as printed, defined as read
  *   assumes     |e| = 1
  *   operations  6: 1 subtract, 3 multiply, 1 sine, 1 cosine
- *   error bound 2.4 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
+ *   error bound 2.3 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
  *                 precision 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
  *                 within 0.8 ulp

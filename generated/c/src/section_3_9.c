@@ -853,7 +853,7 @@ const chasles_loop chasles_euler_rates_zyz_loopf = {
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
  *                 within 0.8 ulp
  *   derivation  sha256 49974e148b9969b7a23a303df375f906766eda03e5d7416d35c36a35c77fea06
@@ -1223,7 +1223,7 @@ void chasles_euler_rates_xyx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
  *                 within 0.8 ulp
  *   derivation  sha256 f87af8285d9801669ca9041e726f9817a40f9c95ddf51a655b261236297c04af
@@ -1591,7 +1591,7 @@ void chasles_euler_rates_xyz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
  *                 within 0.8 ulp
  *   derivation  sha256 509556f6df445dd3c7fe5324e0ad671112ed8aaa27442b8973ddf4f722eb8d9b
@@ -1961,7 +1961,7 @@ void chasles_euler_rates_xzx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
  *                 within 0.8 ulp
  *   derivation  sha256 6a4fd734359cc43f74679d358abf691bfd6612dbcd721aa9a209c64050a5d383
@@ -2335,7 +2335,7 @@ void chasles_euler_rates_xzy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
  *                 within 0.8 ulp
  *   derivation  sha256 42de6926cd35f5c06da566065b065c8ba754cee65703557fa42410e42dde4a35
@@ -2705,7 +2705,7 @@ void chasles_euler_rates_yxy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
  *                 within 0.8 ulp
  *   derivation  sha256 aac4d38f938bc0f3b21fc5113a3e553f105a0b99bd2a46001cf5af56197be36a
@@ -3079,7 +3079,7 @@ void chasles_euler_rates_yxz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
  *                 within 0.8 ulp
  *   derivation  sha256 73ccad1507926c77a4de1804d6ccee68b6eedcb0a87a5d797076c3aaa328556a
@@ -3447,7 +3447,7 @@ void chasles_euler_rates_yzx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
  *                 within 0.8 ulp
  *   derivation  sha256 fc249fbe7ecf26a2cf23c7eb4a1ae340b6f6d6b71fd0a11c005275bed3b0541a
@@ -3817,7 +3817,7 @@ void chasles_euler_rates_yzy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
  *                 within 0.8 ulp
  *   derivation  sha256 00df5b3e078a442b89ec92320b9be4d00f69c8c69b5377ceed30ce97167894d8
@@ -4185,7 +4185,7 @@ void chasles_euler_rates_zxy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
  *                 within 0.8 ulp
  *   derivation  sha256 90292a7b1973bd54561384a1b0aca95f4b081c5031f08a71f5bf1eeb509996f8
@@ -4555,7 +4555,7 @@ void chasles_euler_rates_zxz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
  *                 within 0.8 ulp
  *   derivation  sha256 77eae5b015783de7dba57287593533e40a4bf6d57321c5d7151d36cf1a028acc
@@ -4929,7 +4929,7 @@ void chasles_euler_rates_zyx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 5.6 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
  *                 within 0.8 ulp
  *   derivation  sha256 35a70c6c05dd2903cd2f50766b4e415a63eb2ffed2c6d3e412124e8647c7b716

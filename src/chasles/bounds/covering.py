@@ -34,6 +34,8 @@ PARTED = 1.25
 """How much too large a bound may be for its box to be parted at a power of two besides being halved."""
 POINTS, MOVES, CLIMBS = 32, 8, 14
 """How many of the best points are kept, into how many each is moved, and how often."""
+FAIR, STUCK = 1.1, 4
+"""How much larger it may be where so many rounds have made it no smaller."""
 WIDEST = 1.5
 """How much larger it may be where the budget is spent, lest it says more of the boxes than of the program."""
 
@@ -257,13 +259,15 @@ def _largest(outline: Outline, model: Model, cover: Cover, measure: Measure, bud
         batches.setdefault(tuple(piece.batch for piece in region), []).append(region)
     at_large = [regions for kind, regions in batches.items() if not any(kind)]
     reached = max(_climbed(outline, model, measure, regions) for regions in at_large)
-    found, spent, within = 0.0, 0, CLOSE * reached
+    found, spent, within, before = 0.0, 0, CLOSE * reached, [math.inf] * STUCK
     ahead = [_whole(regions) for regions in batches.values()]
     while ahead:
         measured = [(boxes, *_bounds(outline, model, measure, boxes, within)) for boxes in ahead]
         spent += sum(len(bounds) for _, bounds, _ in measured)
-        if spent > budget:
-            return max(found, *(float(bounds.max()) for _, bounds, _ in measured)), reached
+        worst = max(found, *(float(bounds.max()) for _, bounds, _ in measured))
+        if spent > budget or (worst <= FAIR * reached and worst > 0.998 * before[-STUCK]):
+            return worst, reached
+        before.append(worst)
         found = max(found, *(float(bounds[bounds <= within].max(initial=0.0)) for _, bounds, _ in measured))
         ahead = [_finer(boxes, bounds, split, within) for boxes, bounds, split in measured if bounds.max() > within]
     return found, reached

@@ -86,4 +86,5 @@ def precision(dtype: Any) -> tuple[Model, float]:
         raise ValueError(f"errors are bounded for float64 and float32, not for {dtype!r}")
     limits = np.finfo(wanted)
     unit = DOUBLE.roundoff if wanted == np.float64 else SINGLE.roundoff
-    return Model(unit, least=unit * Fraction(float(limits.tiny))), float(limits.max)
+    # Half of the smallest number is none in double precision: the whole of it stands for it.
+    return Model(unit, least=Fraction(float(limits.smallest_subnormal))), float(limits.max)

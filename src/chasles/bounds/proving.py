@@ -24,7 +24,7 @@ from chasles.vocabulary.nodes import measured
 
 __all__ = ["bound_of", "key_of"]
 
-METHOD = 2
+METHOD = 3
 """Changes with every change of what is proved of a program, so that remembered bounds are not taken for new ones."""
 BOXES = 400_000
 DIGITS = Decimal("0.01")

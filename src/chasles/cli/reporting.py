@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
-from importlib.resources import files
 from time import perf_counter
 
-from chasles.cli.failures import Failure
 from chasles.cli.outcome import Outcome, decide
+from chasles.cli.recorded import manifest
 from chasles.cli.roads import all_roads
 from chasles.report.html.page import page
 from chasles.report.html.roads import walked
@@ -21,9 +19,6 @@ from chasles.statements import Chapter
 from chasles.statements.derivation import Derivation
 
 __all__ = ["Reported", "reported"]
-
-MANIFEST = ("chasles.generated", "MANIFEST.toml")
-
 
 @dataclass(frozen=True, slots=True)
 class Reported:
@@ -60,7 +55,7 @@ def reported(book: Chapter) -> Reported:
     assert again is not None
     trusted = checked_again(again.certificates, again.counterexamples, len(again.rejected))
     texts = {
-        "index.html": page(book, decisions, roads, _manifest(), trusted),
+        "index.html": page(book, decisions, roads, manifest(), trusted),
         "chapter.tex": latex_page(book, decisions),
     }
     return Reported(texts, outcome, roads, perf_counter() - started)
@@ -74,16 +69,3 @@ def _roads_of(book: Chapter) -> dict[str, Derivation]:
         for name, road in all_roads().items()
         if any(id(statement) in known for step in road.steps for statement in step.cited)
     }
-
-
-def _manifest() -> str:
-    """What was emitted; nothing where nothing was. Raises Failure for a manifest that cannot be read."""
-    package, name = MANIFEST
-    try:
-        text = files(package).joinpath(name).read_text("utf-8")
-        tomllib.loads(text)
-    except (ModuleNotFoundError, FileNotFoundError):
-        return ""
-    except (OSError, ValueError) as error:
-        raise Failure(f"generated/{name} cannot be read ({error}): `chasles emit` writes it anew") from error
-    return text
