@@ -44,9 +44,9 @@ class Running:
     they are rounded.
 
     `values` has each step's exact values and errors, `around` encloses all that is as near to an exact value, `near`
-    the computed values alone; `losses` has the error that a step adds of itself, if it rounds. `bad` says in which boxes a
-    step has no value that is known, and `why` is the first such step; `empty` which boxes the `places` leave nothing
-    of; `split` is the step, and the power of two, of which both sides are possible and which matters most.
+    the computed values alone; `losses` has the error that a step adds of itself, if it rounds. `bad` says in which
+    boxes a step has no value that is known, and `why` is the first such step; `empty` which boxes the `places` leave
+    nothing of; `split` is the step, and the power of two, of which both sides are possible and which matters most.
     """
 
     def __init__(

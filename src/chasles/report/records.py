@@ -34,7 +34,7 @@ def record(entry: Entry, decision: Decision) -> dict[str, Any]:
 
 
 def described(entry: Entry, emitted: Mapping[str, Mapping[str, Any]] | None = None) -> dict[str, Any]:
-    """What a statement says and what it rests on, nothing decided; of its kernels what was recorded of those `emitted`."""
+    """What a statement says and what it rests on, nothing decided, and the records of kernels `emitted`."""
     statement = entry.statement
     return {
         **_identity(entry),

@@ -37,8 +37,8 @@ def command(names: tuple[str, ...], points: tuple[str, ...], samples: int, stric
     status 1 says that a kernel does so at large. With names, the error bounds that are proved stand beside.
     """
     from chasles.cli.comparison import asking, installed_kernels
-    from chasles.cli.verification import verified
     from chasles.cli.recorded import manifest
+    from chasles.cli.verification import verified
     from chasles.proof.judge import Judge
     from chasles.report.emitted import emitted_kernels, proved
     from chasles.report.evidence import evidence_table, losses
