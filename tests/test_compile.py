@@ -267,19 +267,6 @@ def test_operations_are_counted_and_shared():
     assert kernel.operations == {"add": 2, "multiply": 2, "sine": 1}
 
 
-def test_a_bound_that_is_not_to_be_had_says_so():
-    kernel = chasles.compile(x + y, (x, y))
-    try:
-        import chasles.bounds as bounds
-    except ModuleNotFoundError:
-        bounds = None
-    if hasattr(bounds, "bound_of_program"):
-        assert kernel.error_bound() is not None
-    else:
-        with pytest.raises(LookupError, match="error bound"):
-            kernel.error_bound()
-
-
 def test_names_of_the_users_are_never_in_the_way(backend):
     words = ("at", "steps", "g", "groups", "item0", "LANES", "sines", "loop", "xp", "double", "k", "step0", "prepared")
     symbols = sp.symbols(words)

@@ -28,7 +28,7 @@ def test_every_statement_has_a_page(run, whole: list[dict]) -> None:
         assert record["certificate"] is None or record["certificate"] in done.stdout
     pages = json.loads(run("show", "--json", *numbers).stdout)["statements"]
     assert len(pages) == len(whole)
-    assert all(set(page) == {*KEYS, "says", "text", "given", "assuming", "kernel"} for page in pages)
+    assert all(set(page) == {*KEYS, "says", "text", "given", "assuming", "kernel", "kernels"} for page in pages)
 
 
 def test_a_page_in_full(run) -> None:
@@ -39,8 +39,18 @@ def test_a_page_in_full(run) -> None:
     assert r"\left( \mathbf{A}^T \mathbf{A} \right)^{-1} = " in page
     assert "assuming     phi != 0" in page
     assert "kernel       normal_matrix_inverse(e, phi)" in page
+    assert re.search(r"error bound  [\d.]+ u of the largest entry, for every unit e and every phi; u = 2\^-53", page)
+    assert "with or without FMA" in page
     assert re.search(r"certificate  sha256:[0-9a-f]{64}\n", page)
     assert re.search(r"example      satisfies all that is assumed: .*e = \(", page)
+
+
+def test_an_offered_form_is_named(run) -> None:
+    assert "made of      an offered form, proved equal to the statement" in run("show", "3.18").stdout
+    (page,) = json.loads(run("show", "--json", "3.18").stdout)["statements"]
+    ((kernel),) = page["kernels"]
+    assert (kernel["name"], kernel["form"]) == ("screw_axis_point", "offered")
+    assert kernel["bound"]["guarantees"][0]["against"] == "terms"
 
 
 def test_list_has_a_line_for_each_number(run, whole: list[dict]) -> None:

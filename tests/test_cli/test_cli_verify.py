@@ -92,9 +92,16 @@ def test_a_kernel_that_loses_digits_here_and_there_is_a_finding(installed) -> No
     assert strict.stderr == "chasles: these kernels lose digits: rotation_from_axis_angle\n"
 
 
+def test_what_is_proved_stands_beside_what_is_measured(installed) -> None:
+    installed()
+    said = run("verify", "--samples", "2", "rotation_from_axis_angle").stdout
+    assert re.search(r"rotation_from_axis_angle, proved: [\d.]+ u of the largest entry, for every unit e", said)
+    assert "proved" not in run("verify", "--samples", "2").stdout
+
+
 def test_as_data(installed) -> None:
     found = json.loads(run("verify", "--json", "--samples", "5", "cross_product_matrix").stdout)
-    assert list(found) == ["backend", "seconds", "wrong", "lossy", "evidence"]
+    assert list(found) == ["backend", "seconds", "wrong", "lossy", "evidence", "proved"]
     assert [(each["kernel"], each["dtype"], each["samples"], each["passed"]) for each in found["evidence"]] == [
         ("cross_product_matrix", "float64", 5, True),
         ("cross_product_matrix", "float32", 5, True),

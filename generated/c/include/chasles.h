@@ -54,8 +54,10 @@ void chasles_cross_product_matrix_batchf(
  *   verdict     defined
  *   assumes     |e| = 1
  *   operations  24: 6 add, 4 subtract, 12 multiply, 1 sine, 1 cosine
- *   error bound 7.1 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
+ *   error bound 6.1 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
  *                 precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 dd485fc9fc55c9da723bbd623b2225ec82c9e8dbfe322dbf4dfe768c7d30e93a
  */
 void chasles_rotation_from_axis_angle(const double e[3], double phi, double Q[9]);
@@ -84,6 +86,7 @@ void chasles_rotation_from_axis_angle_batchf(
  *   operations  21: 9 add, 3 subtract, 9 multiply
  *   error bound 5.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 af99d11eca408718e24cab7a00a1fd908df2c4445259caf108fa6366c29b6560
  */
 void chasles_point_after_displacement(
@@ -125,6 +128,7 @@ void chasles_point_after_displacement_batchf(
  *   operations  6: 2 add, 3 multiply, 1 divide
  *   error bound 4.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 a00b650de0c575f7c9b2294f993cd4d248ffaaa64b28a7f2d4581cd5c90cdf7f
  */
 void chasles_pitch_of_motion(const double e[3], double phi, const double d_P[3], double *result);
@@ -151,8 +155,9 @@ void chasles_pitch_of_motion_batchf(
  *   assumes     phi != 0
  *               |e| = 1
  *   operations  17: 3 add, 1 subtract, 11 multiply, 1 divide, 1 sine
- *   error bound 10.0 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
+ *   error bound 8.3 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
  *                 precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine within 0.8 ulp
  *   derivation  sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c
  */
 void chasles_normal_matrix_inverse(const double e[3], double phi, double result[9]);
@@ -180,8 +185,10 @@ void chasles_normal_matrix_inverse_batchf(
  *               |e| = 1
  *   made of     an offered form, proved equal to the statement
  *   operations  39: 5 add, 12 subtract, 19 multiply, 1 divide, 1 sine, 1 cosine
- *   error bound 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.21 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 fd931c592a794abc154e30cb8754cc954c9fa9f827a0928a1e82185b1b2a8b81
  */
 void chasles_screw_axis_point(
@@ -221,6 +228,7 @@ void chasles_screw_axis_point_batchf(
  *   operations  21: 2 add, 6 subtract, 9 multiply, 3 divide, 1 square root
  *   error bound 7.51 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 32c3975b5a0a9106d94e083a43fadc2be5fbb7bda4c600d797436f2a818ba4e5
  */
 void chasles_plucker_line(const double p_1[3], const double p_2[3], double kappa[6]);
@@ -247,6 +255,7 @@ void chasles_plucker_line_batchf(
  *   operations  15: 3 add, 6 subtract, 6 multiply
  *   error bound 4.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 6d53a1bee79a6a2a63aafa29de9b2815a5d19f7d96ef743e8fd201bd98bf5faf
  */
 void chasles_plucker_transfer(
@@ -284,6 +293,7 @@ void chasles_plucker_transfer_batchf(
  *   operations  45: 18 add, 27 multiply
  *   error bound 3.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 17b2c6690d171cd369c93be59a7a8c3b70bc0108c48d7358142e2312ebf805ee
  */
 void chasles_rotation_in_triad_axes(const double triad[9], const double triad_prime[9], double Q[9]);
@@ -311,6 +321,7 @@ void chasles_rotation_in_triad_axes_batchf(
  *   operations  45: 18 add, 27 multiply
  *   error bound 3.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 0c12a1c3d699670fac6168e45da2070083d35015f2bd6eac4cd2f1464da2b780
  */
 void chasles_rotation_from_triads(const double triad[9], const double triad_prime[9], double Q[9]);
@@ -334,6 +345,7 @@ void chasles_rotation_from_triads_batchf(
  *   assumes     nothing
  *   operations  6: 3 subtract, 3 multiply
  *   error bound 1.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 8c4348a6af61531ef5e1d340b707a886d5ae17216e0e81a5fdda49099e70eece
  */
 void chasles_axial_vector(const double Omega[9], double omega[3]);
@@ -359,6 +371,7 @@ void chasles_axial_vector_batchf(
  *   operations  15: 3 add, 6 subtract, 6 multiply
  *   error bound 4.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 b5acf63f8b2ae232595725548e5ba32264be6bf6d52d501066130e78c9ed0486
  */
 void chasles_velocity_of_point(
@@ -399,7 +412,8 @@ void chasles_velocity_of_point_batchf(
  *   operations  29: 2 add, 9 subtract, 15 multiply, 3 divide
  *   error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
- *   derivation  sha256 8add5ae098bd1648bf2231d712391a8ce89357247f8df1a150855707c8b25192
+ *               supposed: every operation rounded to nearest, with or without FMA
+ *   derivation  sha256 1562849f177e6c267d458290e7a5bbddc3b1feee4c93b5c27822ff1e01156afe
  */
 void chasles_instant_screw_point(
     const double omega[3],
@@ -433,8 +447,10 @@ void chasles_instant_screw_point_batchf(
  *   assumes     |e| = 1
  *               phi != 0
  *   operations  26: 6 add, 3 subtract, 14 multiply, 1 divide, 1 sine, 1 cosine
- *   error bound 8.7 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
+ *   error bound 6.0 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
  *                 precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 ae8848864c3fe36678c44ede0fea89f8af655c143bdb95acf6bb13cd98cc80e0
  */
 void chasles_natural_rate_matrix(const double e[3], double phi, double N[12]);
@@ -458,8 +474,10 @@ void chasles_natural_rate_matrix_batchf(
  *   verdict     defined
  *   assumes     |e| = 1
  *   operations  30: 4 add, 7 subtract, 17 multiply, 1 sine, 1 cosine
- *   error bound 5.6 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
+ *   error bound 5.2 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
  *                 precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 dc969a2458fb1ccbe6cf9ba4bd5c14c48137796a5e63b6fdffe960bc3f43a806
  */
 void chasles_linear_rate_matrix(const double e[3], double phi, double L[12]);
@@ -483,7 +501,9 @@ void chasles_linear_rate_matrix_batchf(
  *   verdict     defined
  *   assumes     |e| = 1
  *   operations  8: 6 multiply, 1 sine, 1 cosine
- *   error bound 3.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 2.61 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 6c847b4baa2596c76e6ab0bd3e04d8ba67a999fd27b87b011fca1a1dab6d4147
  */
 void chasles_euler_rodrigues_rate_matrix(const double e[3], double phi, double H[12]);
@@ -511,6 +531,7 @@ void chasles_euler_rodrigues_rate_matrix_batchf(
  *   operations  20: 7 add, 3 subtract, 9 multiply, 1 divide
  *   error bound 5.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 19e234a754a5568e2a2452e2008c17414b949e07381e92256366ba6cc7d976bb
  */
 void chasles_rotation_from_linear_invariants(const double q[3], double q_0, double Q[9]);
@@ -537,6 +558,7 @@ void chasles_rotation_from_linear_invariants_batchf(
  *   operations  29: 8 add, 4 subtract, 17 multiply
  *   error bound 5.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 767311161fbd53fb1cb19724605fdf117b3445cf5f7cf313ccc6ecbf4a40f8c5
  */
 void chasles_rotation_from_euler_rodrigues(const double q[3], double q_0, double Q[9]);
@@ -564,6 +586,7 @@ void chasles_rotation_from_euler_rodrigues_batchf(
  *   error bound q: 1.01 u of itself, for all inputs
  *               q_0: 3.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single
  *                 precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 dd83557748f8a3babd3f50468d387276f7ffb668b7fc29c093a7976e71eaabef
  */
 void chasles_linear_invariants(const double Q[9], double q[3], double *q_0);
@@ -588,7 +611,11 @@ void chasles_linear_invariants_batchf(
  *   assumes     Q is a rotation
  *               phi != 0
  *   operations  53: 21 add, 6 subtract, 18 multiply, 5 divide, 2 square root, 1 arctangent2
- *   error bound not proved: it chooses between cases by values that are rounded
+ *   error bound e: 11.16 u of itself, for every rotation Q, beside the case that is taken
+ *               phi: 24.99 u of itself, for every rotation Q, beside the case that is taken; u =
+ *                 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, arctangent within 1
+ *                 ulp
  *   derivation  sha256 167078e6ba9dff78870c0f0ddc85370ad11a1b0b824ddf316c3c9f19bd756081
  */
 void chasles_natural_invariants(const double Q[9], double e[3], double *phi);
@@ -612,7 +639,10 @@ void chasles_natural_invariants_batchf(
  *   verdict     holds under
  *   assumes     Q is a rotation
  *   operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root
- *   error bound not proved: it chooses between cases by values that are rounded
+ *   error bound q: 11.66 u of itself, for every rotation Q, beside the case that is taken
+ *               q_0: 9.34 u of itself, for every rotation Q, beside the case that is taken; u = 2^-53,
+ *                 in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 acb16a335b8480158c7d6e339e4c3de8c51cf3bffd9594c8aa4b639840b77580
  */
 void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *q_0);
@@ -641,7 +671,14 @@ void chasles_euler_rodrigues_parameters_batchf(
  *               phi != 0
  *   made of     an offered form, proved equal to the statement
  *   operations  101: 29 add, 18 subtract, 45 multiply, 6 divide, 2 square root, 1 arctangent2
- *   error bound not proved: it chooses between cases by values that are rounded
+ *   error bound axis: 53.30 u of the sum of its terms' sizes, for every rotation Q, beside the case
+ *                 that is taken
+ *               d_0: 15.16 u of the sum of its terms' sizes, for every rotation Q, beside the case
+ *                 that is taken
+ *               phi: 24.99 u of itself, for every rotation Q, beside the case that is taken; u =
+ *                 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, arctangent within 1
+ *                 ulp
  *   derivation  sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
  */
 void chasles_screw_of_motion(
@@ -689,7 +726,8 @@ void chasles_screw_of_motion_batchf(
  *   error bound axis: 15.51 u of the sum of its terms' sizes, for all inputs
  *               pitch: 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single
  *                 precision 2^-24
- *   derivation  sha256 08f61d1364f32cd980675c2c982387b0404b3c2069f72429195ad15600cd8055
+ *               supposed: every operation rounded to nearest, with or without FMA
+ *   derivation  sha256 9598a1865cb19c5ccd2eed55d55180fed3cbd74f42a42a3309e82ecfc3b6e7f7
  */
 void chasles_instant_screw(
     const double omega[3],
@@ -726,8 +764,10 @@ void chasles_instant_screw_batchf(
  *   verdict     ill-formed as printed, defined as read
  *   assumes     |e| = 1
  *   operations  6: 1 subtract, 3 multiply, 1 sine, 1 cosine
- *   error bound 2.6 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
+ *   error bound 2.3 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
  *                 precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 8f59c5ef77909eadf927c6b687cd3bab0b77e8cdc9373e233171e72268eed1b1
  */
 void chasles_natural_velocity_matrix(const double e[3], double phi, double N_tilde[12]);
@@ -752,7 +792,9 @@ void chasles_natural_velocity_matrix_batchf(
  *   assumes     |e| = 1
  *               phi != pi
  *   operations  7: 4 multiply, 1 divide, 1 sine, 1 cosine
- *   error bound 6.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 5.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 89a180463935f0c42617efa0988e0354bd46d74d20a13999139be0c69246d5f3
  */
 void chasles_linear_velocity_matrix(const double e[3], double phi, double L_tilde[12]);
@@ -776,7 +818,9 @@ void chasles_linear_velocity_matrix_batchf(
  *   verdict     ill-formed as printed, defined as read
  *   assumes     |e| = 1
  *   operations  8: 6 multiply, 1 sine, 1 cosine
- *   error bound 3.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 2.61 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 2f21b7ee20e1702180f136497178c100314ca7d0df136dd2feb59d1f89a6b375
  */
 void chasles_euler_rodrigues_velocity_matrix(const double e[3], double phi, double H_tilde[12]);
@@ -802,8 +846,10 @@ void chasles_euler_rodrigues_velocity_matrix_batchf(
  *   assumes     |e| = 1
  *               phi != 0
  *   operations  34: 5 add, 6 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine
- *   error bound 12.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 11.21 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 e2dfaa3aa3fac1f79b45222f3204af5a75f395308f6b3f9290346729c641eaf1
  */
 void chasles_pose_rate_natural(const double e[3], double phi, const double t[6], double s_dot[7]);
@@ -830,8 +876,10 @@ void chasles_pose_rate_natural_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  44: 5 add, 10 subtract, 27 multiply, 1 sine, 1 cosine
- *   error bound 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 30ffb709cd3b1987574a6cb20949774164c18855b55a74fc172537bd3a7138a3
  */
 void chasles_pose_rate_linear(const double e[3], double phi, const double t[6], double s_dot[7]);
@@ -858,8 +906,10 @@ void chasles_pose_rate_linear_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  28: 5 add, 3 subtract, 18 multiply, 1 sine, 1 cosine
- *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 5.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 17b8436529f6b3c4a1aefcc8236971431106d820c1c98937a7defcd8b9830b55
  */
 void chasles_pose_rate_euler_rodrigues(
@@ -894,8 +944,10 @@ void chasles_pose_rate_euler_rodrigues_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  27: 6 add, 4 subtract, 15 multiply, 1 sine, 1 cosine
- *   error bound 8.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 7.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 c1c920878c5f917138095dea1943d4f0605d07dd2521a120e9e0a574400414d0
  */
 void chasles_twist_from_pose_rate_natural(
@@ -931,8 +983,10 @@ void chasles_twist_from_pose_rate_natural_batchf(
  *   assumes     |e| = 1
  *               phi != pi
  *   operations  25: 3 add, 6 subtract, 13 multiply, 1 divide, 1 sine, 1 cosine
- *   error bound 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.21 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 649387c3a4635aed7b72ec7a0c9cd67fa1407b285288b83838890827853ca799
  */
 void chasles_twist_from_pose_rate_linear(
@@ -967,8 +1021,10 @@ void chasles_twist_from_pose_rate_linear_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  29: 3 add, 6 subtract, 18 multiply, 1 sine, 1 cosine
- *   error bound 7.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 6.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 f7009c929bd74e6e8423e03290dcaa8570b236828a6884c7d6bd52463508ac87
  */
 void chasles_twist_from_pose_rate_euler_rodrigues(
@@ -1005,6 +1061,7 @@ void chasles_twist_from_pose_rate_euler_rodrigues_batchf(
  *   operations  15: 3 add, 6 subtract, 6 multiply
  *   error bound 4.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 4e8860fe94d4e257f6a09561ef25e7c999ddca2a00337fe8774fc0c2b9433a22
  */
 void chasles_twist_transfer(
@@ -1036,6 +1093,7 @@ void chasles_twist_transfer_batchf(
  *   operations  15: 6 add, 3 subtract, 6 multiply
  *   error bound 2.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 600ac9c19e353f65970adc87c2c9e1aba7f40174fd2c1780126b444caebb2a29
  */
 void chasles_angular_acceleration_matrix(
@@ -1070,6 +1128,7 @@ void chasles_angular_acceleration_matrix_batchf(
  *   operations  36: 6 add, 12 subtract, 18 multiply
  *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 52077d75d24e72b9e016304332b02aeb13ece6765a6f5dff5b9cb8261bc6ae26
  */
 void chasles_acceleration_of_point(
@@ -1114,8 +1173,10 @@ void chasles_acceleration_of_point_batchf(
  *               phi != 0
  *   made of     an offered form, proved equal to the statement
  *   operations  70: 15 add, 12 subtract, 40 multiply, 1 divide, 1 sine, 1 cosine
- *   error bound 22.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 20.41 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 c61d5578f7455d9deb930e9132cffeae9f18b18b83cb0ba9b49a6c83cd285a96
  */
 void chasles_natural_rate_matrix_dot(
@@ -1151,8 +1212,10 @@ void chasles_natural_rate_matrix_dot_batchf(
  *   assumes     |e| = 1
  *   made of     an offered form, proved equal to the statement
  *   operations  73: 12 add, 16 subtract, 43 multiply, 1 sine, 1 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 10.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 e58c3cd056fca600a3d8fabc77cc08383708b30fcd3f10997c5760ad3d813719
  */
 void chasles_linear_rate_matrix_dot(
@@ -1189,8 +1252,10 @@ void chasles_linear_rate_matrix_dot_batchf(
  *   assumes     |e| = 1
  *   made of     an offered form, proved equal to the statement
  *   operations  28: 2 add, 6 subtract, 18 multiply, 1 sine, 1 cosine
- *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 5.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 cbbc7c4a0ec6ff7289faa80a566dfa4879a785dc3e1fcb665d781015958b3b92
  */
 void chasles_euler_rodrigues_rate_matrix_dot(
@@ -1227,8 +1292,10 @@ void chasles_euler_rodrigues_rate_matrix_dot_batchf(
  *   assumes     phi != 0
  *               |e| = 1
  *   operations  55: 8 add, 10 subtract, 34 multiply, 1 divide, 1 sine, 1 cosine
- *   error bound 12.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 11.21 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 71e01d77b3ea46f745a9336a2825937c48ecfb5c8f22e156a02b1d41218c2c74
  */
 void chasles_natural_velocity_matrix_dot(
@@ -1265,8 +1332,10 @@ void chasles_natural_velocity_matrix_dot_batchf(
  *   assumes     |e| = 1
  *               phi != pi
  *   operations  34: 5 add, 6 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine
- *   error bound 18.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 16.41 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 b5286c2c91a7b4cfdc8d341b90ed08a2a37fc92a9f25530860458e82f6eaacf3
  */
 void chasles_linear_velocity_matrix_dot(
@@ -1302,8 +1371,10 @@ void chasles_linear_velocity_matrix_dot_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  26: 2 add, 6 subtract, 16 multiply, 1 sine, 1 cosine
- *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 5.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 c80e798e741899e2d32fd6b3e16a5b786d0f82ee47987a537c4755eed1b60850
  */
 void chasles_euler_rodrigues_velocity_matrix_dot(
@@ -1341,8 +1412,10 @@ void chasles_euler_rodrigues_velocity_matrix_dot_batchf(
  *               phi != 0
  *   made of     an offered form, proved equal to the statement
  *   operations  96: 19 add, 19 subtract, 55 multiply, 1 divide, 1 sine, 1 cosine
- *   error bound 27.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 25.41 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 d4b56350899a19bcc149b55d1279747465f4ffc9ff92ea858cdd2e564e99ca62
  */
 void chasles_pose_acceleration_natural(
@@ -1383,8 +1456,10 @@ void chasles_pose_acceleration_natural_batchf(
  *   assumes     |e| = 1
  *   made of     an offered form, proved equal to the statement
  *   operations  76: 11 add, 18 subtract, 45 multiply, 1 sine, 1 cosine
- *   error bound 13.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 12.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 1588dcded7d741e99e263e63960b704faab031996a2d165fbbe2b322357ed2e9
  */
 void chasles_pose_acceleration_linear(
@@ -1426,8 +1501,10 @@ void chasles_pose_acceleration_linear_batchf(
  *   assumes     |e| = 1
  *   made of     an offered form, proved equal to the statement
  *   operations  45: 5 add, 9 subtract, 29 multiply, 1 sine, 1 cosine
- *   error bound 8.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 7.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 0f21a42c6c8b20a3978874f3add6fcde6371416fd40cc41c5da50d8f4cd6babd
  */
 void chasles_pose_acceleration_euler_rodrigues(
@@ -1468,8 +1545,10 @@ void chasles_pose_acceleration_euler_rodrigues_batchf(
  *   assumes     |e| = 1
  *   made of     an offered form, proved equal to the statement
  *   operations  51: 13 add, 7 subtract, 29 multiply, 1 sine, 1 cosine
- *   error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 8.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 46142537f8f2d352235601f0fe20d7417a8415c4299de5fde88c9772c1d5b072
  */
 void chasles_twist_rate_from_pose_natural(
@@ -1511,8 +1590,10 @@ void chasles_twist_rate_from_pose_natural_batchf(
  *               phi != pi
  *   made of     an offered form, proved equal to the statement
  *   operations  52: 6 add, 15 subtract, 27 multiply, 2 divide, 1 sine, 1 cosine
- *   error bound 18.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 16.41 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 e60a5e59bbc9bfff80fda29a99e2165c18777756e0d5ef482d146ef9b36646a2
  */
 void chasles_twist_rate_from_pose_linear(
@@ -1553,8 +1634,10 @@ void chasles_twist_rate_from_pose_linear_batchf(
  *   assumes     |e| = 1
  *   made of     an offered form, proved equal to the statement
  *   operations  29: 3 add, 6 subtract, 18 multiply, 1 sine, 1 cosine
- *   error bound 7.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 6.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 8f9dc9af1023fade3eb622411945883078b1f62098c7b9178f68aed0ef63d94d
  */
 void chasles_twist_rate_from_pose_euler_rodrigues(
@@ -1598,6 +1681,7 @@ void chasles_twist_rate_from_pose_euler_rodrigues_batchf(
  *   operations  45: 18 add, 3 subtract, 24 multiply
  *   error bound 7.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 b4941bd3b3f57c83b14de8fd13a10f996bcfeb8ee7bfc4215c85ab50fb9b8b33
  */
 void chasles_moving_frame_velocity(
@@ -1649,6 +1733,7 @@ void chasles_moving_frame_velocity_batchf(
  *   operations  87: 30 add, 9 subtract, 48 multiply
  *   error bound 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 985f244a1c015e00a6d544a9a346e7446722d3d1972e549159bc1a6a90456d40
  */
 void chasles_moving_frame_acceleration(
@@ -1704,6 +1789,7 @@ void chasles_moving_frame_acceleration_batchf(
  *   error bound axis: 15.51 u of the sum of its terms' sizes, for all inputs
  *               pitch: 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single
  *                 precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
  */
 void chasles_wrench_axis(
@@ -1743,6 +1829,7 @@ void chasles_wrench_axis_batchf(
  *   operations  11: 5 add, 6 multiply
  *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 580a9557b1b4b779955409e7506c76202ce3a1e9982d422e1491bf0bcad680ef
  */
 void chasles_power(const double t[6], const double w[6], double *Pi);
@@ -1768,6 +1855,7 @@ void chasles_power_batchf(
  *   operations  11: 5 add, 6 multiply
  *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 69eafb582289fe007146884f233005913bd49126222273503197968fd6ef8dd3
  */
 void chasles_reciprocal_product(const double s_w[6], const double s_t[6], double *product);
@@ -1794,6 +1882,7 @@ void chasles_reciprocal_product_batchf(
  *   operations  15: 3 add, 6 subtract, 6 multiply
  *   error bound 4.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 9cbbd4d64a694c0150c2c0a241ceaa9fe43fa91e335dce95c4c39681e8ecce3c
  */
 void chasles_wrench_transfer(
@@ -1828,6 +1917,7 @@ void chasles_wrench_transfer_batchf(
  *   operations  24: 6 add, 9 subtract, 9 multiply
  *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
  */
 void chasles_inertia_about_point(
@@ -1871,6 +1961,7 @@ void chasles_inertia_about_point_batchf(
  *   operations  21: 6 add, 6 subtract, 9 multiply
  *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
  */
 void chasles_inertia_about_point_sym6(
@@ -1913,6 +2004,7 @@ void chasles_inertia_about_point_sym6_batchf(
  *   operations  18: 6 add, 12 multiply
  *   error bound 3.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 6db3e3a77ef9af159d0c096ec679c53626cff81d41ccfbcc2a4db4833ae93473
  */
 void chasles_momentum_screw(const double I_C[9], double m, const double t[6], double mu[6]);
@@ -1944,6 +2036,7 @@ void chasles_momentum_screw_batchf(
  *   operations  18: 6 add, 12 multiply
  *   error bound 3.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 6db3e3a77ef9af159d0c096ec679c53626cff81d41ccfbcc2a4db4833ae93473
  */
 void chasles_momentum_screw_sym6(const double I_C[6], double m, const double t[6], double mu[6]);
@@ -1974,6 +2067,7 @@ void chasles_momentum_screw_sym6_batchf(
  *   operations  35: 11 add, 24 multiply
  *   error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 69297c38ebd3f2599e0000c019f576151ae0e8d563b8a02661f982c45230000e
  */
 void chasles_kinetic_energy(const double I_C[9], double m, const double t[6], double *T);
@@ -2005,6 +2099,7 @@ void chasles_kinetic_energy_batchf(
  *   operations  35: 11 add, 24 multiply
  *   error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 69297c38ebd3f2599e0000c019f576151ae0e8d563b8a02661f982c45230000e
  */
 void chasles_kinetic_energy_sym6(const double I_C[6], double m, const double t[6], double *T);
@@ -2036,6 +2131,7 @@ void chasles_kinetic_energy_sym6_batchf(
  *   operations  45: 15 add, 3 subtract, 27 multiply
  *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 4e831789b8f20b1f8ebea121e0d8d47b7074e8225c3fd379d0994cdf87959c79
  */
 void chasles_newton_euler_wrench(
@@ -2080,6 +2176,7 @@ void chasles_newton_euler_wrench_batchf(
  *   operations  45: 15 add, 3 subtract, 27 multiply
  *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 4e831789b8f20b1f8ebea121e0d8d47b7074e8225c3fd379d0994cdf87959c79
  */
 void chasles_newton_euler_wrench_sym6(
@@ -2122,7 +2219,9 @@ void chasles_newton_euler_wrench_sym6_batchf(
  *               m > 0
  *   expects     I_C is positive-definite
  *   operations  82: 14 add, 15 subtract, 51 multiply, 2 divide
- *   error bound not proved: it divides by a sum whose terms may cancel
+ *   error bound 18.05 u of the sum of its terms' sizes, times the condition of its divisor, for all
+ *                 inputs of which that is at most 4096; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
  */
 void chasles_newton_euler_twist_rate(
@@ -2166,7 +2265,9 @@ void chasles_newton_euler_twist_rate_batchf(
  *               m > 0
  *   expects     I_C is positive-definite
  *   operations  73: 14 add, 12 subtract, 45 multiply, 2 divide
- *   error bound not proved: it divides by a sum whose terms may cancel
+ *   error bound 18.05 u of the sum of its terms' sizes, times the condition of its divisor, for all
+ *                 inputs of which that is at most 4096; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
  */
 void chasles_newton_euler_twist_rate_sym6(
@@ -2210,6 +2311,7 @@ void chasles_newton_euler_twist_rate_sym6_batchf(
  *   operations  24: 6 add, 9 subtract, 9 multiply
  *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
  */
 void chasles_inertia_dyad(
@@ -2254,6 +2356,7 @@ void chasles_inertia_dyad_batchf(
  *   operations  21: 6 add, 6 subtract, 9 multiply
  *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
  */
 void chasles_inertia_dyad_sym6(
@@ -2290,7 +2393,9 @@ void chasles_inertia_dyad_sym6_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 49974e148b9969b7a23a303df375f906766eda03e5d7416d35c36a35c77fea06
  */
 void chasles_rotation_from_euler_xyx(const double angles[3], double Q[9]);
@@ -2311,7 +2416,9 @@ void chasles_rotation_from_euler_xyx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 15ec222e6a4c0d4af15dcf0f4f9d944364836080f80ed845b4661afb074e1ca1
  */
 void chasles_euler_rate_matrix_xyx(const double angles[3], double W[9]);
@@ -2332,7 +2439,9 @@ void chasles_euler_rate_matrix_xyx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 cd8589089d7d47765a04b183158736b0b971b8a8d922838283fa2c2975eb5d89
  */
 void chasles_euler_rate_matrix_body_xyx(const double angles[3], double W_body[9]);
@@ -2354,8 +2463,10 @@ void chasles_euler_rate_matrix_body_xyx_batchf(
  *   verdict     holds under
  *   assumes     sin(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 6b432c618a3b5cb7132a0a1625419f24b2800b22e52d8f8b5202e756b67ea148
  */
 void chasles_euler_rates_xyx(const double angles[3], const double omega[3], double theta_dot[3]);
@@ -2378,7 +2489,9 @@ void chasles_euler_rates_xyx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 f87af8285d9801669ca9041e726f9817a40f9c95ddf51a655b261236297c04af
  */
 void chasles_rotation_from_euler_xyz(const double angles[3], double Q[9]);
@@ -2399,7 +2512,9 @@ void chasles_rotation_from_euler_xyz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 1d2f362d906c9640bebb7713dd74f3809ce202cd977dff0cc4c827b77ce9d4d3
  */
 void chasles_euler_rate_matrix_xyz(const double angles[3], double W[9]);
@@ -2420,7 +2535,9 @@ void chasles_euler_rate_matrix_xyz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 d605f1f844caa8fe73209313f2debbc7dad841db4b625533c1925d350b88b35f
  */
 void chasles_euler_rate_matrix_body_xyz(const double angles[3], double W_body[9]);
@@ -2442,8 +2559,10 @@ void chasles_euler_rate_matrix_body_xyz_batchf(
  *   verdict     holds under
  *   assumes     cos(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 379cc15712b3f593e6a56a0586d8cb970b2c344caf9eff56d13b4aa0f2bc0fcb
  */
 void chasles_euler_rates_xyz(const double angles[3], const double omega[3], double theta_dot[3]);
@@ -2466,7 +2585,9 @@ void chasles_euler_rates_xyz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 509556f6df445dd3c7fe5324e0ad671112ed8aaa27442b8973ddf4f722eb8d9b
  */
 void chasles_rotation_from_euler_xzx(const double angles[3], double Q[9]);
@@ -2487,7 +2608,9 @@ void chasles_rotation_from_euler_xzx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 063a79927c0f405045ca7f3a4600867811265ae8101b11b64e443152cd0965cf
  */
 void chasles_euler_rate_matrix_xzx(const double angles[3], double W[9]);
@@ -2508,7 +2631,9 @@ void chasles_euler_rate_matrix_xzx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 5092f84c7bbb66afac08e51bc82a4ea4bdc4738a19463c52fc60c25d1976c154
  */
 void chasles_euler_rate_matrix_body_xzx(const double angles[3], double W_body[9]);
@@ -2530,8 +2655,10 @@ void chasles_euler_rate_matrix_body_xzx_batchf(
  *   verdict     holds under
  *   assumes     sin(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 d60392e777e2f94766ccb4868d6a376f4b8f702f6466c7841c3f0e7493778009
  */
 void chasles_euler_rates_xzx(const double angles[3], const double omega[3], double theta_dot[3]);
@@ -2554,7 +2681,9 @@ void chasles_euler_rates_xzx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 6a4fd734359cc43f74679d358abf691bfd6612dbcd721aa9a209c64050a5d383
  */
 void chasles_rotation_from_euler_xzy(const double angles[3], double Q[9]);
@@ -2575,7 +2704,9 @@ void chasles_rotation_from_euler_xzy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 f4bf5edc3a0e9199cc30c83f6cab51d6bfce7ab2a3d75f59608b337bed74824b
  */
 void chasles_euler_rate_matrix_xzy(const double angles[3], double W[9]);
@@ -2596,7 +2727,9 @@ void chasles_euler_rate_matrix_xzy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 34b232afb99ddc1be46962d797e1c08bda20904a656a165ee2fc2232e4beec57
  */
 void chasles_euler_rate_matrix_body_xzy(const double angles[3], double W_body[9]);
@@ -2618,8 +2751,10 @@ void chasles_euler_rate_matrix_body_xzy_batchf(
  *   verdict     holds under
  *   assumes     cos(theta_2) != 0
  *   operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 47b386989c7014707637badfc0f665d8b17c2674e34c6dc85b34228d94dd802e
  */
 void chasles_euler_rates_xzy(const double angles[3], const double omega[3], double theta_dot[3]);
@@ -2642,7 +2777,9 @@ void chasles_euler_rates_xzy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 42de6926cd35f5c06da566065b065c8ba754cee65703557fa42410e42dde4a35
  */
 void chasles_rotation_from_euler_yxy(const double angles[3], double Q[9]);
@@ -2663,7 +2800,9 @@ void chasles_rotation_from_euler_yxy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 ab9e4f4d487ee038942cc83869848be5fa4c534a19c656164684f27e1b65ac10
  */
 void chasles_euler_rate_matrix_yxy(const double angles[3], double W[9]);
@@ -2684,7 +2823,9 @@ void chasles_euler_rate_matrix_yxy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 2a86c48257dda6a27e84a7fb3b0817bd24bdff1a56c2bfeb6119d778d89bbab6
  */
 void chasles_euler_rate_matrix_body_yxy(const double angles[3], double W_body[9]);
@@ -2706,8 +2847,10 @@ void chasles_euler_rate_matrix_body_yxy_batchf(
  *   verdict     holds under
  *   assumes     sin(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 8c7b412f940aadc89ad8c5ce3785c5c0ca8dcbf9e58aac6572334181799e61e2
  */
 void chasles_euler_rates_yxy(const double angles[3], const double omega[3], double theta_dot[3]);
@@ -2730,7 +2873,9 @@ void chasles_euler_rates_yxy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 aac4d38f938bc0f3b21fc5113a3e553f105a0b99bd2a46001cf5af56197be36a
  */
 void chasles_rotation_from_euler_yxz(const double angles[3], double Q[9]);
@@ -2751,7 +2896,9 @@ void chasles_rotation_from_euler_yxz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 f673622637ac9520cdbbfacd9038ad6a42d7de01d522fe1daa4e4ed5a188d584
  */
 void chasles_euler_rate_matrix_yxz(const double angles[3], double W[9]);
@@ -2772,7 +2919,9 @@ void chasles_euler_rate_matrix_yxz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 a7f0e1639e85f122dde538fce97f31e9e4f583cf9ea5d074345d45245ff26ea8
  */
 void chasles_euler_rate_matrix_body_yxz(const double angles[3], double W_body[9]);
@@ -2794,8 +2943,10 @@ void chasles_euler_rate_matrix_body_yxz_batchf(
  *   verdict     holds under
  *   assumes     cos(theta_2) != 0
  *   operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 bf11bed82696038fa225e27a75acb0d41b63af31adb0153ca5a712167c4d8284
  */
 void chasles_euler_rates_yxz(const double angles[3], const double omega[3], double theta_dot[3]);
@@ -2818,7 +2969,9 @@ void chasles_euler_rates_yxz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 73ccad1507926c77a4de1804d6ccee68b6eedcb0a87a5d797076c3aaa328556a
  */
 void chasles_rotation_from_euler_yzx(const double angles[3], double Q[9]);
@@ -2839,7 +2992,9 @@ void chasles_rotation_from_euler_yzx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 6bc14177fe8f581b737fd8108f75cca27c80f0c6043e24f8d305941c720fb93e
  */
 void chasles_euler_rate_matrix_yzx(const double angles[3], double W[9]);
@@ -2860,7 +3015,9 @@ void chasles_euler_rate_matrix_yzx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 ba974c498d2395f78752b5b9af3bd25c9bc8814b82f34bc12080e7f58fc39384
  */
 void chasles_euler_rate_matrix_body_yzx(const double angles[3], double W_body[9]);
@@ -2882,8 +3039,10 @@ void chasles_euler_rate_matrix_body_yzx_batchf(
  *   verdict     holds under
  *   assumes     cos(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 404a3dd7a9f43dbf16ca707d83946fda23f95d1982dc848908ed679160d5cc5f
  */
 void chasles_euler_rates_yzx(const double angles[3], const double omega[3], double theta_dot[3]);
@@ -2906,7 +3065,9 @@ void chasles_euler_rates_yzx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 fc249fbe7ecf26a2cf23c7eb4a1ae340b6f6d6b71fd0a11c005275bed3b0541a
  */
 void chasles_rotation_from_euler_yzy(const double angles[3], double Q[9]);
@@ -2927,7 +3088,9 @@ void chasles_rotation_from_euler_yzy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 ba3b9e2e5d19a42bcccf4fe889ac0ad5e1476885d7d3f35174490738c07caa93
  */
 void chasles_euler_rate_matrix_yzy(const double angles[3], double W[9]);
@@ -2948,7 +3111,9 @@ void chasles_euler_rate_matrix_yzy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 2906ed860e470e86a10fba075e603a757d21feeb996fd012d6a5c352f1f248cf
  */
 void chasles_euler_rate_matrix_body_yzy(const double angles[3], double W_body[9]);
@@ -2970,8 +3135,10 @@ void chasles_euler_rate_matrix_body_yzy_batchf(
  *   verdict     holds under
  *   assumes     sin(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 fbcf58ed5fb921bfdeae731af0d22be0b18c057d4ab3433941bb486f4f2ac07a
  */
 void chasles_euler_rates_yzy(const double angles[3], const double omega[3], double theta_dot[3]);
@@ -2994,7 +3161,9 @@ void chasles_euler_rates_yzy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 00df5b3e078a442b89ec92320b9be4d00f69c8c69b5377ceed30ce97167894d8
  */
 void chasles_rotation_from_euler_zxy(const double angles[3], double Q[9]);
@@ -3015,7 +3184,9 @@ void chasles_rotation_from_euler_zxy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 66b9e91ee2080f4af362adbd4cfbd2f6493f2d49f04e969606b8e5e66a892530
  */
 void chasles_euler_rate_matrix_zxy(const double angles[3], double W[9]);
@@ -3036,7 +3207,9 @@ void chasles_euler_rate_matrix_zxy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 ee0e5dc36786ec147d7731e28a73445f4829a353e033fb0bdf99f16a9ae96d67
  */
 void chasles_euler_rate_matrix_body_zxy(const double angles[3], double W_body[9]);
@@ -3058,8 +3231,10 @@ void chasles_euler_rate_matrix_body_zxy_batchf(
  *   verdict     holds under
  *   assumes     cos(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 f15319cb143e29fdad80688ea5d83794cf5328509c5cd1fb52fa078f77b2a785
  */
 void chasles_euler_rates_zxy(const double angles[3], const double omega[3], double theta_dot[3]);
@@ -3082,7 +3257,9 @@ void chasles_euler_rates_zxy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 90292a7b1973bd54561384a1b0aca95f4b081c5031f08a71f5bf1eeb509996f8
  */
 void chasles_rotation_from_euler_zxz(const double angles[3], double Q[9]);
@@ -3103,7 +3280,9 @@ void chasles_rotation_from_euler_zxz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 d6bac485f18ebb57e7adb1eb90896adee410e33308c5db55212969aa010526ee
  */
 void chasles_euler_rate_matrix_zxz(const double angles[3], double W[9]);
@@ -3124,7 +3303,9 @@ void chasles_euler_rate_matrix_zxz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 22c895ea0aa33cf27a73432cf9b7edd645045c890d81351055832ab2e86d2ae0
  */
 void chasles_euler_rate_matrix_body_zxz(const double angles[3], double W_body[9]);
@@ -3146,8 +3327,10 @@ void chasles_euler_rate_matrix_body_zxz_batchf(
  *   verdict     holds under
  *   assumes     sin(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 9730082636217a13ed6443b9376e26c825640305348e897e3b1e8d20d25ad893
  */
 void chasles_euler_rates_zxz(const double angles[3], const double omega[3], double theta_dot[3]);
@@ -3170,7 +3353,9 @@ void chasles_euler_rates_zxz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 77eae5b015783de7dba57287593533e40a4bf6d57321c5d7151d36cf1a028acc
  */
 void chasles_rotation_from_euler_zyx(const double angles[3], double Q[9]);
@@ -3191,7 +3376,9 @@ void chasles_rotation_from_euler_zyx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 0adf0d7abfcbe1f817931814b81c15a9c846b1c73dcdb818878d86351c757b6d
  */
 void chasles_euler_rate_matrix_zyx(const double angles[3], double W[9]);
@@ -3212,7 +3399,9 @@ void chasles_euler_rate_matrix_zyx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 6a7529b4dd785268409cc92077030a4cad8a64439e696ba9dfa305974e76a7df
  */
 void chasles_euler_rate_matrix_body_zyx(const double angles[3], double W_body[9]);
@@ -3234,8 +3423,10 @@ void chasles_euler_rate_matrix_body_zyx_batchf(
  *   verdict     holds under
  *   assumes     cos(theta_2) != 0
  *   operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 f6fb3a6381c9037e8d1dbd8e1df9c051262d4c72bd9738451555e59c302f0f09
  */
 void chasles_euler_rates_zyx(const double angles[3], const double omega[3], double theta_dot[3]);
@@ -3258,7 +3449,9 @@ void chasles_euler_rates_zyx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 35a70c6c05dd2903cd2f50766b4e415a63eb2ffed2c6d3e412124e8647c7b716
  */
 void chasles_rotation_from_euler_zyz(const double angles[3], double Q[9]);
@@ -3279,7 +3472,9 @@ void chasles_rotation_from_euler_zyz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 2df872f3e6c29262a9a735f3e6450ce704e08a1b40b33a555d7636f417131edb
  */
 void chasles_euler_rate_matrix_zyz(const double angles[3], double W[9]);
@@ -3300,7 +3495,9 @@ void chasles_euler_rate_matrix_zyz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 0e8fa3809441be1ebd1a102ce8fc5b78357d823973bbc7bac7e1da5c7ce38790
  */
 void chasles_euler_rate_matrix_body_zyz(const double angles[3], double W_body[9]);
@@ -3322,8 +3519,10 @@ void chasles_euler_rate_matrix_body_zyz_batchf(
  *   verdict     holds under
  *   assumes     sin(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 c8e47ebca1883ce144424c202eb73e0d953be9339e55743f954ebc4ff9aaa9f5
  */
 void chasles_euler_rates_zyz(const double angles[3], const double omega[3], double theta_dot[3]);

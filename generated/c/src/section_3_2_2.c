@@ -54,6 +54,7 @@ const chasles_loop chasles_plucker_transfer_loopf = {
  *   operations  21: 2 add, 6 subtract, 9 multiply, 3 divide, 1 square root
  *   error bound 7.51 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 32c3975b5a0a9106d94e083a43fadc2be5fbb7bda4c600d797436f2a818ba4e5
  */
 void chasles_plucker_line(const double p_1[3], const double p_2[3], double kappa[6])
@@ -152,6 +153,7 @@ void chasles_plucker_line_batchf(
  *   operations  15: 3 add, 6 subtract, 6 multiply
  *   error bound 4.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 6d53a1bee79a6a2a63aafa29de9b2815a5d19f7d96ef743e8fd201bd98bf5faf
  */
 void chasles_plucker_transfer(

@@ -62,6 +62,7 @@ const chasles_loop chasles_rotation_from_triads_loopf = {
  *   operations  45: 18 add, 27 multiply
  *   error bound 3.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 17b2c6690d171cd369c93be59a7a8c3b70bc0108c48d7358142e2312ebf805ee
  */
 void chasles_rotation_in_triad_axes(const double triad[9], const double triad_prime[9], double Q[9])
@@ -179,6 +180,7 @@ void chasles_rotation_in_triad_axes_batchf(
  *   operations  45: 18 add, 27 multiply
  *   error bound 3.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 0c12a1c3d699670fac6168e45da2070083d35015f2bd6eac4cd2f1464da2b780
  */
 void chasles_rotation_from_triads(const double triad[9], const double triad_prime[9], double Q[9])

@@ -28,6 +28,7 @@ const chasles_loop chasles_axial_vector_loopf = {
  *   assumes     nothing
  *   operations  6: 3 subtract, 3 multiply
  *   error bound 1.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 8c4348a6af61531ef5e1d340b707a886d5ae17216e0e81a5fdda49099e70eece
  */
 void chasles_axial_vector(const double Omega[9], double omega[3])

@@ -44,6 +44,7 @@ const chasles_loop chasles_velocity_of_point_loopf = {
  *   operations  15: 3 add, 6 subtract, 6 multiply
  *   error bound 4.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 b5acf63f8b2ae232595725548e5ba32264be6bf6d52d501066130e78c9ed0486
  */
 void chasles_velocity_of_point(

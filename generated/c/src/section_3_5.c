@@ -366,6 +366,7 @@ const chasles_loop chasles_twist_rate_from_pose_euler_rodrigues_loopf = {
  *   operations  15: 6 add, 3 subtract, 6 multiply
  *   error bound 2.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 600ac9c19e353f65970adc87c2c9e1aba7f40174fd2c1780126b444caebb2a29
  */
 void chasles_angular_acceleration_matrix(
@@ -484,6 +485,7 @@ void chasles_angular_acceleration_matrix_batchf(
  *   operations  36: 6 add, 12 subtract, 18 multiply
  *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 52077d75d24e72b9e016304332b02aeb13ece6765a6f5dff5b9cb8261bc6ae26
  */
 void chasles_acceleration_of_point(
@@ -618,8 +620,10 @@ void chasles_acceleration_of_point_batchf(
  *               phi != 0
  *   made of     an offered form, proved equal to the statement
  *   operations  70: 15 add, 12 subtract, 40 multiply, 1 divide, 1 sine, 1 cosine
- *   error bound 22.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 20.41 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 c61d5578f7455d9deb930e9132cffeae9f18b18b83cb0ba9b49a6c83cd285a96
  */
 void chasles_natural_rate_matrix_dot(
@@ -781,8 +785,10 @@ void chasles_natural_rate_matrix_dot_batchf(
  *   assumes     |e| = 1
  *   made of     an offered form, proved equal to the statement
  *   operations  73: 12 add, 16 subtract, 43 multiply, 1 sine, 1 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 10.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 e58c3cd056fca600a3d8fabc77cc08383708b30fcd3f10997c5760ad3d813719
  */
 void chasles_linear_rate_matrix_dot(
@@ -953,8 +959,10 @@ void chasles_linear_rate_matrix_dot_batchf(
  *   assumes     |e| = 1
  *   made of     an offered form, proved equal to the statement
  *   operations  28: 2 add, 6 subtract, 18 multiply, 1 sine, 1 cosine
- *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 5.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 cbbc7c4a0ec6ff7289faa80a566dfa4879a785dc3e1fcb665d781015958b3b92
  */
 void chasles_euler_rodrigues_rate_matrix_dot(
@@ -1077,8 +1085,10 @@ void chasles_euler_rodrigues_rate_matrix_dot_batchf(
  *   assumes     phi != 0
  *               |e| = 1
  *   operations  55: 8 add, 10 subtract, 34 multiply, 1 divide, 1 sine, 1 cosine
- *   error bound 12.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 11.21 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 71e01d77b3ea46f745a9336a2825937c48ecfb5c8f22e156a02b1d41218c2c74
  */
 void chasles_natural_velocity_matrix_dot(
@@ -1225,8 +1235,10 @@ void chasles_natural_velocity_matrix_dot_batchf(
  *   assumes     |e| = 1
  *               phi != pi
  *   operations  34: 5 add, 6 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine
- *   error bound 18.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 16.41 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 b5286c2c91a7b4cfdc8d341b90ed08a2a37fc92a9f25530860458e82f6eaacf3
  */
 void chasles_linear_velocity_matrix_dot(
@@ -1356,8 +1368,10 @@ void chasles_linear_velocity_matrix_dot_batchf(
  *   verdict     holds under
  *   assumes     |e| = 1
  *   operations  26: 2 add, 6 subtract, 16 multiply, 1 sine, 1 cosine
- *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 5.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 c80e798e741899e2d32fd6b3e16a5b786d0f82ee47987a537c4755eed1b60850
  */
 void chasles_euler_rodrigues_velocity_matrix_dot(
@@ -1489,8 +1503,10 @@ void chasles_euler_rodrigues_velocity_matrix_dot_batchf(
  *               phi != 0
  *   made of     an offered form, proved equal to the statement
  *   operations  96: 19 add, 19 subtract, 55 multiply, 1 divide, 1 sine, 1 cosine
- *   error bound 27.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 25.41 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 d4b56350899a19bcc149b55d1279747465f4ffc9ff92ea858cdd2e564e99ca62
  */
 void chasles_pose_acceleration_natural(
@@ -1635,8 +1651,10 @@ void chasles_pose_acceleration_natural_batchf(
  *   assumes     |e| = 1
  *   made of     an offered form, proved equal to the statement
  *   operations  76: 11 add, 18 subtract, 45 multiply, 1 sine, 1 cosine
- *   error bound 13.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 12.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 1588dcded7d741e99e263e63960b704faab031996a2d165fbbe2b322357ed2e9
  */
 void chasles_pose_acceleration_linear(
@@ -1780,8 +1798,10 @@ void chasles_pose_acceleration_linear_batchf(
  *   assumes     |e| = 1
  *   made of     an offered form, proved equal to the statement
  *   operations  45: 5 add, 9 subtract, 29 multiply, 1 sine, 1 cosine
- *   error bound 8.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 7.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 0f21a42c6c8b20a3978874f3add6fcde6371416fd40cc41c5da50d8f4cd6babd
  */
 void chasles_pose_acceleration_euler_rodrigues(
@@ -1920,8 +1940,10 @@ void chasles_pose_acceleration_euler_rodrigues_batchf(
  *   assumes     |e| = 1
  *   made of     an offered form, proved equal to the statement
  *   operations  51: 13 add, 7 subtract, 29 multiply, 1 sine, 1 cosine
- *   error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 8.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 46142537f8f2d352235601f0fe20d7417a8415c4299de5fde88c9772c1d5b072
  */
 void chasles_twist_rate_from_pose_natural(
@@ -2055,8 +2077,10 @@ void chasles_twist_rate_from_pose_natural_batchf(
  *               phi != pi
  *   made of     an offered form, proved equal to the statement
  *   operations  52: 6 add, 15 subtract, 27 multiply, 2 divide, 1 sine, 1 cosine
- *   error bound 18.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 16.41 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 e60a5e59bbc9bfff80fda29a99e2165c18777756e0d5ef482d146ef9b36646a2
  */
 void chasles_twist_rate_from_pose_linear(
@@ -2189,8 +2213,10 @@ void chasles_twist_rate_from_pose_linear_batchf(
  *   assumes     |e| = 1
  *   made of     an offered form, proved equal to the statement
  *   operations  29: 3 add, 6 subtract, 18 multiply, 1 sine, 1 cosine
- *   error bound 7.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 6.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 8f9dc9af1023fade3eb622411945883078b1f62098c7b9178f68aed0ef63d94d
  */
 void chasles_twist_rate_from_pose_euler_rodrigues(

@@ -80,6 +80,7 @@ const chasles_loop chasles_moving_frame_acceleration_loopf = {
  *   operations  45: 18 add, 3 subtract, 24 multiply
  *   error bound 7.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 b4941bd3b3f57c83b14de8fd13a10f996bcfeb8ee7bfc4215c85ab50fb9b8b33
  */
 void chasles_moving_frame_velocity(
@@ -215,6 +216,7 @@ void chasles_moving_frame_velocity_batchf(
  *   operations  87: 30 add, 9 subtract, 48 multiply
  *   error bound 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 985f244a1c015e00a6d544a9a346e7446722d3d1972e549159bc1a6a90456d40
  */
 void chasles_moving_frame_acceleration(

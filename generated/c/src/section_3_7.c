@@ -106,6 +106,7 @@ const chasles_loop chasles_wrench_transfer_loopf = {
  *   error bound axis: 15.51 u of the sum of its terms' sizes, for all inputs
  *               pitch: 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single
  *                 precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
  */
 void chasles_wrench_axis(
@@ -237,6 +238,7 @@ void chasles_wrench_axis_batchf(
  *   operations  11: 5 add, 6 multiply
  *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 580a9557b1b4b779955409e7506c76202ce3a1e9982d422e1491bf0bcad680ef
  */
 void chasles_power(const double t[6], const double w[6], double *Pi)
@@ -304,6 +306,7 @@ void chasles_power_batchf(
  *   operations  11: 5 add, 6 multiply
  *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 69eafb582289fe007146884f233005913bd49126222273503197968fd6ef8dd3
  */
 void chasles_reciprocal_product(const double s_w[6], const double s_t[6], double *product)
@@ -372,6 +375,7 @@ void chasles_reciprocal_product_batchf(
  *   operations  15: 3 add, 6 subtract, 6 multiply
  *   error bound 4.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 9cbbd4d64a694c0150c2c0a241ceaa9fe43fa91e335dce95c4c39681e8ecce3c
  */
 void chasles_wrench_transfer(

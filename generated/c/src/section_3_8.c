@@ -323,6 +323,7 @@ const chasles_loop chasles_inertia_dyad_sym6_loopf = {
  *   operations  24: 6 add, 9 subtract, 9 multiply
  *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
  */
 void chasles_inertia_about_point(
@@ -470,6 +471,7 @@ void chasles_inertia_about_point_batchf(
  *   operations  21: 6 add, 6 subtract, 9 multiply
  *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
  */
 void chasles_inertia_about_point_sym6(
@@ -598,6 +600,7 @@ void chasles_inertia_about_point_sym6_batchf(
  *   operations  18: 6 add, 12 multiply
  *   error bound 3.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 6db3e3a77ef9af159d0c096ec679c53626cff81d41ccfbcc2a4db4833ae93473
  */
 void chasles_momentum_screw(const double I_C[9], double m, const double t[6], double mu[6])
@@ -689,6 +692,7 @@ void chasles_momentum_screw_batchf(
  *   operations  18: 6 add, 12 multiply
  *   error bound 3.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 6db3e3a77ef9af159d0c096ec679c53626cff81d41ccfbcc2a4db4833ae93473
  */
 void chasles_momentum_screw_sym6(const double I_C[6], double m, const double t[6], double mu[6])
@@ -779,6 +783,7 @@ void chasles_momentum_screw_sym6_batchf(
  *   operations  35: 11 add, 24 multiply
  *   error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 69297c38ebd3f2599e0000c019f576151ae0e8d563b8a02661f982c45230000e
  */
 void chasles_kinetic_energy(const double I_C[9], double m, const double t[6], double *T)
@@ -858,6 +863,7 @@ void chasles_kinetic_energy_batchf(
  *   operations  35: 11 add, 24 multiply
  *   error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 69297c38ebd3f2599e0000c019f576151ae0e8d563b8a02661f982c45230000e
  */
 void chasles_kinetic_energy_sym6(const double I_C[6], double m, const double t[6], double *T)
@@ -937,6 +943,7 @@ void chasles_kinetic_energy_sym6_batchf(
  *   operations  45: 15 add, 3 subtract, 27 multiply
  *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 4e831789b8f20b1f8ebea121e0d8d47b7074e8225c3fd379d0994cdf87959c79
  */
 void chasles_newton_euler_wrench(
@@ -1063,6 +1070,7 @@ void chasles_newton_euler_wrench_batchf(
  *   operations  45: 15 add, 3 subtract, 27 multiply
  *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 4e831789b8f20b1f8ebea121e0d8d47b7074e8225c3fd379d0994cdf87959c79
  */
 void chasles_newton_euler_wrench_sym6(
@@ -1187,7 +1195,9 @@ void chasles_newton_euler_wrench_sym6_batchf(
  *               m > 0
  *   expects     I_C is positive-definite
  *   operations  82: 14 add, 15 subtract, 51 multiply, 2 divide
- *   error bound not proved: it divides by a sum whose terms may cancel
+ *   error bound 18.05 u of the sum of its terms' sizes, times the condition of its divisor, for all
+ *                 inputs of which that is at most 4096; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
  */
 void chasles_newton_euler_twist_rate(
@@ -1331,7 +1341,9 @@ void chasles_newton_euler_twist_rate_batchf(
  *               m > 0
  *   expects     I_C is positive-definite
  *   operations  73: 14 add, 12 subtract, 45 multiply, 2 divide
- *   error bound not proved: it divides by a sum whose terms may cancel
+ *   error bound 18.05 u of the sum of its terms' sizes, times the condition of its divisor, for all
+ *                 inputs of which that is at most 4096; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
  */
 void chasles_newton_euler_twist_rate_sym6(
@@ -1471,6 +1483,7 @@ void chasles_newton_euler_twist_rate_sym6_batchf(
  *   operations  24: 6 add, 9 subtract, 9 multiply
  *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
  */
 void chasles_inertia_dyad(
@@ -1683,6 +1696,7 @@ void chasles_inertia_dyad_batchf(
  *   operations  21: 6 add, 6 subtract, 9 multiply
  *   error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
  */
 void chasles_inertia_dyad_sym6(

@@ -853,7 +853,9 @@ const chasles_loop chasles_euler_rates_zyz_loopf = {
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 49974e148b9969b7a23a303df375f906766eda03e5d7416d35c36a35c77fea06
  */
 void chasles_rotation_from_euler_xyx(const double angles[3], double Q[9])
@@ -960,7 +962,9 @@ void chasles_rotation_from_euler_xyx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 15ec222e6a4c0d4af15dcf0f4f9d944364836080f80ed845b4661afb074e1ca1
  */
 void chasles_euler_rate_matrix_xyx(const double angles[3], double W[9])
@@ -1047,7 +1051,9 @@ void chasles_euler_rate_matrix_xyx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 cd8589089d7d47765a04b183158736b0b971b8a8d922838283fa2c2975eb5d89
  */
 void chasles_euler_rate_matrix_body_xyx(const double angles[3], double W_body[9])
@@ -1137,8 +1143,10 @@ void chasles_euler_rate_matrix_body_xyx_batchf(
  *   verdict     holds under
  *   assumes     sin(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 6b432c618a3b5cb7132a0a1625419f24b2800b22e52d8f8b5202e756b67ea148
  */
 void chasles_euler_rates_xyx(const double angles[3], const double omega[3], double theta_dot[3])
@@ -1215,7 +1223,9 @@ void chasles_euler_rates_xyx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 f87af8285d9801669ca9041e726f9817a40f9c95ddf51a655b261236297c04af
  */
 void chasles_rotation_from_euler_xyz(const double angles[3], double Q[9])
@@ -1322,7 +1332,9 @@ void chasles_rotation_from_euler_xyz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 1d2f362d906c9640bebb7713dd74f3809ce202cd977dff0cc4c827b77ce9d4d3
  */
 void chasles_euler_rate_matrix_xyz(const double angles[3], double W[9])
@@ -1409,7 +1421,9 @@ void chasles_euler_rate_matrix_xyz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 d605f1f844caa8fe73209313f2debbc7dad841db4b625533c1925d350b88b35f
  */
 void chasles_euler_rate_matrix_body_xyz(const double angles[3], double W_body[9])
@@ -1497,8 +1511,10 @@ void chasles_euler_rate_matrix_body_xyz_batchf(
  *   verdict     holds under
  *   assumes     cos(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 379cc15712b3f593e6a56a0586d8cb970b2c344caf9eff56d13b4aa0f2bc0fcb
  */
 void chasles_euler_rates_xyz(const double angles[3], const double omega[3], double theta_dot[3])
@@ -1575,7 +1591,9 @@ void chasles_euler_rates_xyz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 509556f6df445dd3c7fe5324e0ad671112ed8aaa27442b8973ddf4f722eb8d9b
  */
 void chasles_rotation_from_euler_xzx(const double angles[3], double Q[9])
@@ -1682,7 +1700,9 @@ void chasles_rotation_from_euler_xzx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 063a79927c0f405045ca7f3a4600867811265ae8101b11b64e443152cd0965cf
  */
 void chasles_euler_rate_matrix_xzx(const double angles[3], double W[9])
@@ -1771,7 +1791,9 @@ void chasles_euler_rate_matrix_xzx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 5092f84c7bbb66afac08e51bc82a4ea4bdc4738a19463c52fc60c25d1976c154
  */
 void chasles_euler_rate_matrix_body_xzx(const double angles[3], double W_body[9])
@@ -1859,8 +1881,10 @@ void chasles_euler_rate_matrix_body_xzx_batchf(
  *   verdict     holds under
  *   assumes     sin(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 d60392e777e2f94766ccb4868d6a376f4b8f702f6466c7841c3f0e7493778009
  */
 void chasles_euler_rates_xzx(const double angles[3], const double omega[3], double theta_dot[3])
@@ -1937,7 +1961,9 @@ void chasles_euler_rates_xzx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 6a4fd734359cc43f74679d358abf691bfd6612dbcd721aa9a209c64050a5d383
  */
 void chasles_rotation_from_euler_xzy(const double angles[3], double Q[9])
@@ -2046,7 +2072,9 @@ void chasles_rotation_from_euler_xzy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 f4bf5edc3a0e9199cc30c83f6cab51d6bfce7ab2a3d75f59608b337bed74824b
  */
 void chasles_euler_rate_matrix_xzy(const double angles[3], double W[9])
@@ -2135,7 +2163,9 @@ void chasles_euler_rate_matrix_xzy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 34b232afb99ddc1be46962d797e1c08bda20904a656a165ee2fc2232e4beec57
  */
 void chasles_euler_rate_matrix_body_xzy(const double angles[3], double W_body[9])
@@ -2225,8 +2255,10 @@ void chasles_euler_rate_matrix_body_xzy_batchf(
  *   verdict     holds under
  *   assumes     cos(theta_2) != 0
  *   operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 47b386989c7014707637badfc0f665d8b17c2674e34c6dc85b34228d94dd802e
  */
 void chasles_euler_rates_xzy(const double angles[3], const double omega[3], double theta_dot[3])
@@ -2303,7 +2335,9 @@ void chasles_euler_rates_xzy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 42de6926cd35f5c06da566065b065c8ba754cee65703557fa42410e42dde4a35
  */
 void chasles_rotation_from_euler_yxy(const double angles[3], double Q[9])
@@ -2410,7 +2444,9 @@ void chasles_rotation_from_euler_yxy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 ab9e4f4d487ee038942cc83869848be5fa4c534a19c656164684f27e1b65ac10
  */
 void chasles_euler_rate_matrix_yxy(const double angles[3], double W[9])
@@ -2499,7 +2535,9 @@ void chasles_euler_rate_matrix_yxy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 2a86c48257dda6a27e84a7fb3b0817bd24bdff1a56c2bfeb6119d778d89bbab6
  */
 void chasles_euler_rate_matrix_body_yxy(const double angles[3], double W_body[9])
@@ -2587,8 +2625,10 @@ void chasles_euler_rate_matrix_body_yxy_batchf(
  *   verdict     holds under
  *   assumes     sin(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 8c7b412f940aadc89ad8c5ce3785c5c0ca8dcbf9e58aac6572334181799e61e2
  */
 void chasles_euler_rates_yxy(const double angles[3], const double omega[3], double theta_dot[3])
@@ -2665,7 +2705,9 @@ void chasles_euler_rates_yxy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 aac4d38f938bc0f3b21fc5113a3e553f105a0b99bd2a46001cf5af56197be36a
  */
 void chasles_rotation_from_euler_yxz(const double angles[3], double Q[9])
@@ -2774,7 +2816,9 @@ void chasles_rotation_from_euler_yxz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 f673622637ac9520cdbbfacd9038ad6a42d7de01d522fe1daa4e4ed5a188d584
  */
 void chasles_euler_rate_matrix_yxz(const double angles[3], double W[9])
@@ -2863,7 +2907,9 @@ void chasles_euler_rate_matrix_yxz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 a7f0e1639e85f122dde538fce97f31e9e4f583cf9ea5d074345d45245ff26ea8
  */
 void chasles_euler_rate_matrix_body_yxz(const double angles[3], double W_body[9])
@@ -2953,8 +2999,10 @@ void chasles_euler_rate_matrix_body_yxz_batchf(
  *   verdict     holds under
  *   assumes     cos(theta_2) != 0
  *   operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 bf11bed82696038fa225e27a75acb0d41b63af31adb0153ca5a712167c4d8284
  */
 void chasles_euler_rates_yxz(const double angles[3], const double omega[3], double theta_dot[3])
@@ -3031,7 +3079,9 @@ void chasles_euler_rates_yxz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 73ccad1507926c77a4de1804d6ccee68b6eedcb0a87a5d797076c3aaa328556a
  */
 void chasles_rotation_from_euler_yzx(const double angles[3], double Q[9])
@@ -3138,7 +3188,9 @@ void chasles_rotation_from_euler_yzx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 6bc14177fe8f581b737fd8108f75cca27c80f0c6043e24f8d305941c720fb93e
  */
 void chasles_euler_rate_matrix_yzx(const double angles[3], double W[9])
@@ -3225,7 +3277,9 @@ void chasles_euler_rate_matrix_yzx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 ba974c498d2395f78752b5b9af3bd25c9bc8814b82f34bc12080e7f58fc39384
  */
 void chasles_euler_rate_matrix_body_yzx(const double angles[3], double W_body[9])
@@ -3313,8 +3367,10 @@ void chasles_euler_rate_matrix_body_yzx_batchf(
  *   verdict     holds under
  *   assumes     cos(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 404a3dd7a9f43dbf16ca707d83946fda23f95d1982dc848908ed679160d5cc5f
  */
 void chasles_euler_rates_yzx(const double angles[3], const double omega[3], double theta_dot[3])
@@ -3391,7 +3447,9 @@ void chasles_euler_rates_yzx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 fc249fbe7ecf26a2cf23c7eb4a1ae340b6f6d6b71fd0a11c005275bed3b0541a
  */
 void chasles_rotation_from_euler_yzy(const double angles[3], double Q[9])
@@ -3498,7 +3556,9 @@ void chasles_rotation_from_euler_yzy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 ba3b9e2e5d19a42bcccf4fe889ac0ad5e1476885d7d3f35174490738c07caa93
  */
 void chasles_euler_rate_matrix_yzy(const double angles[3], double W[9])
@@ -3585,7 +3645,9 @@ void chasles_euler_rate_matrix_yzy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 2906ed860e470e86a10fba075e603a757d21feeb996fd012d6a5c352f1f248cf
  */
 void chasles_euler_rate_matrix_body_yzy(const double angles[3], double W_body[9])
@@ -3675,8 +3737,10 @@ void chasles_euler_rate_matrix_body_yzy_batchf(
  *   verdict     holds under
  *   assumes     sin(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 fbcf58ed5fb921bfdeae731af0d22be0b18c057d4ab3433941bb486f4f2ac07a
  */
 void chasles_euler_rates_yzy(const double angles[3], const double omega[3], double theta_dot[3])
@@ -3753,7 +3817,9 @@ void chasles_euler_rates_yzy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 00df5b3e078a442b89ec92320b9be4d00f69c8c69b5377ceed30ce97167894d8
  */
 void chasles_rotation_from_euler_zxy(const double angles[3], double Q[9])
@@ -3860,7 +3926,9 @@ void chasles_rotation_from_euler_zxy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 66b9e91ee2080f4af362adbd4cfbd2f6493f2d49f04e969606b8e5e66a892530
  */
 void chasles_euler_rate_matrix_zxy(const double angles[3], double W[9])
@@ -3947,7 +4015,9 @@ void chasles_euler_rate_matrix_zxy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 ee0e5dc36786ec147d7731e28a73445f4829a353e033fb0bdf99f16a9ae96d67
  */
 void chasles_euler_rate_matrix_body_zxy(const double angles[3], double W_body[9])
@@ -4035,8 +4105,10 @@ void chasles_euler_rate_matrix_body_zxy_batchf(
  *   verdict     holds under
  *   assumes     cos(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 f15319cb143e29fdad80688ea5d83794cf5328509c5cd1fb52fa078f77b2a785
  */
 void chasles_euler_rates_zxy(const double angles[3], const double omega[3], double theta_dot[3])
@@ -4113,7 +4185,9 @@ void chasles_euler_rates_zxy_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 90292a7b1973bd54561384a1b0aca95f4b081c5031f08a71f5bf1eeb509996f8
  */
 void chasles_rotation_from_euler_zxz(const double angles[3], double Q[9])
@@ -4220,7 +4294,9 @@ void chasles_rotation_from_euler_zxz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 d6bac485f18ebb57e7adb1eb90896adee410e33308c5db55212969aa010526ee
  */
 void chasles_euler_rate_matrix_zxz(const double angles[3], double W[9])
@@ -4307,7 +4383,9 @@ void chasles_euler_rate_matrix_zxz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 22c895ea0aa33cf27a73432cf9b7edd645045c890d81351055832ab2e86d2ae0
  */
 void chasles_euler_rate_matrix_body_zxz(const double angles[3], double W_body[9])
@@ -4397,8 +4475,10 @@ void chasles_euler_rate_matrix_body_zxz_batchf(
  *   verdict     holds under
  *   assumes     sin(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 9730082636217a13ed6443b9376e26c825640305348e897e3b1e8d20d25ad893
  */
 void chasles_euler_rates_zxz(const double angles[3], const double omega[3], double theta_dot[3])
@@ -4475,7 +4555,9 @@ void chasles_euler_rates_zxz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 77eae5b015783de7dba57287593533e40a4bf6d57321c5d7151d36cf1a028acc
  */
 void chasles_rotation_from_euler_zyx(const double angles[3], double Q[9])
@@ -4584,7 +4666,9 @@ void chasles_rotation_from_euler_zyx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 0adf0d7abfcbe1f817931814b81c15a9c846b1c73dcdb818878d86351c757b6d
  */
 void chasles_euler_rate_matrix_zyx(const double angles[3], double W[9])
@@ -4673,7 +4757,9 @@ void chasles_euler_rate_matrix_zyx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 6a7529b4dd785268409cc92077030a4cad8a64439e696ba9dfa305974e76a7df
  */
 void chasles_euler_rate_matrix_body_zyx(const double angles[3], double W_body[9])
@@ -4763,8 +4849,10 @@ void chasles_euler_rate_matrix_body_zyx_batchf(
  *   verdict     holds under
  *   assumes     cos(theta_2) != 0
  *   operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 f6fb3a6381c9037e8d1dbd8e1df9c051262d4c72bd9738451555e59c302f0f09
  */
 void chasles_euler_rates_zyx(const double angles[3], const double omega[3], double theta_dot[3])
@@ -4841,7 +4929,9 @@ void chasles_euler_rates_zyx_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
- *   error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *   error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 35a70c6c05dd2903cd2f50766b4e415a63eb2ffed2c6d3e412124e8647c7b716
  */
 void chasles_rotation_from_euler_zyz(const double angles[3], double Q[9])
@@ -4948,7 +5038,9 @@ void chasles_rotation_from_euler_zyz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 2df872f3e6c29262a9a735f3e6450ce704e08a1b40b33a555d7636f417131edb
  */
 void chasles_euler_rate_matrix_zyz(const double angles[3], double W[9])
@@ -5037,7 +5129,9 @@ void chasles_euler_rate_matrix_zyz_batchf(
  *   verdict     defined
  *   assumes     nothing
  *   operations  6: 2 multiply, 2 sine, 2 cosine
- *   error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *   error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 0e8fa3809441be1ebd1a102ce8fc5b78357d823973bbc7bac7e1da5c7ce38790
  */
 void chasles_euler_rate_matrix_body_zyz(const double angles[3], double W_body[9])
@@ -5125,8 +5219,10 @@ void chasles_euler_rate_matrix_body_zyz_batchf(
  *   verdict     holds under
  *   assumes     sin(theta_2) != 0
  *   operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
- *   error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+ *                 within 0.8 ulp
  *   derivation  sha256 c8e47ebca1883ce144424c202eb73e0d953be9339e55743f954ebc4ff9aaa9f5
  */
 void chasles_euler_rates_zyz(const double angles[3], const double omega[3], double theta_dot[3])

@@ -5,17 +5,37 @@ the kernel's hypotheses hold, that is the value of its statement. A unit u is th
 2^-24 for single precision.
 
 The rounding model: additions, subtractions, multiplications, divisions and square roots are correctly rounded to
-nearest; sine, cosine and arctangent are within one unit in the last place of their exact value, and exact at zero; a
-product may be contracted with the sum that follows it; no step overflows or underflows; operations come in the
-program's order. A vector counts as a unit vector if its length is within 2^-21 of 1. Where the result is not a number,
-as at a singular point, nothing is said.
+nearest; sine and cosine are what rounding makes of something within 0.3 units in the last place of their exact value,
+so that they are within 0.8 units, the arctangent of something within half a unit; they are exact at zero; a product may
+be contracted with the sum that follows it; no step overflows or underflows; operations come in the program's order.
+
+A vector counts as a unit vector if its length is within 2^-21 of 1, a matrix as a rotation if its entries are within
+2^-21 of those of one. Where a program compares rounded values and takes one case or another, its result is compared
+with the formula of the case that it takes. The condition of a divisor is the sum of the sizes of its terms over its own
+size. Where the result is not a number, as at a singular point, nothing is said.
 """
 
 from __future__ import annotations
 
 from chasles.bounds.bound import AGAINST, Bound, Guarantee
+from chasles.bounds.box import BoxBound, ResultBound, bound_of_program
 from chasles.bounds.memory import remembered
 from chasles.bounds.model import DOUBLE, SINGLE, Model
+from chasles.bounds.outline import NoBound
 from chasles.bounds.proving import bound_of, key_of
 
-__all__ = ["AGAINST", "DOUBLE", "SINGLE", "Bound", "Guarantee", "Model", "bound_of", "key_of", "remembered"]
+__all__ = [
+    "AGAINST",
+    "DOUBLE",
+    "SINGLE",
+    "Bound",
+    "BoxBound",
+    "Guarantee",
+    "Model",
+    "NoBound",
+    "ResultBound",
+    "bound_of",
+    "bound_of_program",
+    "key_of",
+    "remembered",
+]

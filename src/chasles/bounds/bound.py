@@ -13,6 +13,7 @@ AGAINST = {
     "itself": "of itself",
     "largest": "of the largest entry",
     "terms": "of the sum of its terms' sizes",
+    "conditioned": "of the sum of its terms' sizes, times the condition of its divisor",
 }
 """What an entry's error is measured by, and how that is said; a kind's name is what manifests hold."""
 

@@ -1,58 +1,66 @@
-"""What is the largest error over all inputs? Boxes that cover them are halved where the bound is largest.
+"""How large does a measure of error become over all inputs? Boxes that cover them, the worst ones halved.
 
-At every moment the largest of the boxes' bounds is a bound for all inputs. Halving ends where it is hardly larger than
-the running bound at some point: smaller boxes would gain nothing.
+Each box has a bound, and the largest of all boxes' bounds is a bound for all inputs. Halving ends where it is hardly
+larger than the bound at some point: smaller boxes would gain nothing.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from heapq import heappop, heappush
 from itertools import product
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
+from chasles.bounds.intervals import Array, Interval
 from chasles.bounds.model import Model
 from chasles.bounds.outline import NoBound, Outline
-from chasles.bounds.pieces import AnglePiece, Interval, Piece, faces
+from chasles.bounds.pieces import AnglePiece, FacePiece, Piece, Range, face_values, faces
+from chasles.bounds.places import Places
 from chasles.bounds.running import Running
 from chasles.bounds.scaled import Scaled
 from chasles.bounds.symmetry import Sign, Symmetry, symmetry
 from chasles.lowering.program import Op
 
-__all__ = ["Cover", "covered", "largest"]
+__all__ = ["Cover", "Measure", "bounds_of", "covered", "largest"]
 
-CLOSE = 1.05
+CLOSE = 1.033
 """How much larger than at a point the bound over all boxes may be."""
+PARTED = 1.25
+"""How much too large a bound may be for its box to be parted at a power of two besides being halved."""
+POINTS, MOVES, CLIMBS = 32, 8, 14
+"""How many of the best points are kept, into how many each is moved, and how often."""
+FAIR, STUCK = 1.1, 4
+"""How much larger it may be where so many rounds have made it no smaller."""
 WIDEST = 1.5
 """How much larger it may be where the budget is spent, lest it says more of the boxes than of the program."""
 
-EVERY = 8
-"""How many boxes are halved between two looks at a point."""
-
-Box = tuple[Interval, ...]
-Measure = Callable[[Running], float]
+Measure = Callable[[Running, float], Array]
+"""In each box a bound on the error; what is small enough need not be the smallest that can be proved."""
+Region = tuple[Piece, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Cover:
-    """Pieces to choose one of each of, which together cover the inputs, and the arguments that they cover."""
+    """Pieces to choose one of each of, which together cover the inputs, and the changes of sign that are symmetries."""
 
     choices: tuple[tuple[Piece, ...], ...]
     symmetry: Symmetry
 
     @property
-    def regions(self) -> Iterator[tuple[tuple[Piece, ...], Box]]:
-        """Every combination of pieces, whole; of those that changes of sign lead to, the first."""
+    def regions(self) -> Iterator[Region]:
+        """Every combination of pieces; of those that changes of sign lead to, the first."""
         seen: set[tuple[object, ...]] = set()
         for pieces in product(*self.choices):
             signs = self.symmetry.canonical([sign for piece in pieces for sign in piece.negative])
             key = (signs, *(piece.kind for piece in pieces))
             if key not in seen:
                 seen.add(key)
-                yield pieces, tuple(interval for piece in pieces for interval in piece.ranges)
+                yield pieces
 
 
 def covered(outline: Outline, units: Sequence[int]) -> Cover:
@@ -73,8 +81,10 @@ def covered(outline: Outline, units: Sequence[int]) -> Cover:
     choices: list[tuple[Piece, ...]] = [tuple(faces(argument)) for argument in units]
     for argument, entry in places:
         least = min(f for a, e, f in outline.angles.values() if (a, e) == (argument, entry))
+        divides = (argument, entry) in singular
         made = (
-            AnglePiece(argument, entry, quarter, side, least, (argument, entry) in singular)
+            AnglePiece(argument, entry, quarter, side, least, near, divides)
+            for near in ((True, False) if divides else (False,))
             for quarter in range(4)
             for side in (1, -1)
         )
@@ -109,92 +119,201 @@ def _dividing(outline: Outline) -> set[tuple[int, int]]:
     return found
 
 
-@dataclass(order=True, slots=True)
-class _Open:
-    """A box, the worst first."""
+@dataclass(frozen=True, slots=True, eq=False)
+class _Boxes:
+    """Boxes of several regions of one batch: the ends of each coordinate, a row a box."""
 
-    key: float
-    count: int
-    pieces: tuple[Piece, ...] = field(compare=False)
-    box: Box = field(compare=False)
+    regions: tuple[Region, ...]
+    owner: NDArray[np.intp]
+    low: Array
+    high: Array
+    places: Mapping[int, Places] = field(default_factory=dict)
+
+    def kept(self, which: Any) -> _Boxes:
+        """Those of the boxes, in their order."""
+        places = {k: (least[which], most[which]) for k, (least, most) in self.places.items()}
+        return _Boxes(self.regions, self.owner[which], self.low[which], self.high[which], places)
+
+    @property
+    def middles(self) -> _Boxes:
+        middle = (self.low + self.high) / 2
+        return _Boxes(self.regions, self.owner, middle, middle)
+
+    def parted(self, split: tuple[NDArray[Any], NDArray[Any]]) -> _Boxes:
+        """Boxes in which a step's size may lie on both sides of a power of two, once for each of the sides."""
+        steps, powers = split
+        which = np.concatenate((np.arange(len(steps)), np.flatnonzero(steps >= 0)))
+        found, first = self.kept(which), len(steps)
+        places = dict(found.places)
+        for number in np.unique(steps[steps >= 0]).tolist():
+            least, most = places.get(number, (np.full(len(which), -5000), np.full(len(which), 5000)))
+            mine = steps[which] == number
+            above = mine & (np.arange(len(which)) >= first)
+            below = mine & ~above
+            least[above] = np.maximum(least, powers[which])[above]
+            most[below] = np.minimum(most, powers[which] - 1)[below]
+            places[number] = least, most
+        return replace(found, places=places)
+
+    def halved(self, scales: Array) -> _Boxes:
+        """Both halves of every box, across its widest side."""
+        rows = np.arange(len(self.owner))
+        side = np.argmax((self.high - self.low) * scales, axis=1)
+        middle = (self.low[rows, side] + self.high[rows, side]) / 2
+        low, high = self.low.copy(), self.high.copy()
+        high[rows, side], low[rows, side] = middle, middle
+        twice = self.kept(np.concatenate((rows, rows)))
+        return replace(twice, low=np.concatenate((self.low, low)), high=np.concatenate((high, self.high)))
 
 
-class _Search:
-    """The boxes not yet halved."""
+def bounds_of(
+    outline: Outline, model: Model, measure: Measure, regions: Sequence[Region], low: Array, high: Array
+) -> Array:
+    """The bound over a box of each region, all of one batch; infinite where the box is too large for one."""
+    return _bounds(outline, model, measure, _Boxes(tuple(regions), np.arange(len(regions)), low, high), 0.0)[0]
 
-    def __init__(self, outline: Outline, model: Model, measure: Measure) -> None:
-        self._outline, self._model, self._measure = outline, model, measure
-        self.boxes: list[_Open] = []
-        self.count = 0
 
-    def add(self, pieces: tuple[Piece, ...], box: Box) -> None:
-        heappush(self.boxes, _Open(-self.bound(pieces, box), self.count, pieces, box))
-        self.count += 1
+def _bounds(
+    outline: Outline, model: Model, measure: Measure, boxes: _Boxes, enough: float
+) -> tuple[Array, tuple[NDArray[Any], NDArray[Any]]]:
+    """The bound over each box, and the step at whose power of two it may be parted."""
+    values: dict[tuple[int, int], Scaled] = {}
+    turns: dict[tuple[int, int], int] = {}
+    place = 0
+    for k, piece in enumerate(boxes.regions[0]):
+        if isinstance(piece, AnglePiece):
+            turns[piece.argument, piece.entry] = place
+        else:
+            values |= _vectors(boxes, k, place)
+        place += len(piece.ranges)
+    known: dict[tuple[int, int, Fraction], tuple[Scaled, Scaled]] = {}
+    position = {(p.argument, p.entry): k for k, p in enumerate(boxes.regions[0]) if isinstance(p, AnglePiece)}
 
-    def bound(self, pieces: tuple[Piece, ...], box: Box) -> float:
-        """The bound over a box; infinite where the box is too large for one."""
-        values: dict[tuple[int, int], Scaled] = {}
-        turns: dict[tuple[int, int], tuple[AnglePiece, Box]] = {}
-        small, place = (1.0, 1.0), 0
-        for piece in pieces:
-            part = box[place : place + len(piece.ranges)]
-            place += len(part)
-            if isinstance(piece, AnglePiece):
-                turns[piece.argument, piece.entry] = piece, part
-                small = piece.scale(part) or small
-            else:
-                values |= piece.values(part)
-        known: dict[Any, tuple[Scaled, Scaled]] = {}
+    def functions(argument: int, entry: int, factor: Fraction) -> tuple[Scaled, Scaled]:
+        key = argument, entry, factor
+        if key not in known:
+            known[key] = _turned(boxes, position[argument, entry], turns[argument, entry], factor)
+        return known[key]
 
-        def functions(argument: int, entry: int, factor: Fraction) -> tuple[Scaled, Scaled]:
-            if (argument, entry, factor) not in known:
-                piece, part = turns[argument, entry]
-                known[argument, entry, factor] = piece.functions(part, factor)
-            return known[argument, entry, factor]
+    running = Running(outline, model, values, functions, len(boxes.owner), boxes.places)
+    return np.where(running.empty, 0, measure(running, enough)), running.split
 
-        try:
-            return self._measure(Running(self._outline, self._model, values, functions, small))
-        except ZeroDivisionError:
-            return math.inf
 
-    def halve(self) -> None:
-        """Halve the worst box across its widest side."""
-        worst = heappop(self.boxes)
-        widths = [
-            scale * (high - low) for (low, high), scale in zip(worst.box, self._scales(worst.pieces), strict=True)
-        ]
-        k = widths.index(max(widths))
-        low, high = worst.box[k]
-        middle = (low + high) / 2
-        for part in ((low, middle), (middle, high)):
-            self.add(worst.pieces, (*worst.box[:k], part, *worst.box[k + 1 :]))
+def _column(boxes: _Boxes, place: int) -> Interval:
+    return Interval(boxes.low[:, place], boxes.high[:, place])
 
-    @staticmethod
-    def _scales(pieces: tuple[Piece, ...]) -> Iterator[float]:
-        """How much a coordinate of a box moves values, about."""
-        for piece in pieces:
-            yield from (math.pi,) if isinstance(piece, AnglePiece) else (1.0, 1.0)
+
+def _vectors(boxes: _Boxes, k: int, place: int) -> dict[tuple[int, int], Scaled]:
+    """The entries of a unit vector, whose pieces are the k-th of each region's."""
+    found = [Interval(np.empty(len(boxes.owner)), np.empty(len(boxes.owner))) for _ in range(3)]
+    pieces = [region[k] for region in boxes.regions]
+    argument = pieces[0].argument
+    for axis, sign in product(range(3), (1, -1)):
+        mine = [isinstance(p, FacePiece) and p.axis == axis and p.signs[axis] == sign for p in pieces]
+        rows = np.array(mine)[boxes.owner]
+        if rows.any():
+            part = boxes.kept(rows)
+            for entry, value in zip(
+                found, face_values(axis, sign, (_column(part, place), _column(part, place + 1))), strict=True
+            ):
+                entry.low[rows], entry.high[rows] = value.low, value.high
+    zero = np.zeros(len(boxes.owner))
+    return {(argument, entry): Scaled(0, value, zero) for entry, value in enumerate(found)}
+
+
+def _turned(boxes: _Boxes, k: int, place: int, factor: Fraction) -> tuple[Scaled, Scaled]:
+    """Sine and cosine of an angle, whose pieces are the k-th of each region's."""
+    known: dict[tuple[Piece, Range], tuple[tuple[int, float, float], ...]] = {}
+    rows = []
+    ends = zip(boxes.owner.tolist(), boxes.low[:, place].tolist(), boxes.high[:, place].tolist(), strict=True)
+    for owner, low, high in ends:
+        piece = boxes.regions[owner][k]
+        key = piece, (low, high)
+        if key not in known:
+            assert isinstance(piece, AnglePiece)
+            known[key] = piece.functions((low, high), factor)
+        rows.append(known[key])
+    zero = np.zeros(len(rows))
+    found = []
+    for which in (0, 1):
+        low_ends, high_ends = (np.array([row[which][end] for row in rows]) for end in (1, 2))
+        found.append(Scaled(rows[0][which][0], Interval(low_ends, high_ends), zero))
+    return found[0], found[1]
 
 
 def largest(outline: Outline, model: Model, cover: Cover, measure: Measure, budget: int) -> float:
-    """A bound on the measure over all that is covered, with so many boxes at most.
+    """A bound on the measure over all that is covered, with about so many boxes at most.
 
     Raises NoBound where the boxes still are too large then.
     """
-    search = _Search(outline, model, measure)
-    for pieces, box in cover.regions:
-        search.add(pieces, box)
-    reached = 0.0
-    while search.count < budget:
-        worst = search.boxes[0]
-        if search.count % EVERY == 0:
-            point = tuple(((low + high) / 2,) * 2 for low, high in worst.box)
-            here = search.bound(worst.pieces, point)
-            reached = max(reached, here if math.isfinite(here) else 0.0)
-            if -worst.key <= CLOSE * reached:
-                break
-        search.halve()
-    found = -search.boxes[0].key
+    found, reached = _largest(outline, model, cover, measure, budget)
     if not found <= WIDEST * reached:
         raise NoBound("boxes of inputs small enough to be of use are too many")
     return found
+
+
+def _largest(outline: Outline, model: Model, cover: Cover, measure: Measure, budget: int) -> tuple[float, float]:
+    """The bound, and the largest at a point."""
+    batches: dict[tuple[object, ...], list[Region]] = {}
+    for region in cover.regions:
+        batches.setdefault(tuple(piece.batch for piece in region), []).append(region)
+    at_large = [regions for kind, regions in batches.items() if not any(kind)]
+    reached = max(_climbed(outline, model, measure, regions) for regions in at_large)
+    found, spent, within, before = 0.0, 0, CLOSE * reached, [math.inf] * STUCK
+    ahead = [_whole(regions) for regions in batches.values()]
+    while ahead:
+        measured = [(boxes, *_bounds(outline, model, measure, boxes, within)) for boxes in ahead]
+        spent += sum(len(bounds) for _, bounds, _ in measured)
+        worst = max(found, *(float(bounds.max()) for _, bounds, _ in measured))
+        if spent > budget or (worst <= FAIR * reached and worst > 0.998 * before[-STUCK]):
+            return worst, reached
+        before.append(worst)
+        found = max(found, *(float(bounds[bounds <= within].max(initial=0.0)) for _, bounds, _ in measured))
+        ahead = [_finer(boxes, bounds, split, within) for boxes, bounds, split in measured if bounds.max() > within]
+    return found, reached
+
+
+def _climbed(outline: Outline, model: Model, measure: Measure, regions: Sequence[Region]) -> float:
+    """The largest bound at points, the best of which are moved about, ever less."""
+    whole = _whole(regions)
+    generator = np.random.default_rng(0)
+    owner = np.arange(POINTS * MOVES) % len(regions)
+    low, high = whole.low[owner], whole.high[owner]
+    places = low + generator.random(low.shape) * (high - low)
+    reached = 0.0
+    for attempt in range(CLIMBS):
+        bounds, _ = _bounds(outline, model, measure, _Boxes(whole.regions, owner, places, places), 0.0)
+        bounds = np.where(np.isfinite(bounds), bounds, 0)
+        reached = max(reached, float(bounds.max()))
+        best = np.repeat(np.argsort(-bounds)[:POINTS], MOVES)
+        owner, low, high = owner[best], whole.low[owner[best]], whole.high[owner[best]]
+        moved = generator.standard_normal(low.shape) * (high - low) * 0.25 * 0.5**attempt
+        moved[::MOVES] = 0
+        places = np.clip(places[best] + moved, low, high)
+    return reached
+
+
+def _finer(boxes: _Boxes, bounds: Array, split: tuple[NDArray[Any], NDArray[Any]], within: float) -> _Boxes:
+    """The boxes whose bound is too large, halved, and parted where it is hardly too large."""
+    wide = bounds > within
+    near = bounds[wide] < PARTED * within
+    parted = boxes.kept(wide).parted((np.where(near, split[0][wide], -1), split[1][wide]))
+    return parted.halved(_scales(parted))
+
+
+def _whole(regions: Sequence[Region]) -> _Boxes:
+    ranges = np.array([[x for piece in region for x in piece.ranges] for region in regions])
+    return _Boxes(tuple(regions), np.arange(len(regions)), ranges[:, :, 0].copy(), ranges[:, :, 1].copy())
+
+
+def _scales(boxes: _Boxes) -> Array:
+    """How much a coordinate of a box moves values, about."""
+    scales: list[Array] = []
+    for piece in boxes.regions[0]:
+        place = len(scales)
+        if isinstance(piece, AnglePiece) and piece.singular:
+            scales.append(1 / boxes.low[:, place])
+        else:
+            one = np.ones(len(boxes.owner))
+            scales += [one * math.pi] if isinstance(piece, AnglePiece) else [one, one]
+    return np.stack(scales, axis=1)

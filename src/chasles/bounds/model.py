@@ -2,36 +2,67 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
+
+import numpy as np
 
 from chasles.lowering.program import Op
 
-__all__ = ["DOUBLE", "SINGLE", "Model"]
+__all__ = ["DOUBLE", "SINGLE", "Model", "precision"]
 
 
 @dataclass(frozen=True, slots=True)
 class Model:
-    """Each operation returns its exact result times 1 + d, |d| <= `roundoff`; a function is within `ulps` units.
+    """Each operation returns its exact result times 1 + d, |d| <= `roundoff`.
 
-    A unit in the last place is at most twice the roundoff of the value. A contracted a b + c rounds once where the
-    model lets it round twice, so that contraction is allowed and never needed. Nothing overflows or underflows.
+    Sine and cosine are within `ulps` units in the last place, the arctangent within `directions`: they are what
+    rounding to nearest makes of something within that less one half. A unit in the last place is at most twice the
+    roundoff of the value. A contracted a b + c rounds once where the model lets it round twice, so that contraction is
+    allowed and never needed. Nothing overflows, and nothing underflows but where `least` says by how much a result
+    below the smallest normal number is rounded.
     """
 
     roundoff: Fraction
-    ulps: Fraction = Fraction(1)
+    ulps: Fraction = Fraction(4, 5)
+    directions: Fraction = Fraction(1)
+    least: Fraction = Fraction(0)
 
     def __post_init__(self) -> None:
-        if not 0 < self.roundoff <= Fraction(1, 2**20):
-            raise ValueError(f"a roundoff lies between 0 and 2^-20, not at {self.roundoff}")
-        if not 0 <= self.ulps <= 2**10:
-            raise ValueError(f"a function is within 0 to 1024 units in the last place, not {self.ulps}")
+        if not 0 < self.roundoff <= Fraction(1, 2**10):
+            raise ValueError(f"a roundoff lies between 0 and 2^-10, not at {self.roundoff}")
+        for ulps in (self.ulps, self.directions):
+            if not 0 <= ulps <= 2**10:
+                raise ValueError(f"a function is within 0 to 1024 units in the last place, not {ulps}")
 
     def loss(self, op: Op) -> Fraction:
         """The largest relative error of the operation itself."""
-        if op in (Op.SINE, Op.COSINE, Op.ARCTANGENT2):
-            return 2 * self.ulps * self.roundoff
-        return self.roundoff
+        return (1 + self.excess(op)) * (1 + self.rounding(op)) - 1
+
+    def rounding(self, op: Op) -> Fraction:
+        """By how much a result is rounded, in parts of the largest power of two below what is rounded."""
+        return min(2 * self._within(op), Fraction(1)) * self.roundoff
+
+    def excess(self, op: Op) -> Fraction:
+        """How far what a function rounds is from its value, in parts of the largest power of two below the value."""
+        return 2 * self._within(op) * self.roundoff - self.rounding(op)
+
+    def _within(self, op: Op) -> Fraction:
+        if op in (Op.SINE, Op.COSINE):
+            return self.ulps
+        return self.directions if op is Op.ARCTANGENT2 else Fraction(1, 2)
+
+    def in_words(self, operations: Collection[Op]) -> str:
+        """What is supposed of the machine, as far as it concerns these operations."""
+        said = ["every operation rounded to nearest, with or without FMA"]
+        turns = [op.value for op in (Op.SINE, Op.COSINE) if op in operations]
+        if turns:
+            said.append(f"{' and '.join(turns)} within {float(self.ulps):g} ulp")
+        if Op.ARCTANGENT2 in operations:
+            said.append(f"arctangent within {float(self.directions):g} ulp")
+        return ", ".join(said)
 
     def is_exact(self, value: Fraction) -> bool:
         """Whether a constant is a number of the precision."""
@@ -43,3 +74,17 @@ class Model:
 DOUBLE = Model(Fraction(1, 2**53))
 SINGLE = Model(Fraction(1, 2**24))
 """What is proved here holds in double precision too: a bound in units of the roundoff grows with the roundoff."""
+
+
+def precision(dtype: Any) -> tuple[Model, float]:
+    """The model of float64 or float32 with gradual underflow, and the largest number. Raises ValueError for others."""
+    try:
+        wanted = np.dtype(dtype)
+    except TypeError:
+        wanted = None
+    if wanted not in (np.float64, np.float32):
+        raise ValueError(f"errors are bounded for float64 and float32, not for {dtype!r}")
+    limits = np.finfo(wanted)
+    unit = DOUBLE.roundoff if wanted == np.float64 else SINGLE.roundoff
+    # Half of the smallest number is none in double precision: the whole of it stands for it.
+    return Model(unit, least=Fraction(float(limits.smallest_subnormal))), float(limits.max)

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
 from chasles.lowering.program import Op, Program, Step
 
-__all__ = ["NoBound", "Outline", "outlined"]
+__all__ = ["NoBound", "Outline", "is_power_of_two", "outlined", "with_cases"]
 
 
-class NoBound(Exception):
+class NoBound(ValueError):
     """A bound of this kind cannot be proved of this program; the message says why."""
 
 
@@ -19,13 +20,15 @@ class Outline:
     """The steps that results need, in order, by number; `angles` are the inputs' multiples whose sine is taken.
 
     `sources` says of which step a number is the value, where a guard passes it on; `angles[k]` is the argument, its
-    entry and the factor of the angle of which step k is the sine or cosine.
+    entry and the factor of the angle of which step k is the sine or cosine. A factor of 1 or -1 is looked through too;
+    `signs` are the steps by whose signs it is chosen.
     """
 
     program: Program
     needed: tuple[int, ...]
     sources: dict[int, int]
     angles: dict[int, tuple[int, int, Fraction]]
+    signs: tuple[int, ...] = ()
 
     def operands(self, number: int) -> tuple[int, ...]:
         """The operands of a step, looked up through guards."""
@@ -36,13 +39,27 @@ class Outline:
         return tuple(self.sources.get(k, k) for k in self.program.results[result].entries)
 
 
-def outlined(program: Program) -> Outline:
-    """The program's outline. Raises NoBound for a choice between cases and for an angle that is rounded."""
+def outlined(program: Program, truths: Mapping[int, bool] | None = None) -> Outline:
+    """The program's outline where comparisons come out as `truths` says.
+
+    Raises NoBound for another choice between cases and for an angle that is rounded.
+    """
     steps = program.steps
-    sources = {k: step.operands[2] for k, step in enumerate(steps) if _is_guard(k, step, program)}
+    sources: dict[int, int] = {}
+    signs: dict[int, list[int]] = {}
+    for number, step in enumerate(steps):
+        if _is_guard(number, step, program):
+            sources[number] = sources.get(step.operands[2], step.operands[2])
+        elif step.op is Op.SELECT and truths and step.operands[0] in truths:
+            chosen = step.operands[1 if truths[step.operands[0]] else 2]
+            sources[number] = sources.get(chosen, chosen)
+        elif step.op is Op.MULTIPLY and is_sign(step.operands[1], program):
+            sources[number] = sources.get(step.operands[0], step.operands[0])
+            signs[number] = [sources.get(k, k) for k in _compared(step.operands[1], program)]
     needed: set[int] = set()
     angles: dict[int, tuple[int, int, Fraction]] = {}
-    ahead = [sources.get(k, k) for result in program.results for k in result.entries]
+    signed = sorted({k for number in signs for k in signs[number]})
+    ahead = [sources.get(k, k) for result in program.results for k in result.entries] + signed
     while ahead:
         number = ahead.pop()
         if number in needed:
@@ -55,7 +72,65 @@ def outlined(program: Program) -> Outline:
             angles[number] = _angle(step.operands[0], program)
             continue
         ahead += [sources.get(k, k) for k in step.operands]
-    return Outline(program, tuple(sorted(needed)), sources, angles)
+    return Outline(program, tuple(sorted(needed)), sources, angles, tuple(signed))
+
+
+def is_sign(number: int, program: Program) -> bool:
+    """Whether a step chooses between 1 and -1 by comparisons with zero."""
+    step = program.steps[number]
+    if step.op is not Op.SELECT:
+        return False
+    comparison = program.steps[step.operands[0]]
+    compared = [k for k in comparison.operands if not _is_zero(program.steps[k])]
+    return (
+        comparison.op is Op.LESS
+        and len(compared) == 1
+        and all(is_one(k, program) or is_sign(k, program) for k in step.operands[1:])
+    )
+
+
+def is_one(number: int, program: Program) -> bool:
+    """Whether a step is 1 or -1."""
+    step = program.steps[number]
+    if step.op is Op.NEGATE:
+        return is_one(step.operands[0], program)
+    return step.op is Op.CONSTANT and abs(step.value) == 1
+
+
+def _compared(number: int, program: Program) -> Iterator[int]:
+    """The steps by whose signs a sign is chosen."""
+    step = program.steps[number]
+    if step.op is Op.SELECT:
+        yield from (k for k in program.steps[step.operands[0]].operands if not _is_zero(program.steps[k]))
+        for operand in step.operands[1:]:
+            yield from _compared(operand, program)
+
+
+def with_cases(program: Program) -> Outline:
+    """The program's outline with its choices and with angles as values like others.
+
+    A choice of which one side is not a number, or of which both are the same, is looked through. Raises NoBound for a
+    result that is nowhere a number.
+    """
+    steps, sources = program.steps, dict[int, int]()
+    for number, step in enumerate(steps):
+        if step.op is not Op.SELECT:
+            continue
+        _, one, other = (sources.get(k, k) for k in step.operands)
+        if _is_guard(number, step, program) or steps[one].op is Op.NOT_A_NUMBER:
+            sources[number] = other
+        elif steps[other].op is Op.NOT_A_NUMBER or one == other:
+            sources[number] = one
+    needed: set[int] = set()
+    ahead = [sources.get(k, k) for result in program.results for k in result.entries]
+    while ahead:
+        number = ahead.pop()
+        if steps[number].op is Op.NOT_A_NUMBER:
+            raise NoBound("a result is not a number")
+        if number not in needed:
+            needed.add(number)
+            ahead += [sources.get(k, k) for k in steps[number].operands]
+    return Outline(program, tuple(sorted(needed)), sources, {})
 
 
 def _is_guard(number: int, step: Step, program: Program) -> bool:

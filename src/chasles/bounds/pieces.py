@@ -13,15 +13,19 @@ from fractions import Fraction
 from itertools import product
 from typing import Any
 
-from chasles.bounds.scaled import Scaled, between
+import numpy as np
+
+from chasles.bounds.intervals import Interval, enclosed
 from chasles.bounds.symmetry import Sign
 
-__all__ = ["SLACK", "AnglePiece", "FacePiece", "Interval", "Piece", "faces"]
+__all__ = ["NEAR", "SLACK", "AnglePiece", "FacePiece", "Piece", "Range", "face_values", "faces"]
 
 SLACK = 2.0**-21
 """How far a unit vector's length may be from 1: some roundoffs of single precision."""
+NEAR = 2.0**-5
+"""How near a singular angle t counts as small."""
 
-Interval = tuple[float, float]
+Range = tuple[float, float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +37,7 @@ class FacePiece:
     signs: tuple[int, int, int]
 
     @property
-    def ranges(self) -> tuple[Interval, ...]:
+    def ranges(self) -> tuple[Range, ...]:
         """What the box's coordinates run over."""
         return tuple((0.0, 1.0) if self.signs[k] > 0 else (-1.0, 0.0) for k in range(3) if k != self.axis)
 
@@ -47,40 +51,41 @@ class FacePiece:
         """What changes of sign leave as it is."""
         return self.argument, self.axis
 
-    def values(self, box: tuple[Interval, ...]) -> dict[tuple[int, int], Scaled]:
-        """The entries over a box."""
-        from flint import arb
-
-        a, b = box
-        others = [k for k in range(3) if k != self.axis]
-        length = between(1 - SLACK, 1 + SLACK)
-        square = 1 + between(*_squared(a)) + between(*_squared(b))
-        largest = self.signs[self.axis] * length / square.sqrt()
-        entries = {self.axis: largest, others[0]: length * _slope(a, b), others[1]: length * _slope(b, a)}
-        return {(self.argument, k): Scaled(0, value, arb(0)) for k, value in entries.items()}
+    @property
+    def batch(self) -> tuple[int, ...]:
+        """Pieces of one batch have their steps in the same powers of t."""
+        return ()
 
 
-def _squared(x: Interval) -> Interval:
-    """The squares of the numbers of an interval."""
-    low, high = sorted(map(abs, x))
-    return (0.0 if x[0] < 0 < x[1] else low * low, high * high)
+def face_values(axis: int, sign: int, box: tuple[Interval, Interval]) -> list[Interval]:
+    """The entries of unit vectors over boxes of one face, its largest entry of that sign."""
+    a, b = box
+    one = np.ones_like(a.low)
+    length = Interval(one - SLACK, one + SLACK)
+    square = Interval(one, one) + a.squared + b.squared
+    largest = length / square.root
+    others = iter((length * _slope(a, b), length * _slope(b, a)))
+    return [(largest if sign > 0 else -largest) if k == axis else next(others) for k in range(3)]
 
 
-def _slope(x: Interval, other: Interval) -> Any:
+def _slope(x: Interval, other: Interval) -> Interval:
     """What x / sqrt(1 + x^2 + y^2) runs over: it grows with x, and its size shrinks with that of y."""
-    from flint import arb
+    near, far = other.below, other.above
+    low = _at(x.low, np.where(x.low > 0, far, near))
+    high = _at(x.high, np.where(x.high > 0, near, far))
+    return Interval(low.low, high.high)
 
-    near, far = _squared(other)
-    low = arb(x[0]) / (1 + arb(x[0]) ** 2 + (far if x[0] > 0 else near)).sqrt()
-    high = arb(x[1]) / (1 + arb(x[1]) ** 2 + (near if x[1] > 0 else far)).sqrt()
-    return low.union(high)
+
+def _at(x: Any, y: Any) -> Interval:
+    one, a, b = (Interval(z, z) for z in (np.ones_like(x), x, y))
+    return a / (one + a.squared + b.squared).root
 
 
 @dataclass(frozen=True, slots=True)
 class AnglePiece:
     """Angles on one side of a singular one, which is `quarter` quarter turns over the smallest factor `least`.
 
-    If the piece is `singular`, t is kept as a power.
+    Where `near` the singular one the box is of s: t is s times any power of two up to 1, and powers of that are kept.
     """
 
     argument: int
@@ -88,6 +93,7 @@ class AnglePiece:
     quarter: int
     side: int
     least: Fraction
+    near: bool = True
     singular: bool = True
 
     @property
@@ -100,44 +106,46 @@ class AnglePiece:
     @property
     def kind(self) -> tuple[int, ...]:
         """What changes of sign leave as it is."""
-        return self.argument, self.entry, self.quarter % 2
+        return self.argument, self.entry, self.quarter % 2, self.near
 
     @property
-    def ranges(self) -> tuple[Interval, ...]:
-        """What the box's coordinate t runs over: to the middle between two singular angles."""
-        return ((0.0, float(1 / (4 * self.least))),)
+    def batch(self) -> tuple[int, ...]:
+        """Pieces of one batch have their steps in the same powers of t."""
+        return (self.quarter,) if self.near else ()
 
-    def scale(self, box: tuple[Interval, ...]) -> Interval | None:
-        """What t runs over, where t is kept as a power."""
-        return box[0] if self.singular else None
+    @property
+    def ranges(self) -> tuple[Range, ...]:
+        """What the box's coordinate runs over: t goes to the middle between two singular angles."""
+        most = float(1 / (4 * self.least))
+        return ((NEAR / 2, NEAR) if self.near else (NEAR if self.singular else 0.0, most),)
 
-    def functions(self, box: tuple[Interval, ...], factor: Fraction) -> tuple[Scaled, Scaled]:
-        """Sine and cosine of the factor times the angle over a box."""
+    def functions(self, box: Range, factor: Fraction) -> tuple[tuple[int, float, float], ...]:
+        """Sine and cosine of the factor times the angle over a box: for each a power of t and the ends."""
         from flint import arb
 
-        ((low, high),) = box
-        zero = arb(0)
+        low, high = box
         multiple = float(factor)
         turned = self.quarter * factor / self.least
-        moved = self.side * multiple * between(low, high)
-        cosine = Scaled(0, moved.cos_pi(), zero)
-        if self.singular and turned.denominator == 1:
+        moved = self.side * multiple * _between(0.0 if self.near else low, high)
+        sine, cosine = (0, moved.sin_pi()), (0, moved.cos_pi())
+        if self.near and turned.denominator == 1:
             # sin(x) / x shrinks between 0 and pi.
-            first = arb(multiple * low).sin_pi() / low if low else arb.pi() * multiple
-            sine = Scaled(1, self.side * (arb(multiple * high).sin_pi() / high).union(first), zero)
-        else:
-            sine = Scaled(0, moved.sin_pi(), zero)
+            ratio = (arb(multiple * high).sin_pi() / high).union(arb.pi() * multiple)
+            sine = 1, self.side * ratio * _between(low, high)
         if turned.denominator != 1:
             whole = float(turned) / 2 + moved
-            return Scaled(0, whole.sin_pi(), zero), Scaled(0, whole.cos_pi(), zero)
-        return _turned(sine, cosine, int(turned) % 4)
+            sine, cosine = (0, whole.sin_pi()), (0, whole.cos_pi())
+        else:
+            for _ in range(int(turned) % 4):
+                sine, cosine = cosine, (sine[0], -sine[1])
+        return tuple((power, *enclosed(ball)) for power, ball in (sine, cosine))
 
 
-def _turned(sine: Scaled, cosine: Scaled, quarters: int) -> tuple[Scaled, Scaled]:
-    """Sine and cosine after so many quarter turns."""
-    for _ in range(quarters):
-        sine, cosine = cosine, Scaled(sine.power, -sine.value, sine.error)
-    return sine, cosine
+def _between(low: float, high: float) -> Any:
+    """The ball around the numbers between two, each a binary number of few digits."""
+    from flint import arb
+
+    return arb(low).union(arb(high)) if low != high else arb(low)
 
 
 Piece = FacePiece | AnglePiece

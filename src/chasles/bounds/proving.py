@@ -8,7 +8,9 @@ from fractions import Fraction
 from hashlib import sha256
 
 from chasles.bounds.bound import Bound, Guarantee
+from chasles.bounds.cases import case_shares, cases
 from chasles.bounds.covering import covered, largest
+from chasles.bounds.intervals import Array
 from chasles.bounds.model import SINGLE, Model
 from chasles.bounds.norms import Group, against_largest
 from chasles.bounds.outline import NoBound, Outline, outlined
@@ -16,18 +18,22 @@ from chasles.bounds.running import Running
 from chasles.bounds.termwise import Share, shares
 from chasles.lowering.program import Program
 from chasles.lowering.request import Request
-from chasles.statements.kernel import nodes_of
+from chasles.statements.kernel import Argument, nodes_of
+from chasles.vocabulary import Node
 from chasles.vocabulary.nodes import measured
 
 __all__ = ["bound_of", "key_of"]
 
-METHOD = 1
+METHOD = 3
 """Changes with every change of what is proved of a program, so that remembered bounds are not taken for new ones."""
-BOXES = 16000
+BOXES = 400_000
 DIGITS = Decimal("0.01")
 COVERED_DIGITS = Decimal("0.1")
 """To what units are rounded upwards: coarser where the end depends on the order in which boxes are halved."""
 ALL = "all inputs"
+CONDITION = 2**12
+"""The largest condition of a divisor, the sum of its terms' sizes over its own size, for which something is proved."""
+WELL = f"all inputs of which that is at most {CONDITION}"
 
 
 def bound_of(program: Program, request: Request, model: Model = SINGLE) -> Bound:
@@ -41,17 +47,52 @@ def bound_of(program: Program, request: Request, model: Model = SINGLE) -> Bound
     key = key_of(program, request, model)
     try:
         outline = outlined(program)
+    except NoBound:
+        return _bound_of_cases(key, program, request, model)
+    try:
         counted = _counted(outline, model)
         if any(guarantee.against == "terms" for guarantee in counted):
             return Bound(key, _over_boxes(outline, request, model) or counted)
         return Bound(key, counted)
     except NoBound as reason:
+        return _bound_with_condition(key, outline, model, str(reason))
+
+
+def _bound_of_cases(key: str, program: Program, request: Request, model: Model) -> Bound:
+    """The worst of the program's cases, each compared with its own formula."""
+    rotations = _subjects(request, "rotation")
+    rotation = next((k for k, a in enumerate(request.arguments) if _is_among(a, rotations)), None)
+    try:
+        found = [(case.outline, case_shares(case, model, rotation)) for case in cases(program)]
+    except NoBound as reason:
         return Bound(key, reason=str(reason))
+    inputs = f"every rotation {program.arguments[rotation].name}" if rotation is not None else ALL
+    guarantees = []
+    for index, result in enumerate(program.results):
+        entries = [share[k] for outline, share in found for k in outline.entries(index)]
+        guarantees.append(_guarantee(result.name, entries, model, f"{inputs}, beside the case that is taken"))
+    return Bound(key, tuple(guarantees))
+
+
+def _bound_with_condition(key: str, outline: Outline, model: Model, reason: str) -> Bound:
+    """By counting roundings, where a divisor may cancel."""
+    try:
+        found = shares(outline, model, most=CONDITION)
+    except NoBound:
+        return Bound(key, reason=reason)
+    guarantees = []
+    for index, result in enumerate(outline.program.results):
+        entries = [found[k] for k in outline.entries(index)]
+        conditioned = any(share.conditioned for share in entries)
+        guarantees.append(_guarantee(result.name, entries, model, WELL if conditioned else ALL))
+    return Bound(key, tuple(guarantees))
 
 
 def key_of(program: Program, request: Request, model: Model = SINGLE) -> str:
     """The hash of all that the bound depends on."""
-    parts = (METHOD, program.arguments, program.steps, program.results, _units(request), _places(request), model)
+    rotations = _subjects(request, "rotation")
+    assumed = _units(request), tuple(k for k, a in enumerate(request.arguments) if _is_among(a, rotations))
+    parts = (METHOD, program.arguments, program.steps, program.results, assumed, _places(request), model)
     return sha256(repr(parts).encode()).hexdigest()
 
 
@@ -59,13 +100,15 @@ def _counted(outline: Outline, model: Model) -> tuple[Guarantee, ...]:
     """By counting roundings. Raises NoBound."""
     found = shares(outline, model)
     results = enumerate(outline.program.results)
-    return tuple(_guarantee(r.name, [found[k] for k in outline.entries(i)], model) for i, r in results)
+    return tuple(_guarantee(r.name, [found[k] for k in outline.entries(i)], model, ALL) for i, r in results)
 
 
-def _guarantee(result: str, entries: list[Share], model: Model) -> Guarantee:
+def _guarantee(result: str, entries: list[Share], model: Model, inputs: str) -> Guarantee:
     error = max(share.error for share in entries)
     against = "terms" if not all(share.single for share in entries) else "itself" if error else "nothing"
-    return Guarantee(result, against, _upwards(error / model.roundoff, DIGITS), ALL)
+    if any(share.conditioned for share in entries):
+        against = "conditioned"
+    return Guarantee(result, against, _upwards(error / model.roundoff, DIGITS), inputs)
 
 
 def _over_boxes(outline: Outline, request: Request, model: Model) -> tuple[Guarantee, ...]:
@@ -80,8 +123,8 @@ def _over_boxes(outline: Outline, request: Request, model: Model) -> tuple[Guara
         cover = covered(outline, units)
         for result, members in zip(program.results, groups, strict=True):
 
-            def measure(running: Running, members: list[Group] = members) -> float:
-                return against_largest(running, members, model.roundoff)
+            def measure(running: Running, enough: float, members: list[Group] = members) -> Array:
+                return against_largest(running, members, model.roundoff, enough)
 
             error = largest(outline, model, cover, measure, BOXES)
             found.append(
@@ -109,9 +152,17 @@ def _groups(outline: Outline, result: int, places: tuple[tuple[int, ...], ...]) 
 
 def _units(request: Request) -> tuple[int, ...]:
     """The arguments that are unit vectors of space."""
-    subjects = {h.subjects[0] for h in request.hypotheses if h.kind == "unit"}
-    arguments = enumerate(request.arguments)
-    return tuple(k for k, a in arguments if len(nodes_of(a)) == 1 and nodes_of(a)[0] in subjects and _is_column(a))
+    subjects = _subjects(request, "unit")
+    return tuple(k for k, a in enumerate(request.arguments) if _is_among(a, subjects) and _is_column(a))
+
+
+def _subjects(request: Request, kind: str) -> set[Node]:
+    """What the request assumes to be of a kind."""
+    return {h.subjects[0] for h in request.hypotheses if h.kind == kind}
+
+
+def _is_among(argument: Argument, nodes: set[Node]) -> bool:
+    return len(nodes_of(argument)) == 1 and nodes_of(argument)[0] in nodes
 
 
 def _is_column(argument: object) -> bool:

@@ -1,35 +1,52 @@
-"""How far may rounding take each step, over a whole box of inputs? Ball arithmetic along with the program.
+"""How far may rounding take each step, over many boxes of inputs? Interval arithmetic along with the program.
 
-Each step has a ball that holds its exact values, and a bound on how far the computed ones are from them. All terms are
-kept, those of second order too.
+Each step has an interval that holds its exact values, and a bound on how far the computed ones are from them. All terms
+are kept, those of second order too.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
+from chasles.bounds.choosing import Truth, chosen, truth
+from chasles.bounds.intervals import SAFE, Array, Interval, exactly, function_of
 from chasles.bounds.model import Model
 from chasles.bounds.outline import NoBound, Outline, is_power_of_two
-from chasles.bounds.scaled import Scaled, exactly
+from chasles.bounds.places import Places, excess, half_unit, restricted, rounded
+from chasles.bounds.scaled import Scaled
 from chasles.lowering.program import Op, Step
 
-__all__ = ["SAFE", "Running"]
+__all__ = ["Angles", "Running", "no_angles"]
 
-SAFE = 1e-12
-"""By how much a float is moved outwards that stands for the end of a ball: thousands of its own roundings."""
+
+Angles = Callable[[int, int, Fraction], tuple[Scaled, Scaled]]
+"""Sine and cosine of a multiple of an argument's entry."""
+
+
+def no_angles(argument: int, entry: int, factor: Fraction) -> tuple[Scaled, Scaled]:
+    """Those of a program whose angles are values like others. Raises KeyError."""
+    raise KeyError((argument, entry, factor))
+
+
+COMPARISONS = (Op.LESS, Op.EQUAL)
+FUNCTIONS = (Op.SINE, Op.COSINE, Op.ARCTANGENT2)
 
 
 class Running:
-    """The program's steps over one box.
+    """The program's steps over as many boxes as each interval of `inputs` has ends.
 
-    `inputs` gives values to entries of arguments, `angles` sine and cosine of multiples of an argument's entry; `small`
-    is what t runs over. `values` has each step's exact values and errors, `near` encloses its computed values.
-    `rounded` are the steps behind which something is rounded, and `losses` says of those that round themselves how
-    much: relative to the value, or absolutely (True) where the value's size is known. Raises ZeroDivisionError where
-    the box is so large that a divisor may be zero.
+    `inputs` gives values to entries of arguments, `angles` sines and cosines to the outline's angles; `known` encloses
+    the exact values of some steps otherwise; `places` says between which powers of two the sizes of some lie before
+    they are rounded.
+
+    `values` has each step's exact values and errors, `around` encloses all that is as near to an exact value, `near`
+    the computed values alone; `losses` has the error that a step adds of itself, if it rounds. `bad` says in which
+    boxes a step has no value that is known, and `why` is the first such step; `empty` which boxes the `places` leave
+    nothing of; `split` is the step, and the power of two, of which both sides are possible and which matters most.
     """
 
     def __init__(
@@ -37,51 +54,88 @@ class Running:
         outline: Outline,
         model: Model,
         inputs: Mapping[tuple[int, int], Scaled],
-        angles: Callable[[int, int, Fraction], tuple[Scaled, Scaled]],
-        small: tuple[float, float],
+        angles: Angles,
+        count: int,
+        places: Mapping[int, Places] | None = None,
+        known: Mapping[int, Interval] | None = None,
     ) -> None:
-        from flint import arb
-
         self.outline, self._model, self._inputs, self._angles = outline, model, inputs, angles
-        self.zero = arb(0)
-        self._unit, self._function = exactly(model.roundoff), exactly(model.loss(Op.SINE))
-        # What a derivative changes by where the step's own rounding is taken into account.
-        self.wobble = arb(1, 2 * float(max(model.roundoff, model.loss(Op.SINE))))
-        self._small = arb(small[0]), arb(small[1])
+        self._places, self._known = places or {}, known or {}
+        self.zero = np.zeros(count)
         self.values: dict[int, Scaled] = {}
+        self.around: dict[int, Scaled] = {}
         self.near: dict[int, Scaled] = {}
+        self._unrounded: dict[int, Interval] = {}
+        self.losses: dict[int, Array] = {}
         self.rounded: set[int] = set()
-        self.losses: dict[int, tuple[Any, bool]] = {}
-        for number in outline.needed:
-            found = self.values[number] = self._step(number, outline.program.steps[number])
-            self.near[number] = found
-            if number in self.rounded:
-                self.near[number] = Scaled(found.power, found.value + arb(0, found.error.abs_upper()), found.error)
+        self.truths: dict[int, Truth] = {}
+        self.bad = np.zeros(count, dtype=bool)
+        self.why = np.full(count, -1)
+        self.empty = np.zeros(count, dtype=bool)
+        self.split = np.full(count, -1), np.zeros(count, dtype=np.int64)
+        self._weight = np.zeros(count)
+        self._sides: dict[int, tuple[NDArray[np.bool_], NDArray[np.int64]]] = {}
+        with np.errstate(all="ignore"):
+            for number in outline.needed:
+                self._run(number, outline.program.steps[number])
 
-    def lowered(self, x: Any, power: int, to: int) -> Any:
-        """A multiple of one power of t as a multiple of a lower one."""
-        if power == to:
-            return x
-        low, high = self._small
-        return x * (low ** (power - to)).union(high ** (power - to))
+    def _run(self, number: int, step: Step) -> None:
+        if step.op in COMPARISONS:
+            self.truths[number] = truth(self, step.op, self.outline.operands(number))
+            return
+        found = self._step(number, step)
+        if number in self._known:
+            found = Scaled(found.power, found.value.common(self._known[number]), found.error)
+        around = found.value.widened(found.error) if number in self.rounded else found.value
+        near = self.near[number].value.common(around) if number in self.near else around
+        self.values[number], self.around[number] = found, Scaled(found.power, around, found.error)
+        self.near[number] = Scaled(found.power, near, found.error)
+        lost = ~(np.isfinite(around.low) & np.isfinite(around.high)) & ~self.bad
+        self.why[lost] = number
+        self.bad |= lost
+
+    def part(self, rows: NDArray[np.bool_]) -> Running:
+        """The same in some of the boxes."""
+        found: Running = object.__new__(Running)
+        found.outline, found.rounded, found._model = self.outline, self.rounded, self._model
+        found.zero, found._weight = self.zero[rows], self._weight[rows]
+        found.split = self.split[0][rows], self.split[1][rows]
+        found.values = {k: x.part(rows) for k, x in self.values.items()}
+        found.around = {k: x.part(rows) for k, x in self.around.items()}
+        found.losses = {k: x[rows] for k, x in self.losses.items()}
+        found.truths = {k: x.part(rows) for k, x in self.truths.items()}
+        found._sides = {k: (x[rows], y[rows]) for k, (x, y) in self._sides.items()}
+        return found
+
+    def lowered(self, x: Interval, power: int, to: int) -> Interval:
+        """A multiple of one power of 2^-j as a multiple of a lower one."""
+        return x if power == to else x.union(Interval(self.zero, self.zero))
 
     def _step(self, number: int, step: Step) -> Scaled:
         if number in self.outline.angles:
-            value = self._angles(*self.outline.angles[number])[0 if step.op is Op.SINE else 1]
-            return self._graded(number, value.power, value.value, self.zero, self._function)
+            turn = self._angles(*self.outline.angles[number])[0 if step.op is Op.SINE else 1]
+            return self._graded(number, turn.power, turn.value, self.zero, step.op)
         operands = self.outline.operands(number)
+        if step.op is Op.SELECT:
+            return self._chosen(number, operands)
         of = [self.values[k] for k in operands]
         if not self.rounded.isdisjoint(operands):
             self.rounded.add(number)
         match step.op:
             case Op.INPUT:
-                return self._inputs[step.argument, step.entry]
+                given = self._inputs[step.argument, step.entry]
+                if given.error.any():
+                    self.rounded.add(number)
+                return given
             case Op.CONSTANT:
-                value = exactly(step.value)
+                value = exactly(step.value, self.zero)
                 if self._model.is_exact(step.value):
                     return Scaled(0, value, self.zero)
-                return self._graded(number, 0, value, self.zero, self._unit)
+                return self._graded(number, 0, value, self.zero, step.op)
             case Op.NEGATE:
+                self.near[number] = Scaled(of[0].power, -self.near[operands[0]].value, of[0].error)
+                if operands[0] in self._unrounded:
+                    self._unrounded[number] = -self._unrounded[operands[0]]
                 return Scaled(of[0].power, -of[0].value, of[0].error)
             case Op.ADD | Op.SUBTRACT:
                 return self._sum(number, of[0], of[1], step.op)
@@ -91,55 +145,108 @@ class Running:
                 return self._quotient(number, of[0], of[1])
             case Op.SQUARE_ROOT:
                 return self._root(number, of[0])
+            case Op.SINE | Op.COSINE:
+                return self._turn(number, of[0], step.op)
+            case Op.ARCTANGENT2:
+                return self._direction(number, of[0], of[1], operands)
             case op:
                 raise NoBound(f"no bound over a box is known of the operation {op}")
 
-    def _graded(self, number: int, power: int, value: Any, error: Any, loss: Any) -> Scaled:
-        """The value with the operation's own rounding.
-
-        Half a unit in the last place is the roundoff times the largest power of two that is not above the value's size.
-        The unit that a function is measured in is that of its exact value, which is below 1.
-        """
+    def _graded(
+        self, number: int, power: int, value: Interval, error: Array, op: Op, raw: Interval | None = None
+    ) -> Scaled:
+        """The value with the operation's own rounding; `raw` encloses what is rounded."""
         self.rounded.add(number)
-        size = abs(value) + error
-        if power:
-            self.losses[number] = loss, False
-            return Scaled(power, value, error + size * loss)
-        most = float(size.abs_upper()) * (1 + SAFE)
-        place = min(math.frexp(most)[1] - 1, -1 if loss is self._function else math.inf)
-        step = loss * 2.0**place if most else self.zero
-        self.losses[number] = step, True
-        return Scaled(0, value, error + step)
+        own = self.zero
+        if op in FUNCTIONS:
+            # What is rounded is not the function's value, but something near it, in units of that value's last place.
+            own = excess(value, float(self._model.excess(op)), op)
+            error = (error + own) * SAFE
+        around = value.widened(error)
+        raw = around if raw is None else raw.common(around)
+        places = self._places.get(number)
+        if places is not None:
+            value, raw, empty = restricted(value, error, raw, places)
+            self.empty |= empty
+        step, self._sides[number] = half_unit(raw, float(self._model.rounding(op)), op)
+        step = np.maximum(step, np.where(raw.above == 0, 0, float(self._model.least)))
+        self.losses[number] = (own + step) * SAFE
+        self.near[number] = Scaled(power, rounded(raw, step, float(self._model.rounding(op)), places), step)
+        return Scaled(power, value, (error + step) * SAFE)
+
+    def _chosen(self, number: int, operands: tuple[int, ...]) -> Scaled:
+        """The value of a choice between cases."""
+        found, near, jump = chosen(self, operands)
+        if jump.any() or not self.rounded.isdisjoint(operands[1:]):
+            self.rounded.add(number)
+        if jump.any():
+            self.losses[number] = jump
+            self._sides[number] = np.zeros(len(jump), dtype=bool), np.zeros(len(jump), dtype=np.int64)
+        self.near[number] = Scaled(0, near, found.error)
+        return found
+
+    def weigh(self, number: int, moved: Array) -> None:
+        """Choose the step to part boxes by: that whose error moves some entry most."""
+        where, power = self._sides[number]
+        more = where & (moved > self._weight)
+        self._weight[more], self.split[0][more], self.split[1][more] = moved[more], number, power[more]
 
     def _sum(self, number: int, x: Scaled, y: Scaled, op: Op) -> Scaled:
         power = min(x.power, y.power)
         a, b = self.lowered(x.value, x.power, power), self.lowered(y.value, y.power, power)
-        error = self.lowered(x.error, x.power, power) + self.lowered(y.error, y.power, power)
-        return self._graded(number, power, a + b if op is Op.ADD else a - b, error, self._unit)
+        # A contracted product is not rounded before it is added.
+        c, d = (
+            self.lowered(self._unrounded.get(k, self.near[k].value), self.near[k].power, power)
+            for k in self.outline.operands(number)
+        )
+        value, raw = (a + b, c + d) if op is Op.ADD else (a - b, c - d)
+        return self._graded(number, power, value, (x.error + y.error) * SAFE, op, raw)
+
+    def _near(self, number: int) -> list[Scaled]:
+        """What encloses the computed operands of a step."""
+        return [self.near[k] for k in self.outline.operands(number)]
 
     def _product(self, number: int, x: Scaled, y: Scaled, operands: tuple[int, ...]) -> Scaled:
         power = x.power + y.power
-        value = x.value**2 if operands[0] == operands[1] else x.value * y.value
-        error = abs(x.value) * y.error + abs(y.value) * x.error + x.error * y.error
+        value = x.value.squared if operands[0] == operands[1] else x.value * y.value
+        error = (x.value.above * y.error + y.value.above * x.error + x.error * y.error) * SAFE
         if any(self._only_scales(k) for k in operands):
             return Scaled(power, value, error)
-        return self._graded(number, power, value, error, self._unit)
+        a, b = self._near(number)
+        raw = a.value.squared if operands[0] == operands[1] else a.value * b.value
+        found = self._graded(number, power, value, error, Op.MULTIPLY, raw)
+        self._unrounded[number] = raw.union(self.near[number].value)
+        return found
 
     def _only_scales(self, number: int) -> bool:
         step = self.outline.program.steps[number]
-        return step.op is Op.CONSTANT and is_power_of_two(step.value)
+        return step.op is Op.CONSTANT and is_power_of_two(abs(step.value))
 
     def _quotient(self, number: int, x: Scaled, y: Scaled) -> Scaled:
-        least = (y.value.abs_lower() - y.error).lower()
-        if not least > 0:
-            raise ZeroDivisionError
+        least = y.value.below * (2 - SAFE) - y.error * SAFE
         value = x.value / y.value
-        error = (x.error + abs(value) * y.error) / least
-        return self._graded(number, x.power - y.power, value, error, self._unit)
+        error = np.where(least > 0, (x.error + value.above * y.error) / least * SAFE, np.nan)
+        a, b = self._near(number)
+        return self._graded(number, x.power - y.power, value, error, Op.DIVIDE, a.value / b.value)
 
     def _root(self, number: int, x: Scaled) -> Scaled:
-        least = (x.value.lower() - x.error).lower()
-        if x.power or not least > 0:
-            raise ZeroDivisionError
-        error = x.error / (x.value.lower().sqrt() + least.sqrt())
-        return self._graded(number, 0, x.value.sqrt(), error, self._unit)
+        if x.power:
+            raise NoBound("it takes the root of what vanishes at a singular angle")
+        root = x.value.root
+        least = x.value.low * (2 - SAFE) - x.error * SAFE
+        carried = x.error / (root.low + np.sqrt(np.maximum(least, 0))) * SAFE
+        error = np.where(x.error == 0, 0, np.where(least > 0, carried, np.nan))
+        return self._graded(number, 0, root, error, Op.SQUARE_ROOT, self._near(number)[0].value.root)
+
+    def _turn(self, number: int, x: Scaled, op: Op) -> Scaled:
+        return self._graded(number, 0, function_of(op.value, x.value), x.error, op)
+
+    def _direction(self, number: int, y: Scaled, x: Scaled, operands: tuple[int, ...]) -> Scaled:
+        """The angle moves by no more than the point does, over the smallest distance from the origin."""
+        near = [self.around[k].value for k in operands]
+        least = (near[0].squared + near[1].squared).low
+        moved = (y.error * near[1].above + x.error * near[0].above) / least * SAFE
+        error = np.where((y.error == 0) & (x.error == 0), 0, moved)
+        seen = function_of(Op.ARCTANGENT2.value, *near)
+        value = function_of(Op.ARCTANGENT2.value, y.value, x.value)
+        return self._graded(number, 0, value, error + 0 * seen.low, Op.ARCTANGENT2)

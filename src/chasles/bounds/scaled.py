@@ -1,36 +1,29 @@
-"""A ball times a power of a small number, so that what grows or vanishes at a singular point keeps its digits.
+"""An interval times a power of 2^-j, for all j at once: what grows or vanishes at a singular point keeps its digits.
 
-Near a singular angle, at the distance t in (0, T], every value is t^p times something in a ball that stays away from
-zero; so one evaluation holds for all t, down to the smallest. Elsewhere t is 1.
+Near a singular angle, at the distance s 2^-j, every value is some power of 2^-j times something that stays away from
+zero; so one evaluation holds for all distances, down to the smallest. Rounding takes no notice of powers of two.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from fractions import Fraction
-from typing import Any
 
-__all__ = ["Scaled", "between", "exactly"]
+import numpy as np
+from numpy.typing import NDArray
+
+from chasles.bounds.intervals import Array, Interval
+
+__all__ = ["Scaled"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Scaled:
-    """t^power times a value in the ball `value`, computed with an error of at most t^power times `error`."""
+    """2^(-j power) times a value in the interval `value`, with an error of at most 2^(-j power) times `error`."""
 
     power: int
-    value: Any
-    error: Any
+    value: Interval
+    error: Array
 
-
-def between(low: float, high: float) -> Any:
-    """The ball around the numbers between two, each a binary number of few digits."""
-    from flint import arb
-
-    return arb(low).union(arb(high)) if low != high else arb(low)
-
-
-def exactly(value: Fraction) -> Any:
-    """The ball around a fraction."""
-    from flint import arb
-
-    return arb(value.numerator) / value.denominator
+    def part(self, rows: NDArray[np.bool_]) -> Scaled:
+        """The same in some of the boxes."""
+        return Scaled(self.power, self.value.part(rows), self.error[rows])

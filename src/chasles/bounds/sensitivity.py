@@ -1,77 +1,126 @@
-"""How much does each rounding move an entry? Derivatives backwards through the program, over a box of inputs.
+"""How much does each rounding move an entry? Derivatives backwards through the program, over many boxes of inputs.
 
-An entry differs from its exact value by the sum, over all operations, of the operation's relative error times the
-entry's derivative by it, taken somewhere between (mean value theorem). The derivative is enclosed over the box and
-over all values that rounding can lead to, so that the sum of sizes is a bound without any remainder. Errors that cancel
-in an entry, as those of a cosine that enters twice, are seen to.
+An entry differs from its exact value by the sum, over all operations, of the operation's error times the entry's
+derivative by it, taken somewhere between (mean value theorem). The derivative is enclosed over the box and over all
+values that rounding can lead to, so that the sum of sizes is a bound without any remainder. Errors that cancel in an
+entry, as those of a cosine that enters twice, are seen to; but a product that enters several sums may be rounded for
+one of them and contracted with another, so that its errors there count one by one.
 """
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Iterator
+from dataclasses import dataclass
 
+import numpy as np
+
+from chasles.bounds.intervals import SAFE, Array, Interval, function_of
 from chasles.bounds.running import Running
 from chasles.lowering.program import Op
 
 __all__ = ["entry_error"]
 
-Slope = tuple[int, Any]
-"""A power of t, and the ball that it is multiplied by."""
+SUMS = (Op.ADD, Op.SUBTRACT)
 
 
-def entry_error(running: Running, entry: int, power: int) -> Any:
+@dataclass(frozen=True, slots=True, eq=False)
+class _Slope:
+    """A derivative: a power of t times an interval; `contracted` where it is by way of a sum that may take it up."""
+
+    power: int
+    value: Interval
+    contracted: bool = False
+
+
+def entry_error(running: Running, entry: int, power: int) -> Array:
     """A bound on the error of the entry that a step holds, as a multiple of a power of t.
 
-    Raises ZeroDivisionError where the error grows faster than that power.
+    Not a number where the error grows faster than that power.
     """
     total = running.zero
-    slopes: dict[int, Slope] = {entry: (0, running.zero + 1)}
-    for number in reversed(running.outline.needed):
-        if number not in slopes:
-            continue
-        slope = slopes.pop(number)
-        if number in running.losses:
-            loss, absolute = running.losses[number]
-            near = running.near[number]
-            grown = slope[0] if absolute else slope[0] + near.power
-            if grown < power:
-                raise ZeroDivisionError
-            moved = slope[1] * loss if absolute else slope[1] * near.value * loss
-            total += running.lowered(abs(moved), grown, power)
-            slope = slope[0], slope[1] * running.wobble
-        for operand, given in _passed_on(running, number, slope):
-            if operand in running.rounded:
-                slopes[operand] = _sum(running, slopes[operand], given) if operand in slopes else given
+    one = running.zero + 1
+    slopes: dict[int, list[_Slope]] = {entry: [_Slope(0, Interval(one, one))]}
+    with np.errstate(all="ignore"):
+        for number in reversed(running.outline.needed):
+            if number not in slopes:
+                continue
+            found = slopes.pop(number)
+            if number in running.losses:
+                moved = _moved(running, number, found, power)
+                running.weigh(number, moved)
+                total = (total + moved) * SAFE
+            for operand, given in _passed_on(running, number, found):
+                if operand in running.rounded:
+                    slopes.setdefault(operand, []).append(given)
     return total
 
 
-def _passed_on(running: Running, number: int, slope: Slope) -> list[tuple[int, Slope]]:
+def _moved(running: Running, number: int, found: list[_Slope], power: int) -> Array:
+    """How far the step's own error moves the entry."""
+    slope = _sum(running, found)
+    grown = slope.power + running.values[number].power
+    if grown < power:
+        return running.zero + np.nan
+    size = slope.value.above
+    if running.outline.program.steps[number].op is Op.MULTIPLY and len(found) > 1:
+        apart = [given for given in found if not given.contracted]
+        sizes = [_sum(running, apart)] if apart else []
+        sizes += [given for given in found if given.contracted]
+        size = sum((s.value.above for s in sizes), running.zero) * SAFE
+    return size * running.losses[number] * SAFE
+
+
+def _sum(running: Running, found: list[_Slope]) -> _Slope:
+    power = min(slope.power for slope in found)
+    total = running.lowered(found[0].value, found[0].power, power)
+    for slope in found[1:]:
+        total = total + running.lowered(slope.value, slope.power, power)
+    return _Slope(power, total)
+
+
+def _passed_on(running: Running, number: int, found: list[_Slope]) -> Iterator[tuple[int, _Slope]]:
     """The derivatives by the operands."""
-    if number in running.outline.angles:
-        return []
-    power, value = slope
-    operands, near = running.outline.operands(number), running.near
-    match running.outline.program.steps[number].op:
-        case Op.ADD:
-            return [(k, slope) for k in operands]
-        case Op.SUBTRACT:
-            return [(operands[0], slope), (operands[1], (power, -value))]
-        case Op.NEGATE:
-            return [(operands[0], (power, -value))]
+    op = running.outline.program.steps[number].op
+    operands = running.outline.operands(number)
+    if number in running.outline.angles or running.rounded.isdisjoint(operands):
+        return
+    if op is Op.NEGATE:
+        yield from ((operands[0], _Slope(s.power, -s.value, s.contracted)) for s in found)
+        return
+    slope = _sum(running, found)
+    if op is Op.SELECT:
+        truth, nothing = running.truths[operands[0]], Interval(running.zero, running.zero)
+        for k, may, may_not in ((operands[1], truth.may, truth.may_not), (operands[2], truth.may_not, truth.may)):
+            given = slope.value.union(nothing)
+            low = np.where(may, np.where(may_not, given.low, slope.value.low), 0.0)
+            high = np.where(may, np.where(may_not, given.high, slope.value.high), 0.0)
+            yield k, _Slope(slope.power, Interval(low, high))
+        return
+    near = [running.around[k] for k in operands]
+    match op:
+        case Op.ADD | Op.SUBTRACT:
+            yield operands[0], _Slope(slope.power, slope.value, contracted=True)
+            second = slope.value if op is Op.ADD else -slope.value
+            yield operands[1], _Slope(slope.power, second, contracted=True)
         case Op.MULTIPLY:
-            pairs = (operands, operands[::-1])
-            return [(k, (power + near[other].power, value * near[other].value)) for k, other in pairs]
+            for k, other in zip(operands, near[::-1], strict=True):
+                yield k, _Slope(slope.power + other.power, slope.value * other.value)
         case Op.DIVIDE:
-            above, below = (near[k] for k in operands)
-            shared = power - below.power, value / below.value
-            ratio = above.power - below.power, -above.value / below.value
-            return [(operands[0], shared), (operands[1], (shared[0] + ratio[0], shared[1] * ratio[1]))]
+            above, below = near
+            shared = _Slope(slope.power - below.power, slope.value / below.value)
+            yield operands[0], shared
+            yield (
+                operands[1],
+                _Slope(shared.power + above.power - below.power, shared.value * -(above.value / below.value)),
+            )
         case Op.SQUARE_ROOT:
-            return [(operands[0], (power, value / (2 * near[operands[0]].value.sqrt())))]
-        case _:
-            return []
-
-
-def _sum(running: Running, x: Slope, y: Slope) -> Slope:
-    power = min(x[0], y[0])
-    return power, running.lowered(x[1], x[0], power) + running.lowered(y[1], y[0], power)
+            yield operands[0], _Slope(slope.power, slope.value / near[0].value.root.times(2.0))
+        case Op.SINE:
+            yield operands[0], _Slope(slope.power, slope.value * function_of("cosine", near[0].value))
+        case Op.COSINE:
+            yield operands[0], _Slope(slope.power, slope.value * -function_of("sine", near[0].value))
+        case Op.ARCTANGENT2:
+            y, x = (value.value for value in near)
+            square = x.squared + y.squared
+            yield operands[0], _Slope(slope.power, slope.value * (x / square))
+            yield operands[1], _Slope(slope.power, slope.value * -(y / square))

@@ -8,7 +8,8 @@ are none of them negative, is that sum itself up to its sign, and so has a relat
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from chasles.bounds.model import Model
@@ -20,28 +21,49 @@ __all__ = ["Share", "shares"]
 
 @dataclass(frozen=True, slots=True)
 class Share:
-    """The error in parts of the sum of the terms' sizes; `single` where that sum is the size of the value itself."""
+    """The error in parts of the sum of the terms' sizes; `single` where that sum is the size of the value itself.
+
+    It is `conditioned` where those parts are to be multiplied by the condition of a divisor.
+    """
 
     error: Fraction = Fraction(0)
     single: bool = True
     nonnegative: bool = False
+    conditioned: bool = False
 
 
-def shares(outline: Outline, model: Model) -> dict[int, Share]:
-    """The share of every step that results need. Raises NoBound where a divisor or a radicand may cancel."""
+def shares(
+    outline: Outline, model: Model, known: Mapping[int, Fraction] | None = None, most: int = 1
+) -> dict[int, Share]:
+    """The share of every step that results need; `known` are relative errors of sums that do not cancel.
+
+    With `most` above 1 a divisor may cancel: shares are in parts of the sum of terms times the divisor's condition,
+    which is the sum of its terms' sizes over its own size, as long as that is not above `most`. Errors are convex
+    functions of the condition that vanish with it: what holds for the largest holds, in proportion, for all.
+
+    Raises NoBound where a divisor may cancel that must not, a radicand, or what a sign is chosen by.
+    """
     found: dict[int, Share] = {}
     steps = outline.program.steps
+    if most > 1:
+        model = replace(model, roundoff=model.roundoff * most)
     for number in outline.needed:
         step = steps[number]
         if number in outline.angles:
             found[number] = Share(model.loss(step.op))
             continue
         operands = outline.operands(number)
-        found[number] = _share(step, [found[k] for k in operands], operands, outline, model)
-    return found
+        found[number] = _share(step, [found[k] for k in operands], operands, outline, model, most > 1)
+        if known and number in known:
+            found[number] = Share(known[number] * most)
+    if not all(found[k].single for k in outline.signs):
+        raise NoBound("it chooses a sign by a sum whose terms may cancel")
+    return {k: replace(share, error=share.error / most) for k, share in found.items()}
 
 
-def _share(step: Step, of: list[Share], numbers: tuple[int, ...], outline: Outline, model: Model) -> Share:
+def _share(
+    step: Step, of: list[Share], numbers: tuple[int, ...], outline: Outline, model: Model, conditioned: bool
+) -> Share:
     match step.op:
         case Op.INPUT:
             return Share()
@@ -49,13 +71,13 @@ def _share(step: Step, of: list[Share], numbers: tuple[int, ...], outline: Outli
             exact = model.is_exact(step.value)
             return Share(Fraction(0) if exact else model.roundoff, nonnegative=step.value >= 0)
         case Op.NEGATE:
-            return Share(of[0].error, of[0].single)
+            return Share(of[0].error, of[0].single, conditioned=of[0].conditioned)
         case Op.ADD | Op.SUBTRACT:
             return _sum(step.op, of, model)
         case Op.MULTIPLY:
             return _product(of, numbers, outline, model)
         case Op.DIVIDE:
-            return _quotient(of, model)
+            return _quotient(of, model, conditioned)
         case Op.SQUARE_ROOT:
             return _root(of[0], model)
         case Op.ARCTANGENT2:
@@ -70,7 +92,7 @@ def _sum(op: Op, of: list[Share], model: Model) -> Share:
         return Share(model.roundoff, nonnegative=op is Op.ADD and x.nonnegative and y.nonnegative)
     positive = op is Op.ADD and x.nonnegative and y.nonnegative
     error = _after(1 + max(x.error, y.error), model.loss(op))
-    return Share(error, positive and x.single and y.single, positive)
+    return Share(error, positive and x.single and y.single, positive, x.conditioned or y.conditioned)
 
 
 def _product(of: list[Share], numbers: tuple[int, ...], outline: Outline, model: Model) -> Share:
@@ -81,23 +103,26 @@ def _product(of: list[Share], numbers: tuple[int, ...], outline: Outline, model:
     for share, number in ((y, numbers[0]), (x, numbers[1])):
         step = outline.program.steps[number]
         if step.op is Op.CONSTANT and is_power_of_two(step.value):
-            return Share(share.error, single, nonnegative)
-    return Share(_after((1 + x.error) * (1 + y.error), model.loss(Op.MULTIPLY)), single, nonnegative)
+            return Share(share.error, single, nonnegative, share.conditioned)
+    conditioned = x.conditioned or y.conditioned
+    return Share(_after((1 + x.error) * (1 + y.error), model.loss(Op.MULTIPLY)), single, nonnegative, conditioned)
 
 
-def _quotient(of: list[Share], model: Model) -> Share:
+def _quotient(of: list[Share], model: Model, conditioned: bool) -> Share:
     x, y = of
-    if not y.single:
+    if not (y.single or (conditioned and not y.conditioned)):
         raise NoBound("it divides by a sum whose terms may cancel")
     error = _after((1 + x.error) / (1 - y.error), model.loss(Op.DIVIDE))
-    return Share(error, x.single, x.nonnegative and y.nonnegative)
+    single, nonnegative = x.single and y.single, x.nonnegative and y.nonnegative
+    return Share(error, single, nonnegative and y.single, x.conditioned or y.conditioned or not y.single)
 
 
 def _root(of: Share, model: Model) -> Share:
     if not of.single or not of.nonnegative:
         raise NoBound("it takes the root of a sum whose terms may cancel")
     # |sqrt(1 + d) - 1| <= |d| / 2 + d^2 / 2 for |d| <= 1.
-    return Share(_after(1 + of.error / 2 + of.error**2 / 2, model.loss(Op.SQUARE_ROOT)), True, True)
+    error = _after(1 + of.error / 2 + of.error**2 / 2, model.loss(Op.SQUARE_ROOT))
+    return Share(error, True, True, of.conditioned)
 
 
 def _direction(of: list[Share], model: Model) -> Share:
@@ -106,7 +131,7 @@ def _direction(of: list[Share], model: Model) -> Share:
     if not (x.single and y.single):
         raise NoBound("it takes the angle of a point whose coordinates may cancel")
     error = max((1 + y.error) / (1 - x.error), (1 + x.error) / (1 - y.error))
-    return Share(_after(error, model.loss(Op.ARCTANGENT2)))
+    return Share(_after(error, model.loss(Op.ARCTANGENT2)), conditioned=y.conditioned or x.conditioned)
 
 
 def _after(growth: Fraction, loss: Fraction) -> Fraction:

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
-from importlib.resources import files
 from importlib.util import find_spec
 from pathlib import Path
 from time import perf_counter
 
 from chasles.cli.book import BOOK
-from chasles.cli.checkout import generated_package
 from chasles.cli.failures import Failure
 from chasles.cli.outcome import Outcome, decide
+from chasles.cli.recorded import manifest
 from chasles.cli.roads import all_roads
 from chasles.report.html.exercises import worked_exercises
 from chasles.report.html.measured import ERRORS, TIMES, DamagedEvidence
@@ -25,7 +23,6 @@ from chasles.report.latex_page import latex_page
 from chasles.report.words import seconds
 from chasles.statements import Chapter
 from chasles.statements.derivation import Derivation
-from chasles.targets import MANIFEST
 
 __all__ = ["Reported", "reported"]
 
@@ -69,7 +66,7 @@ def reported(book: Chapter) -> Reported:
     exercises = worked_exercises(book)
     trusted = checked_again(again.certificates, again.counterexamples, len(again.rejected))
     try:
-        html = page(book, decisions, Sources(trusted, _manifest(book), _evidence(book), roads, exercises))
+        html = page(book, decisions, Sources(trusted, manifest(book), _evidence(book), roads, exercises))
     except DamagedEvidence as error:
         raise Failure(f"{'/'.join(EVIDENCE)}/{error}; benchmarks/README.md says how to measure anew") from error
     texts = {
@@ -96,15 +93,3 @@ def _evidence(book: Chapter) -> dict[str, str]:
         folder = Path(declarations).resolve().parent.joinpath(*EVIDENCE)
         return {name: (folder / name).read_text("utf-8") for name in (TIMES, ERRORS) if (folder / name).is_file()}
     return {}
-
-
-def _manifest(book: Chapter) -> str:
-    """What was emitted; nothing where nothing was. Raises Failure for a manifest that cannot be read."""
-    try:
-        text = files(generated_package(book)).joinpath(MANIFEST).read_text("utf-8")
-        tomllib.loads(text)
-    except (ModuleNotFoundError, FileNotFoundError):
-        return ""
-    except (OSError, ValueError) as error:
-        raise Failure(f"generated/{MANIFEST} cannot be read ({error}): `chasles emit` writes it anew") from error
-    return text

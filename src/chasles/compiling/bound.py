@@ -1,21 +1,28 @@
-"""What is proved of a program's rounding errors? That is the work of `chasles.bounds`, where it is installed."""
+"""What is proved of a program's rounding errors? That is the work of `chasles.bounds`."""
 
 from __future__ import annotations
 
-from importlib import import_module
+from collections.abc import Mapping
 from typing import Any
 
+from chasles.bounds import BoxBound, bound_of_program
 from chasles.lowering.program import Program
 
 __all__ = ["error_bound"]
 
-_ROOM = "chasles.bounds"
 
+def error_bound(program: Program, box: Mapping[str, Any], dtype: Any) -> BoxBound:
+    """The bound that `chasles.bounds.bound_of_program` proves.
 
-def error_bound(program: Program) -> Any:
-    """The bound of the program that `chasles.bounds.bound_of_program` proves. Raises `LookupError` without it."""
+    Raises ModuleNotFoundError, which says what to install, where that needs python-flint.
+    """
     try:
-        prove = import_module(_ROOM).bound_of_program
-    except (ModuleNotFoundError, AttributeError):
-        raise LookupError(f"{program.name}: this version proves no error bound of a single program") from None
-    return prove(program)
+        return bound_of_program(program, box, dtype)
+    except ModuleNotFoundError as error:
+        if error.name != "flint":
+            raise
+        raise ModuleNotFoundError(
+            f"{program.name}: an error bound with sines, cosines or arctangents needs python-flint; install it with: "
+            "pip install 'chasles[fast]'",
+            name="flint",
+        ) from None

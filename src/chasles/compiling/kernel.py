@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import wraps
 from hashlib import sha256
 from typing import Any
@@ -12,6 +12,7 @@ from warnings import warn
 import numpy
 
 from chasles import kernels
+from chasles.bounds import BoxBound
 from chasles.compiling.bound import error_bound
 from chasles.compiling.compiler import Compiler, CompilerFailed, found
 from chasles.compiling.sources import Sources, sources_of
@@ -59,12 +60,24 @@ class CompiledKernel(Displayed):
         """The results for the inputs; a tuple where there are several."""
         return self._function(*inputs, **options)
 
-    def error_bound(self) -> Any:
-        """What is proved of the rounding errors: see `chasles.bounds`.
+    def error_bound(self, box: Mapping[str, Any], dtype: Any = numpy.float64) -> BoxBound:
+        """How far rounding takes the results from the exact values of the expressions, proved for all floats of a box.
 
-        Raises `LookupError` where this installation proves no bounds of single programs.
+        Args:
+            box: for each argument, by name, a number or a pair (low, high); the ends of an array's entries are numbers
+                or arrays of its core shape.
+            dtype: float64 or float32.
+
+        Returns:
+            for each result its `absolute` errors, entry by entry, and `units`: the largest of them in roundoffs of the
+            largest entry. The rounding model is that of `chasles.bounds`: correctly rounded operations, in any of
+            which a product may be contracted with a sum, sine and cosine within 0.8 units in the last place.
+
+        Raises:
+            ValueError: for a box that does not fit; where the box holds a singularity, with the place.
+            ModuleNotFoundError: where expressions with sines or arctangents are to be bounded without python-flint.
         """
-        return error_bound(self.program)
+        return error_bound(self.program, box, dtype)
 
     def __repr__(self) -> str:
         return f"<chasles kernel {self.name} {self.signature}, {self.backend}>"

@@ -33,8 +33,8 @@ def record(entry: Entry, decision: Decision) -> dict[str, Any]:
     }
 
 
-def described(entry: Entry) -> dict[str, Any]:
-    """What a statement says and what it rests on, nothing decided."""
+def described(entry: Entry, emitted: Mapping[str, Mapping[str, Any]] | None = None) -> dict[str, Any]:
+    """What a statement says and what it rests on, nothing decided, and the records of kernels `emitted`."""
     statement = entry.statement
     return {
         **_identity(entry),
@@ -43,6 +43,11 @@ def described(entry: Entry) -> dict[str, Any]:
         "given": [{"number": given.number, "part": given.part} for given in statement.given],
         "assuming": [hypothesis.text for hypothesis in statement.assuming],
         "kernel": signature_in_words(entry),
+        "kernels": [
+            {"name": kernel.name, "form": emitted[kernel.name]["form"], "bound": emitted[kernel.name]["bound"]}
+            for kernel in entry.kernels
+            if emitted and kernel.name in emitted
+        ],
     }
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from textwrap import wrap
 
+from chasles.bounds import SINGLE
 from chasles.lowering.program import Op, Program
 from chasles.targets.kernel import Kernel
 
@@ -60,12 +61,13 @@ def summary(kernel: Kernel, what: str) -> tuple[str, ...]:
 
 
 def _bounded(kernel: Kernel) -> tuple[str, ...]:
-    """What is proved of the errors, a line for each result, and what u is."""
+    """What is proved of the errors, a line for each result, what u is, and under which rounding model."""
     if kernel.bound is None:
         return ()
     *lines, last = kernel.bound.in_words
-    names_units = any(guarantee.against != "nothing" for guarantee in kernel.bound.guarantees)
-    return (*lines, f"{last}; u = {ROUNDOFF}" if names_units else last)
+    if all(guarantee.against == "nothing" for guarantee in kernel.bound.guarantees):
+        return (*lines, last)
+    return (*lines, f"{last}; u = {ROUNDOFF}", f"supposed: {SINGLE.in_words(kernel.program.operations)}")
 
 
 def _labelled(label: str, items: Iterable[str]) -> tuple[str, ...]:

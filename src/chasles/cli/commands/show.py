@@ -15,8 +15,13 @@ __all__ = ["command"]
 @click.option("--latex", is_flag=True, help="Show the equation in LaTeX as well.")
 @as_data
 def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:
-    """Show an equation, what it rests on, its verdict and its certificate or counterexample."""
+    """Show an equation, what it rests on, its verdict and its certificate or counterexample.
+
+    Of its kernels what they are made of, and the error bound that is proved of them, with the rounding model.
+    """
+    from chasles.cli.recorded import manifest
     from chasles.proof.judge import Judge
+    from chasles.report.emitted import emitted_kernels
     from chasles.report.records import as_json, described, record
     from chasles.report.screen import Screen
     from chasles.report.statement_page import statement_page
@@ -25,9 +30,11 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:
     # The parts of a number stand in the order of the proofs; here they are read in the book's.
     entries = sorted(chosen(book, numbers, ()), key=lambda e: (book.numbers.index(e.number), e.statement.part))
     decided = list(decisions(entries, Judge(book=book)))
+    emitted = emitted_kernels(manifest(book))
     if json:
-        click.echo(as_json({"statements": [described(entry) | record(entry, found) for entry, found in decided]}))
+        found = [described(entry, emitted) | record(entry, decision) for entry, decision in decided]
+        click.echo(as_json({"statements": found}))
         return
     screen = Screen()
-    for place, (entry, found) in enumerate(decided):
-        screen.show(*([""] if place else []), *statement_page(screen, entry, found, latex))
+    for place, (entry, decision) in enumerate(decided):
+        screen.show(*([""] if place else []), *statement_page(screen, entry, decision, latex, emitted))

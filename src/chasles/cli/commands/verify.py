@@ -35,11 +35,13 @@ def command(names: tuple[str, ...], points: tuple[str, ...], samples: int, stric
 
     Errors are in units of the roundoff, relative to the size of the result; a kernel loses digits where its error is
     larger than its inputs explain. Near a singular set a formula may do so as the book prints it, which is a finding;
-    status 1 says that a kernel does so at large.
+    status 1 says that a kernel does so at large. With names, the error bounds that are proved stand beside.
     """
     from chasles.cli.comparison import asking, installed_kernels
+    from chasles.cli.recorded import manifest
     from chasles.cli.verification import verified
     from chasles.proof.judge import Judge
+    from chasles.report.emitted import emitted_kernels, proved
     from chasles.report.evidence import evidence_table, losses
     from chasles.report.records import as_json
     from chasles.report.screen import Screen
@@ -47,9 +49,14 @@ def command(names: tuple[str, ...], points: tuple[str, ...], samples: int, stric
     book = chapter()
     asked = asking(book, names)
     found = verified(asked, installed_kernels(book), tuple(dict.fromkeys(points)), samples, Judge(book=book))
+    emitted = emitted_kernels(manifest(book))
+    recorded = {kernel.name: emitted[kernel.name] for _, kernel in asked if kernel.name in emitted}
     if json:
-        click.echo(as_json(found.as_json()))
+        click.echo(as_json(found.as_json() | {"proved": {name: record["bound"] for name, record in recorded.items()}}))
     else:
         screen = Screen()
-        screen.show(*evidence_table(screen, found.evidence), *losses(found.evidence), "", *found.in_words)
+        # Of all kernels together the bounds would be more than is read: `chasles show` has them.
+        bounds = [f"{name}, proved: {line}" for name, record in recorded.items() for line in proved(record)]
+        lines = ["", *bounds] if names and bounds else []
+        screen.show(*evidence_table(screen, found.evidence), *losses(found.evidence), *lines, "", *found.in_words)
     return complain(found.failures(strict))

@@ -1,0 +1,189 @@
+"""Intervals, many at once: the same operation on as many boxes as there are, ends rounded outwards.
+
+NumPy rounds each operation on floats to nearest, so that an end moved outwards by a unit in its last place holds the
+exact result. Sines, cosines and arctangents are enclosed by ball arithmetic. An end that is not a number stays so, and
+says that the interval holds whatever it may.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["SAFE", "Array", "Interval", "below", "enclosed", "exactly", "function_of", "point"]
+
+Array = NDArray[np.float64]
+
+UNIT = 2.0**-52
+LEAST = 5e-324
+SAFE = 1 + 2.0**-40
+"""By what a sum of products of sizes is multiplied, lest it lies below the exact one: thousands of its roundings."""
+
+
+def _down(x: Array) -> Array:
+    return x - (abs(x) * UNIT + LEAST)
+
+
+def _up(x: Array) -> Array:
+    return x + (abs(x) * UNIT + LEAST)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Interval:
+    """All numbers from `low` to `high`, in each of the boxes."""
+
+    low: Array
+    high: Array
+
+    def __neg__(self) -> Interval:
+        return Interval(-self.high, -self.low)
+
+    def __add__(self, other: Interval) -> Interval:
+        return Interval(_down(self.low + other.low), _up(self.high + other.high))
+
+    def __sub__(self, other: Interval) -> Interval:
+        return Interval(_down(self.low - other.high), _up(self.high - other.low))
+
+    def __mul__(self, other: Interval) -> Interval:
+        if self is other:
+            return self.squared
+        a, b, c, d = self.low * other.low, self.low * other.high, self.high * other.low, self.high * other.high
+        low, high = np.minimum(np.minimum(a, b), np.minimum(c, d)), np.maximum(np.maximum(a, b), np.maximum(c, d))
+        return Interval(_down(low), _up(high))
+
+    def __truediv__(self, other: Interval) -> Interval:
+        """The quotients; not numbers where the divisor may be zero."""
+        known = (other.low > 0) | (other.high < 0)
+        least, most = np.where(known, other.low, np.nan), np.where(known, other.high, np.nan)
+        return self * Interval(_down(1 / most), _up(1 / least))
+
+    @property
+    def squared(self) -> Interval:
+        low, high = self.below, self.above
+        return Interval(np.maximum(_down(low * low), 0), _up(high * high))
+
+    @property
+    def root(self) -> Interval:
+        """The square roots; not numbers where there may be none."""
+        known = np.where(self.low >= 0, self.low, np.nan)
+        return Interval(np.maximum(_down(np.sqrt(known)), 0), _up(np.sqrt(self.high)) + 0 * known)
+
+    @property
+    def above(self) -> Array:
+        """The largest size."""
+        return np.maximum(abs(self.low), abs(self.high))
+
+    @property
+    def below(self) -> Array:
+        """The smallest size."""
+        return np.maximum(np.maximum(self.low, -self.high), 0)
+
+    def union(self, other: Interval) -> Interval:
+        """What holds both."""
+        return Interval(np.minimum(self.low, other.low), np.maximum(self.high, other.high))
+
+    def part(self, rows: NDArray[np.bool_]) -> Interval:
+        """The same in some of the boxes."""
+        return Interval(self.low[rows], self.high[rows])
+
+    def common(self, other: Interval) -> Interval:
+        """What lies in both; if that is nothing, what lies between them."""
+        low, high = np.maximum(self.low, other.low), np.minimum(self.high, other.high)
+        return Interval(np.minimum(low, high), np.maximum(low, high))
+
+    def sized(self, size: Interval) -> Interval:
+        """What may have that size; upside down where there is nothing."""
+        low = np.maximum(self.low, np.where(self.low > 0, size.low, -size.high))
+        high = np.minimum(self.high, np.where(self.high < 0, -size.low, size.high))
+        return Interval(low, high)
+
+    def widened(self, by: Array) -> Interval:
+        """What is no farther than that from it."""
+        return Interval(_down(self.low - by), _up(self.high + by))
+
+    def times(self, factor: float) -> Interval:
+        """Its multiples by a power of two, which rounds nothing, or by zero."""
+        ends = self.low * factor, self.high * factor
+        return Interval(np.minimum(*ends), np.maximum(*ends))
+
+
+def below(x: Array) -> Array:
+    """Numbers below sizes that have been rounded."""
+    return x * (2 - SAFE)
+
+
+def point(value: float, like: Array) -> Interval:
+    """A number that is a float, in every box."""
+    ends = np.full_like(like, value)
+    return Interval(ends, ends)
+
+
+def exactly(value: Fraction, like: Array) -> Interval:
+    """A fraction in every box."""
+    near = value.numerator / value.denominator
+    if Fraction(near) == value:
+        return point(near, like)
+    low, high = math.nextafter(near, -math.inf), math.nextafter(near, math.inf)
+    return Interval(np.full_like(like, low), np.full_like(like, high))
+
+
+def enclosed(ball: Any) -> tuple[float, float]:
+    """Floats that a ball lies between."""
+    low, high = float(ball.lower()), float(ball.upper())
+    return low - (abs(low) * 2 * UNIT + LEAST), high + (abs(high) * 2 * UNIT + LEAST)
+
+
+def function_of(name: str, *of: Interval) -> Interval:
+    """A function of balls on intervals, by its name: box by box, the same box once."""
+    known: dict[tuple[float, ...], tuple[float, float]] = {}
+    rows = list(zip(*(end.tolist() for x in of for end in (x.low, x.high)), strict=True))
+    for row in rows:
+        if row not in known:
+            known[row] = _value(name, row)
+    return _intervals(known[row] for row in rows)
+
+
+def _intervals(ends: Iterable[tuple[float, float]]) -> Interval:
+    found = np.array(list(ends), dtype=np.float64).reshape(-1, 2)
+    return Interval(found[:, 0].copy(), found[:, 1].copy())
+
+
+def _value(name: str, row: tuple[float, ...]) -> tuple[float, float]:
+    from flint import arb
+
+    if not all(map(math.isfinite, row)):
+        return math.nan, math.nan
+    balls = [arb(low).union(arb(high)) if low != high else arb(low) for low, high in zip(*[iter(row)] * 2, strict=True)]
+    function: Callable[..., Any] = _FUNCTIONS[name]
+    value = function(*balls)
+    return enclosed(value) if value.is_finite() else (math.nan, math.nan)
+
+
+def _sine(x: Any) -> Any:
+    """Within what sines are at all."""
+    return _within(x.sin(), 1)
+
+
+def _cosine(x: Any) -> Any:
+    return _within(x.cos(), 1)
+
+
+def _direction(y: Any, x: Any) -> Any:
+    """No number where the origin, or a point of the half line on which the angle jumps, is among the points."""
+    return y / 0 if x.lower() <= 0 and y.contains(0) else type(y).atan2(y, x)
+
+
+def _within(ball: Any, most: int) -> Any:
+    from flint import arb
+
+    low, high = max(ball.lower(), arb(-most)), min(ball.upper(), arb(most))
+    return low.union(high)
+
+
+_FUNCTIONS: dict[str, Callable[..., Any]] = {"sine": _sine, "cosine": _cosine, "arctangent2": _direction}

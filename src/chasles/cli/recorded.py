@@ -1,0 +1,25 @@
+"""What was emitted of a chapter, as the manifest that is installed here has it."""
+
+from __future__ import annotations
+
+import tomllib
+from importlib.resources import files
+
+from chasles.cli.checkout import generated_package
+from chasles.cli.failures import Failure
+from chasles.statements import Chapter
+from chasles.targets import MANIFEST
+
+__all__ = ["manifest"]
+
+
+def manifest(book: Chapter) -> str:
+    """The manifest's text; nothing where nothing was emitted. Raises Failure for one that cannot be read."""
+    try:
+        text = files(generated_package(book)).joinpath(MANIFEST).read_text("utf-8")
+        tomllib.loads(text)
+    except (ModuleNotFoundError, FileNotFoundError):
+        return ""
+    except (OSError, ValueError) as error:
+        raise Failure(f"generated/{MANIFEST} cannot be read ({error}): `chasles emit` writes it anew") from error
+    return text
