@@ -127,9 +127,9 @@ def test_every_kernel_is_declared_with_its_numbers_of_inputs_and_results_and_its
     ):
         stub = declared(module)
         assert set(stub) == set(KERNELS)
-        assert {name for name in dir(found) if not name.startswith("_")} - {"backend", "instructions", "one"} == set(
-            stub
-        )
+        more = {name for name in dir(found) if not name.startswith("_")} - set(stub)
+        assert kernels.backend != "c" or more <= {"backend", "instructions", "one"}
+        assert set(stub) <= set(dir(found))
         for name, (kind, says) in stub.items():
             signature = signature_of(getattr(kernels, name))
             given, returned = (re.findall(r"\([\d,]*\)", side) for side in signature.split("->"))

@@ -18,7 +18,7 @@ def test_new_data_are_those_of_the_seed(run) -> None:
     task = run("practice", "3.5", "--seed", "4", "--json")
     assert (task.exit_code, json.loads(task.stdout)["data"]) == (0, DATA)
     assert (
-        "Check an answer: chasles practice 3.5 --seed 4 --check answer.json"
+        "Check an answer:\n  chasles practice 3.5 --seed 4 --check answer.json\n"
         in run("practice", "3.5", "--seed", "4").stdout
     )
 
