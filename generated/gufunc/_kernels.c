@@ -280,7 +280,7 @@ const Kernel chasles_kernels[] = {
             "  error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision\n"
             "                2^-24\n"
             "              supposed: every operation rounded to nearest, with or without FMA\n"
-            "  derivation  sha256 1562849f177e6c267d458290e7a5bbddc3b1feee4c93b5c27822ff1e01156afe\n"
+            "  derivation  sha256 8add5ae098bd1648bf2231d712391a8ce89357247f8df1a150855707c8b25192\n"
             "  signature   (3),(3),(3)->(3)\n"
             "",
         .loops = { &chasles_instant_screw_point_loopf, &chasles_instant_screw_point_loop },
@@ -506,7 +506,7 @@ const Kernel chasles_kernels[] = {
             "              pitch: 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single\n"
             "                precision 2^-24\n"
             "              supposed: every operation rounded to nearest, with or without FMA\n"
-            "  derivation  sha256 9598a1865cb19c5ccd2eed55d55180fed3cbd74f42a42a3309e82ecfc3b6e7f7\n"
+            "  derivation  sha256 08f61d1364f32cd980675c2c982387b0404b3c2069f72429195ad15600cd8055\n"
             "  signature   (3),(3),(3)->(6),()\n"
             "",
         .loops = { &chasles_instant_screw_loopf, &chasles_instant_screw_loop },
@@ -2521,6 +2521,10 @@ static PyMethodDef methods[] = {
      "make_ufunc(name, doc, signature, inputs, outputs, loop, data, data_of_double)\n\n"
      "The ufunc of the inner loop at the address `loop`, called with the one address for float32 and with the other for\n"
      "float64. What lies there must outlive the ufunc."},
+    {"make_light", chasles_make_light, METH_VARARGS,
+     "make_light(name, doc, operands, run, data, data_of_double)\n\n"
+     "A function like those of `one`, of what the function at the address `run` computes, called with the one address\n"
+     "for float32 and with the other for float64. What lies there must outlive it."},
     {NULL, NULL, 0, NULL},
 };
 

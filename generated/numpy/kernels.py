@@ -572,7 +572,7 @@ def instant_screw_point(omega: Any, a_dot: Any, a: Any, /, *, out: Any = None) -
     error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
                   2^-24
                 supposed: every operation rounded to nearest, with or without FMA
-    derivation  sha256 1562849f177e6c267d458290e7a5bbddc3b1feee4c93b5c27822ff1e01156afe
+    derivation  sha256 8add5ae098bd1648bf2231d712391a8ce89357247f8df1a150855707c8b25192
     signature   (3),(3),(3)->(3)
     """
     batch, omega, a_dot, a = prepared(
@@ -1133,7 +1133,7 @@ def instant_screw(omega: Any, a_dot: Any, a: Any, /, *, out: Any = None) -> Any:
                 pitch: 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single
                   precision 2^-24
                 supposed: every operation rounded to nearest, with or without FMA
-    derivation  sha256 9598a1865cb19c5ccd2eed55d55180fed3cbd74f42a42a3309e82ecfc3b6e7f7
+    derivation  sha256 08f61d1364f32cd980675c2c982387b0404b3c2069f72429195ad15600cd8055
     signature   (3),(3),(3)->(6),()
     """
     batch, omega, a_dot, a = prepared(

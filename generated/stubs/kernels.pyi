@@ -151,8 +151,10 @@ returns     Q (3, 3): rotation
 verdict     defined
 assumes     |e| = 1
 operations  24: 6 add, 4 subtract, 12 multiply, 1 sine, 1 cosine
-error bound 7.1 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
+error bound 6.1 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
               precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 dd485fc9fc55c9da723bbd623b2225ec82c9e8dbfe322dbf4dfe768c7d30e93a
 signature   (3),()->(3,3)
 """
@@ -170,6 +172,7 @@ expects     Q is a rotation
 operations  21: 9 add, 3 subtract, 9 multiply
 error bound 5.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 af99d11eca408718e24cab7a00a1fd908df2c4445259caf108fa6366c29b6560
 signature   (3,3),(3),(3),(3)->(3)
 """
@@ -186,6 +189,7 @@ assumes     phi != 0
 operations  6: 2 add, 3 multiply, 1 divide
 error bound 4.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 a00b650de0c575f7c9b2294f993cd4d248ffaaa64b28a7f2d4581cd5c90cdf7f
 signature   (3),(),(3)->()
 """
@@ -199,8 +203,9 @@ verdict     holds under
 assumes     phi != 0
             |e| = 1
 operations  17: 3 add, 1 subtract, 11 multiply, 1 divide, 1 sine
-error bound 10.0 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
+error bound 8.3 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
               precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine within 0.8 ulp
 derivation  sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c
 signature   (3),()->(3,3)
 """
@@ -217,8 +222,10 @@ assumes     phi != 0
             |e| = 1
 made of     an offered form, proved equal to the statement
 operations  39: 5 add, 12 subtract, 19 multiply, 1 divide, 1 sine, 1 cosine
-error bound 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 9.21 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 fd931c592a794abc154e30cb8754cc954c9fa9f827a0928a1e82185b1b2a8b81
 signature   (3),(),(3),(3)->(3)
 """
@@ -233,6 +240,7 @@ assumes     p_1 != p_2
 operations  21: 2 add, 6 subtract, 9 multiply, 3 divide, 1 square root
 error bound 7.51 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 32c3975b5a0a9106d94e083a43fadc2be5fbb7bda4c600d797436f2a818ba4e5
 signature   (3),(3)->(6)
 """
@@ -248,6 +256,7 @@ assumes     nothing
 operations  15: 3 add, 6 subtract, 6 multiply
 error bound 4.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 6d53a1bee79a6a2a63aafa29de9b2815a5d19f7d96ef743e8fd201bd98bf5faf
 signature   (6),(3),(3)->(6)
 """
@@ -264,6 +273,7 @@ expects     triad is a rotation
 operations  45: 18 add, 27 multiply
 error bound 3.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 17b2c6690d171cd369c93be59a7a8c3b70bc0108c48d7358142e2312ebf805ee
 signature   (3,3),(3,3)->(3,3)
 """
@@ -280,6 +290,7 @@ expects     triad is a rotation
 operations  45: 18 add, 27 multiply
 error bound 3.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 0c12a1c3d699670fac6168e45da2070083d35015f2bd6eac4cd2f1464da2b780
 signature   (3,3),(3,3)->(3,3)
 """
@@ -292,6 +303,7 @@ verdict     defined
 assumes     nothing
 operations  6: 3 subtract, 3 multiply
 error bound 1.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 8c4348a6af61531ef5e1d340b707a886d5ae17216e0e81a5fdda49099e70eece
 signature   (3,3)->(3)
 """
@@ -308,6 +320,7 @@ assumes     nothing
 operations  15: 3 add, 6 subtract, 6 multiply
 error bound 4.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 b5acf63f8b2ae232595725548e5ba32264be6bf6d52d501066130e78c9ed0486
 signature   (3),(3),(3),(3)->(3)
 """
@@ -323,6 +336,7 @@ assumes     omega != 0
 operations  29: 2 add, 9 subtract, 15 multiply, 3 divide
 error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 8add5ae098bd1648bf2231d712391a8ce89357247f8df1a150855707c8b25192
 signature   (3),(3),(3)->(3)
 """
@@ -336,8 +350,10 @@ verdict     defined
 assumes     |e| = 1
             phi != 0
 operations  26: 6 add, 3 subtract, 14 multiply, 1 divide, 1 sine, 1 cosine
-error bound 8.7 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
+error bound 6.0 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
               precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 ae8848864c3fe36678c44ede0fea89f8af655c143bdb95acf6bb13cd98cc80e0
 signature   (3),()->(4,3)
 """
@@ -350,8 +366,10 @@ returns     L (4, 3): linear invariants' rates from the angular velocity
 verdict     defined
 assumes     |e| = 1
 operations  30: 4 add, 7 subtract, 17 multiply, 1 sine, 1 cosine
-error bound 5.6 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
+error bound 5.2 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
               precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 dc969a2458fb1ccbe6cf9ba4bd5c14c48137796a5e63b6fdffe960bc3f43a806
 signature   (3),()->(4,3)
 """
@@ -364,7 +382,9 @@ returns     H (4, 3): Euler-Rodrigues parameters' rates from the angular velocit
 verdict     defined
 assumes     |e| = 1
 operations  8: 6 multiply, 1 sine, 1 cosine
-error bound 3.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 2.61 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 6c847b4baa2596c76e6ab0bd3e04d8ba67a999fd27b87b011fca1a1dab6d4147
 signature   (3),()->(4,3)
 """
@@ -381,6 +401,7 @@ expects     |[q, q_0]| = 1
 operations  20: 7 add, 3 subtract, 9 multiply, 1 divide
 error bound 5.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 19e234a754a5568e2a2452e2008c17414b949e07381e92256366ba6cc7d976bb
 signature   (3),()->(3,3)
 """
@@ -396,6 +417,7 @@ expects     |[q, q_0]| = 1
 operations  29: 8 add, 4 subtract, 17 multiply
 error bound 5.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 767311161fbd53fb1cb19724605fdf117b3445cf5f7cf313ccc6ecbf4a40f8c5
 signature   (3),()->(3,3)
 """
@@ -412,6 +434,7 @@ operations  10: 2 add, 4 subtract, 4 multiply
 error bound q: 1.01 u of itself, for all inputs
             q_0: 3.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single
               precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 dd83557748f8a3babd3f50468d387276f7ffb668b7fc29c093a7976e71eaabef
 signature   (3,3)->(3),()
 """
@@ -425,7 +448,11 @@ verdict     holds under
 assumes     Q is a rotation
             phi != 0
 operations  53: 21 add, 6 subtract, 18 multiply, 5 divide, 2 square root, 1 arctangent2
-error bound not proved: it chooses between cases by values that are rounded
+error bound e: 11.16 u of itself, for every rotation Q, beside the case that is taken
+            phi: 24.99 u of itself, for every rotation Q, beside the case that is taken; u =
+              2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, arctangent within 1
+              ulp
 derivation  sha256 167078e6ba9dff78870c0f0ddc85370ad11a1b0b824ddf316c3c9f19bd756081
 signature   (3,3)->(3),()
 """
@@ -438,7 +465,10 @@ returns     q (3): vector part of four invariants of the rotation
 verdict     holds under
 assumes     Q is a rotation
 operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root
-error bound not proved: it chooses between cases by values that are rounded
+error bound q: 11.66 u of itself, for every rotation Q, beside the case that is taken
+            q_0: 9.34 u of itself, for every rotation Q, beside the case that is taken; u = 2^-53,
+              in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 acb16a335b8480158c7d6e339e4c3de8c51cf3bffd9594c8aa4b639840b77580
 signature   (3,3)->(3),()
 """
@@ -456,7 +486,14 @@ assumes     Q is a rotation
             phi != 0
 made of     an offered form, proved equal to the statement
 operations  101: 29 add, 18 subtract, 45 multiply, 6 divide, 2 square root, 1 arctangent2
-error bound not proved: it chooses between cases by values that are rounded
+error bound axis: 53.30 u of the sum of its terms' sizes, for every rotation Q, beside the case
+              that is taken
+            d_0: 15.16 u of the sum of its terms' sizes, for every rotation Q, beside the case
+              that is taken
+            phi: 24.99 u of itself, for every rotation Q, beside the case that is taken; u =
+              2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, arctangent within 1
+              ulp
 derivation  sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
 signature   (3,3),(3),(3)->(6),(),()
 """
@@ -475,6 +512,7 @@ operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root
 error bound axis: 15.51 u of the sum of its terms' sizes, for all inputs
             pitch: 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single
               precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 08f61d1364f32cd980675c2c982387b0404b3c2069f72429195ad15600cd8055
 signature   (3),(3),(3)->(6),()
 """
@@ -487,8 +525,10 @@ returns     N_tilde (3, 4): angular velocity from the natural invariants' rates
 verdict     ill-formed as printed, defined as read
 assumes     |e| = 1
 operations  6: 1 subtract, 3 multiply, 1 sine, 1 cosine
-error bound 2.6 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
+error bound 2.3 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
               precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 8f59c5ef77909eadf927c6b687cd3bab0b77e8cdc9373e233171e72268eed1b1
 signature   (3),()->(3,4)
 """
@@ -502,7 +542,9 @@ verdict     ill-formed as printed, defined as read
 assumes     |e| = 1
             phi != pi
 operations  7: 4 multiply, 1 divide, 1 sine, 1 cosine
-error bound 6.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 5.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 89a180463935f0c42617efa0988e0354bd46d74d20a13999139be0c69246d5f3
 signature   (3),()->(3,4)
 """
@@ -515,7 +557,9 @@ returns     H_tilde (3, 4): angular velocity from the Euler-Rodrigues parameters
 verdict     ill-formed as printed, defined as read
 assumes     |e| = 1
 operations  8: 6 multiply, 1 sine, 1 cosine
-error bound 3.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 2.61 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 2f21b7ee20e1702180f136497178c100314ca7d0df136dd2feb59d1f89a6b375
 signature   (3),()->(3,4)
 """
@@ -530,8 +574,10 @@ verdict     holds under
 assumes     |e| = 1
             phi != 0
 operations  34: 5 add, 6 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine
-error bound 12.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 11.21 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 e2dfaa3aa3fac1f79b45222f3204af5a75f395308f6b3f9290346729c641eaf1
 signature   (3),(),(6)->(7)
 """
@@ -545,8 +591,10 @@ returns     s_dot (7): time derivative of: pose array
 verdict     holds under
 assumes     |e| = 1
 operations  44: 5 add, 10 subtract, 27 multiply, 1 sine, 1 cosine
-error bound 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 9.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 30ffb709cd3b1987574a6cb20949774164c18855b55a74fc172537bd3a7138a3
 signature   (3),(),(6)->(7)
 """
@@ -560,8 +608,10 @@ returns     s_dot (7): time derivative of: pose array
 verdict     holds under
 assumes     |e| = 1
 operations  28: 5 add, 3 subtract, 18 multiply, 1 sine, 1 cosine
-error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 5.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 17b8436529f6b3c4a1aefcc8236971431106d820c1c98937a7defcd8b9830b55
 signature   (3),(),(6)->(7)
 """
@@ -575,8 +625,10 @@ returns     t (6): twist: angular velocity, velocity of a landmark point
 verdict     holds under
 assumes     |e| = 1
 operations  27: 6 add, 4 subtract, 15 multiply, 1 sine, 1 cosine
-error bound 8.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 7.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 c1c920878c5f917138095dea1943d4f0605d07dd2521a120e9e0a574400414d0
 signature   (3),(),(7)->(6)
 """
@@ -591,8 +643,10 @@ verdict     holds under
 assumes     |e| = 1
             phi != pi
 operations  25: 3 add, 6 subtract, 13 multiply, 1 divide, 1 sine, 1 cosine
-error bound 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 9.21 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 649387c3a4635aed7b72ec7a0c9cd67fa1407b285288b83838890827853ca799
 signature   (3),(),(7)->(6)
 """
@@ -606,8 +660,10 @@ returns     t (6): twist: angular velocity, velocity of a landmark point
 verdict     holds under
 assumes     |e| = 1
 operations  29: 3 add, 6 subtract, 18 multiply, 1 sine, 1 cosine
-error bound 7.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 6.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 f7009c929bd74e6e8423e03290dcaa8570b236828a6884c7d6bd52463508ac87
 signature   (3),(),(7)->(6)
 """
@@ -623,6 +679,7 @@ assumes     nothing
 operations  15: 3 add, 6 subtract, 6 multiply
 error bound 4.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 4e8860fe94d4e257f6a09561ef25e7c999ddca2a00337fe8774fc0c2b9433a22
 signature   (6),(3),(3)->(6)
 """
@@ -637,6 +694,7 @@ assumes     Q is a rotation
 operations  15: 6 add, 3 subtract, 6 multiply
 error bound 2.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 600ac9c19e353f65970adc87c2c9e1aba7f40174fd2c1780126b444caebb2a29
 signature   (3),(3)->(3,3)
 """
@@ -654,6 +712,7 @@ assumes     nothing
 operations  36: 6 add, 12 subtract, 18 multiply
 error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 52077d75d24e72b9e016304332b02aeb13ece6765a6f5dff5b9cb8261bc6ae26
 signature   (3),(3),(3),(3),(3)->(3)
 """
@@ -669,8 +728,10 @@ assumes     |e| = 1
             phi != 0
 made of     an offered form, proved equal to the statement
 operations  70: 15 add, 12 subtract, 40 multiply, 1 divide, 1 sine, 1 cosine
-error bound 22.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 20.41 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 c61d5578f7455d9deb930e9132cffeae9f18b18b83cb0ba9b49a6c83cd285a96
 signature   (3),(),(3)->(4,3)
 """
@@ -685,8 +746,10 @@ verdict     holds under
 assumes     |e| = 1
 made of     an offered form, proved equal to the statement
 operations  73: 12 add, 16 subtract, 43 multiply, 1 sine, 1 cosine
-error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 10.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 e58c3cd056fca600a3d8fabc77cc08383708b30fcd3f10997c5760ad3d813719
 signature   (3),(),(3)->(4,3)
 """
@@ -702,8 +765,10 @@ verdict     holds under
 assumes     |e| = 1
 made of     an offered form, proved equal to the statement
 operations  28: 2 add, 6 subtract, 18 multiply, 1 sine, 1 cosine
-error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 5.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 cbbc7c4a0ec6ff7289faa80a566dfa4879a785dc3e1fcb665d781015958b3b92
 signature   (3),(),(3)->(4,3)
 """
@@ -719,8 +784,10 @@ verdict     holds under
 assumes     phi != 0
             |e| = 1
 operations  55: 8 add, 10 subtract, 34 multiply, 1 divide, 1 sine, 1 cosine
-error bound 12.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 11.21 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 71e01d77b3ea46f745a9336a2825937c48ecfb5c8f22e156a02b1d41218c2c74
 signature   (3),(),(3)->(3,4)
 """
@@ -736,8 +803,10 @@ verdict     holds under
 assumes     |e| = 1
             phi != pi
 operations  34: 5 add, 6 subtract, 20 multiply, 1 divide, 1 sine, 1 cosine
-error bound 18.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 16.41 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 b5286c2c91a7b4cfdc8d341b90ed08a2a37fc92a9f25530860458e82f6eaacf3
 signature   (3),(),(3)->(3,4)
 """
@@ -752,8 +821,10 @@ returns     H_tilde_dot (3, 4): time derivative of: angular velocity from the Eu
 verdict     holds under
 assumes     |e| = 1
 operations  26: 2 add, 6 subtract, 16 multiply, 1 sine, 1 cosine
-error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 5.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 c80e798e741899e2d32fd6b3e16a5b786d0f82ee47987a537c4755eed1b60850
 signature   (3),(),(3)->(3,4)
 """
@@ -770,8 +841,10 @@ assumes     |e| = 1
             phi != 0
 made of     an offered form, proved equal to the statement
 operations  96: 19 add, 19 subtract, 55 multiply, 1 divide, 1 sine, 1 cosine
-error bound 27.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 25.41 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 d4b56350899a19bcc149b55d1279747465f4ffc9ff92ea858cdd2e564e99ca62
 signature   (3),(),(6),(6)->(7)
 """
@@ -787,8 +860,10 @@ verdict     holds under
 assumes     |e| = 1
 made of     an offered form, proved equal to the statement
 operations  76: 11 add, 18 subtract, 45 multiply, 1 sine, 1 cosine
-error bound 13.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 12.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 1588dcded7d741e99e263e63960b704faab031996a2d165fbbe2b322357ed2e9
 signature   (3),(),(6),(6)->(7)
 """
@@ -805,8 +880,10 @@ verdict     holds under
 assumes     |e| = 1
 made of     an offered form, proved equal to the statement
 operations  45: 5 add, 9 subtract, 29 multiply, 1 sine, 1 cosine
-error bound 8.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 7.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 0f21a42c6c8b20a3978874f3add6fcde6371416fd40cc41c5da50d8f4cd6babd
 signature   (3),(),(6),(6)->(7)
 """
@@ -822,8 +899,10 @@ verdict     holds under
 assumes     |e| = 1
 made of     an offered form, proved equal to the statement
 operations  51: 13 add, 7 subtract, 29 multiply, 1 sine, 1 cosine
-error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 8.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 46142537f8f2d352235601f0fe20d7417a8415c4299de5fde88c9772c1d5b072
 signature   (3),(),(7),(7)->(6)
 """
@@ -840,8 +919,10 @@ assumes     |e| = 1
             phi != pi
 made of     an offered form, proved equal to the statement
 operations  52: 6 add, 15 subtract, 27 multiply, 2 divide, 1 sine, 1 cosine
-error bound 18.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 16.41 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 e60a5e59bbc9bfff80fda29a99e2165c18777756e0d5ef482d146ef9b36646a2
 signature   (3),(),(7),(7)->(6)
 """
@@ -857,8 +938,10 @@ verdict     holds under
 assumes     |e| = 1
 made of     an offered form, proved equal to the statement
 operations  29: 3 add, 6 subtract, 18 multiply, 1 sine, 1 cosine
-error bound 7.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 6.61 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 8f9dc9af1023fade3eb622411945883078b1f62098c7b9178f68aed0ef63d94d
 signature   (3),(),(7),(7)->(6)
 """
@@ -877,6 +960,7 @@ expects     Q is a rotation
 operations  45: 18 add, 3 subtract, 24 multiply
 error bound 7.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 b4941bd3b3f57c83b14de8fd13a10f996bcfeb8ee7bfc4215c85ab50fb9b8b33
 signature   (3),(3,3),(3),(3),(3)->(3)
 """
@@ -899,6 +983,7 @@ made of     an offered form, proved equal to the statement
 operations  87: 30 add, 9 subtract, 48 multiply
 error bound 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 985f244a1c015e00a6d544a9a346e7446722d3d1972e549159bc1a6a90456d40
 signature   (3),(3,3),(3),(3),(3),(3),(3)->(3)
 """
@@ -917,6 +1002,7 @@ operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root
 error bound axis: 15.51 u of the sum of its terms' sizes, for all inputs
             pitch: 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single
               precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
 signature   (3),(3),(3)->(6),()
 """
@@ -931,6 +1017,7 @@ assumes     nothing
 operations  11: 5 add, 6 multiply
 error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 580a9557b1b4b779955409e7506c76202ce3a1e9982d422e1491bf0bcad680ef
 signature   (6),(6)->()
 """
@@ -945,6 +1032,7 @@ assumes     nothing
 operations  11: 5 add, 6 multiply
 error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 69eafb582289fe007146884f233005913bd49126222273503197968fd6ef8dd3
 signature   (6),(6)->()
 """
@@ -960,6 +1048,7 @@ assumes     nothing
 operations  15: 3 add, 6 subtract, 6 multiply
 error bound 4.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 9cbbd4d64a694c0150c2c0a241ceaa9fe43fa91e335dce95c4c39681e8ecce3c
 signature   (6),(3),(3)->(6)
 """
@@ -977,6 +1066,7 @@ expects     I_C is symmetric
 operations  24: 6 add, 9 subtract, 9 multiply
 error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
 signature   (3,3),(),(3),(3)->(3,3)
 """
@@ -995,6 +1085,7 @@ expects     I_C is symmetric
 operations  21: 6 add, 6 subtract, 9 multiply
 error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 4d7619030bc619e84b4607eaec8efd339cf9160ce49e3d74dfaae1e4b7730c87
 signature   (6),(),(3),(3)->(6)
 """
@@ -1012,6 +1103,7 @@ expects     I_C is symmetric
 operations  18: 6 add, 12 multiply
 error bound 3.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 6db3e3a77ef9af159d0c096ec679c53626cff81d41ccfbcc2a4db4833ae93473
 signature   (3,3),(),(6)->(6)
 """
@@ -1030,6 +1122,7 @@ expects     I_C is symmetric
 operations  18: 6 add, 12 multiply
 error bound 3.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 6db3e3a77ef9af159d0c096ec679c53626cff81d41ccfbcc2a4db4833ae93473
 signature   (6),(),(6)->(6)
 """
@@ -1047,6 +1140,7 @@ expects     I_C is symmetric
 operations  35: 11 add, 24 multiply
 error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 69297c38ebd3f2599e0000c019f576151ae0e8d563b8a02661f982c45230000e
 signature   (3,3),(),(6)->()
 """
@@ -1065,6 +1159,7 @@ expects     I_C is symmetric
 operations  35: 11 add, 24 multiply
 error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 69297c38ebd3f2599e0000c019f576151ae0e8d563b8a02661f982c45230000e
 signature   (6),(),(6)->()
 """
@@ -1083,6 +1178,7 @@ expects     I_C is symmetric
 operations  45: 15 add, 3 subtract, 27 multiply
 error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 4e831789b8f20b1f8ebea121e0d8d47b7074e8225c3fd379d0994cdf87959c79
 signature   (3,3),(),(6),(6)->(6)
 """
@@ -1102,6 +1198,7 @@ expects     I_C is symmetric
 operations  45: 15 add, 3 subtract, 27 multiply
 error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 4e831789b8f20b1f8ebea121e0d8d47b7074e8225c3fd379d0994cdf87959c79
 signature   (6),(),(6),(6)->(6)
 """
@@ -1119,7 +1216,9 @@ assumes     det(I_C) != 0
             m > 0
 expects     I_C is positive-definite
 operations  82: 14 add, 15 subtract, 51 multiply, 2 divide
-error bound not proved: it divides by a sum whose terms may cancel
+error bound 18.05 u of the sum of its terms' sizes, times the condition of its divisor, for all
+              inputs of which that is at most 4096; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
 signature   (3,3),(),(6),(6)->(6)
 """
@@ -1138,7 +1237,9 @@ assumes     det(I_C) != 0
             m > 0
 expects     I_C is positive-definite
 operations  73: 14 add, 12 subtract, 45 multiply, 2 divide
-error bound not proved: it divides by a sum whose terms may cancel
+error bound 18.05 u of the sum of its terms' sizes, times the condition of its divisor, for all
+              inputs of which that is at most 4096; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
 signature   (6),(),(6),(6)->(6)
 """
@@ -1157,6 +1258,7 @@ expects     I_C is symmetric
 operations  24: 6 add, 9 subtract, 9 multiply
 error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
 signature   (3,3),(),(3),(3)->(6,6)
 """
@@ -1176,6 +1278,7 @@ expects     I_C is symmetric
 operations  21: 6 add, 6 subtract, 9 multiply
 error bound 6.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 13cba9d3a00039b66aa71e0b7c6844416aef2b889cadec353dae6a76e70a10a9
 signature   (6),(),(3),(3)->(6,6)
 """
@@ -1187,7 +1290,9 @@ returns     Q (3, 3): rotation
 verdict     defined
 assumes     nothing
 operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 49974e148b9969b7a23a303df375f906766eda03e5d7416d35c36a35c77fea06
 signature   (3)->(3,3)
 """
@@ -1199,7 +1304,9 @@ returns     W (3, 3): angular velocity in the fixed frame from the rates of the 
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 15ec222e6a4c0d4af15dcf0f4f9d944364836080f80ed845b4661afb074e1ca1
 signature   (3)->(3,3)
 """
@@ -1211,7 +1318,9 @@ returns     W_body (3, 3): angular velocity in the body frame from those rates
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 cd8589089d7d47765a04b183158736b0b971b8a8d922838283fa2c2975eb5d89
 signature   (3)->(3,3)
 """
@@ -1224,8 +1333,10 @@ returns     theta_dot (3): rates of the Euler angles
 verdict     holds under
 assumes     sin(theta_2) != 0
 operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 6b432c618a3b5cb7132a0a1625419f24b2800b22e52d8f8b5202e756b67ea148
 signature   (3),(3)->(3)
 """
@@ -1237,7 +1348,9 @@ returns     Q (3, 3): rotation
 verdict     defined
 assumes     nothing
 operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 f87af8285d9801669ca9041e726f9817a40f9c95ddf51a655b261236297c04af
 signature   (3)->(3,3)
 """
@@ -1249,7 +1362,9 @@ returns     W (3, 3): angular velocity in the fixed frame from the rates of the 
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 1d2f362d906c9640bebb7713dd74f3809ce202cd977dff0cc4c827b77ce9d4d3
 signature   (3)->(3,3)
 """
@@ -1261,7 +1376,9 @@ returns     W_body (3, 3): angular velocity in the body frame from those rates
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 d605f1f844caa8fe73209313f2debbc7dad841db4b625533c1925d350b88b35f
 signature   (3)->(3,3)
 """
@@ -1274,8 +1391,10 @@ returns     theta_dot (3): rates of the Euler angles
 verdict     holds under
 assumes     cos(theta_2) != 0
 operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 379cc15712b3f593e6a56a0586d8cb970b2c344caf9eff56d13b4aa0f2bc0fcb
 signature   (3),(3)->(3)
 """
@@ -1287,7 +1406,9 @@ returns     Q (3, 3): rotation
 verdict     defined
 assumes     nothing
 operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 509556f6df445dd3c7fe5324e0ad671112ed8aaa27442b8973ddf4f722eb8d9b
 signature   (3)->(3,3)
 """
@@ -1299,7 +1420,9 @@ returns     W (3, 3): angular velocity in the fixed frame from the rates of the 
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 063a79927c0f405045ca7f3a4600867811265ae8101b11b64e443152cd0965cf
 signature   (3)->(3,3)
 """
@@ -1311,7 +1434,9 @@ returns     W_body (3, 3): angular velocity in the body frame from those rates
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 5092f84c7bbb66afac08e51bc82a4ea4bdc4738a19463c52fc60c25d1976c154
 signature   (3)->(3,3)
 """
@@ -1324,8 +1449,10 @@ returns     theta_dot (3): rates of the Euler angles
 verdict     holds under
 assumes     sin(theta_2) != 0
 operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 d60392e777e2f94766ccb4868d6a376f4b8f702f6466c7841c3f0e7493778009
 signature   (3),(3)->(3)
 """
@@ -1337,7 +1464,9 @@ returns     Q (3, 3): rotation
 verdict     defined
 assumes     nothing
 operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+error bound 5.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 6a4fd734359cc43f74679d358abf691bfd6612dbcd721aa9a209c64050a5d383
 signature   (3)->(3,3)
 """
@@ -1349,7 +1478,9 @@ returns     W (3, 3): angular velocity in the fixed frame from the rates of the 
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 f4bf5edc3a0e9199cc30c83f6cab51d6bfce7ab2a3d75f59608b337bed74824b
 signature   (3)->(3,3)
 """
@@ -1361,7 +1492,9 @@ returns     W_body (3, 3): angular velocity in the body frame from those rates
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 34b232afb99ddc1be46962d797e1c08bda20904a656a165ee2fc2232e4beec57
 signature   (3)->(3,3)
 """
@@ -1374,8 +1507,10 @@ returns     theta_dot (3): rates of the Euler angles
 verdict     holds under
 assumes     cos(theta_2) != 0
 operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 47b386989c7014707637badfc0f665d8b17c2674e34c6dc85b34228d94dd802e
 signature   (3),(3)->(3)
 """
@@ -1387,7 +1522,9 @@ returns     Q (3, 3): rotation
 verdict     defined
 assumes     nothing
 operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 42de6926cd35f5c06da566065b065c8ba754cee65703557fa42410e42dde4a35
 signature   (3)->(3,3)
 """
@@ -1399,7 +1536,9 @@ returns     W (3, 3): angular velocity in the fixed frame from the rates of the 
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 ab9e4f4d487ee038942cc83869848be5fa4c534a19c656164684f27e1b65ac10
 signature   (3)->(3,3)
 """
@@ -1411,7 +1550,9 @@ returns     W_body (3, 3): angular velocity in the body frame from those rates
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 2a86c48257dda6a27e84a7fb3b0817bd24bdff1a56c2bfeb6119d778d89bbab6
 signature   (3)->(3,3)
 """
@@ -1424,8 +1565,10 @@ returns     theta_dot (3): rates of the Euler angles
 verdict     holds under
 assumes     sin(theta_2) != 0
 operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 8c7b412f940aadc89ad8c5ce3785c5c0ca8dcbf9e58aac6572334181799e61e2
 signature   (3),(3)->(3)
 """
@@ -1437,7 +1580,9 @@ returns     Q (3, 3): rotation
 verdict     defined
 assumes     nothing
 operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+error bound 5.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 aac4d38f938bc0f3b21fc5113a3e553f105a0b99bd2a46001cf5af56197be36a
 signature   (3)->(3,3)
 """
@@ -1449,7 +1594,9 @@ returns     W (3, 3): angular velocity in the fixed frame from the rates of the 
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 f673622637ac9520cdbbfacd9038ad6a42d7de01d522fe1daa4e4ed5a188d584
 signature   (3)->(3,3)
 """
@@ -1461,7 +1608,9 @@ returns     W_body (3, 3): angular velocity in the body frame from those rates
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 a7f0e1639e85f122dde538fce97f31e9e4f583cf9ea5d074345d45245ff26ea8
 signature   (3)->(3,3)
 """
@@ -1474,8 +1623,10 @@ returns     theta_dot (3): rates of the Euler angles
 verdict     holds under
 assumes     cos(theta_2) != 0
 operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 bf11bed82696038fa225e27a75acb0d41b63af31adb0153ca5a712167c4d8284
 signature   (3),(3)->(3)
 """
@@ -1487,7 +1638,9 @@ returns     Q (3, 3): rotation
 verdict     defined
 assumes     nothing
 operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 73ccad1507926c77a4de1804d6ccee68b6eedcb0a87a5d797076c3aaa328556a
 signature   (3)->(3,3)
 """
@@ -1499,7 +1652,9 @@ returns     W (3, 3): angular velocity in the fixed frame from the rates of the 
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 6bc14177fe8f581b737fd8108f75cca27c80f0c6043e24f8d305941c720fb93e
 signature   (3)->(3,3)
 """
@@ -1511,7 +1666,9 @@ returns     W_body (3, 3): angular velocity in the body frame from those rates
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 ba974c498d2395f78752b5b9af3bd25c9bc8814b82f34bc12080e7f58fc39384
 signature   (3)->(3,3)
 """
@@ -1524,8 +1681,10 @@ returns     theta_dot (3): rates of the Euler angles
 verdict     holds under
 assumes     cos(theta_2) != 0
 operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 404a3dd7a9f43dbf16ca707d83946fda23f95d1982dc848908ed679160d5cc5f
 signature   (3),(3)->(3)
 """
@@ -1537,7 +1696,9 @@ returns     Q (3, 3): rotation
 verdict     defined
 assumes     nothing
 operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 fc249fbe7ecf26a2cf23c7eb4a1ae340b6f6d6b71fd0a11c005275bed3b0541a
 signature   (3)->(3,3)
 """
@@ -1549,7 +1710,9 @@ returns     W (3, 3): angular velocity in the fixed frame from the rates of the 
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 ba3b9e2e5d19a42bcccf4fe889ac0ad5e1476885d7d3f35174490738c07caa93
 signature   (3)->(3,3)
 """
@@ -1561,7 +1724,9 @@ returns     W_body (3, 3): angular velocity in the body frame from those rates
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 2906ed860e470e86a10fba075e603a757d21feeb996fd012d6a5c352f1f248cf
 signature   (3)->(3,3)
 """
@@ -1574,8 +1739,10 @@ returns     theta_dot (3): rates of the Euler angles
 verdict     holds under
 assumes     sin(theta_2) != 0
 operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 fbcf58ed5fb921bfdeae731af0d22be0b18c057d4ab3433941bb486f4f2ac07a
 signature   (3),(3)->(3)
 """
@@ -1587,7 +1754,9 @@ returns     Q (3, 3): rotation
 verdict     defined
 assumes     nothing
 operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 00df5b3e078a442b89ec92320b9be4d00f69c8c69b5377ceed30ce97167894d8
 signature   (3)->(3,3)
 """
@@ -1599,7 +1768,9 @@ returns     W (3, 3): angular velocity in the fixed frame from the rates of the 
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 66b9e91ee2080f4af362adbd4cfbd2f6493f2d49f04e969606b8e5e66a892530
 signature   (3)->(3,3)
 """
@@ -1611,7 +1782,9 @@ returns     W_body (3, 3): angular velocity in the body frame from those rates
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 ee0e5dc36786ec147d7731e28a73445f4829a353e033fb0bdf99f16a9ae96d67
 signature   (3)->(3,3)
 """
@@ -1624,8 +1797,10 @@ returns     theta_dot (3): rates of the Euler angles
 verdict     holds under
 assumes     cos(theta_2) != 0
 operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 f15319cb143e29fdad80688ea5d83794cf5328509c5cd1fb52fa078f77b2a785
 signature   (3),(3)->(3)
 """
@@ -1637,7 +1812,9 @@ returns     Q (3, 3): rotation
 verdict     defined
 assumes     nothing
 operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 90292a7b1973bd54561384a1b0aca95f4b081c5031f08a71f5bf1eeb509996f8
 signature   (3)->(3,3)
 """
@@ -1649,7 +1826,9 @@ returns     W (3, 3): angular velocity in the fixed frame from the rates of the 
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 d6bac485f18ebb57e7adb1eb90896adee410e33308c5db55212969aa010526ee
 signature   (3)->(3,3)
 """
@@ -1661,7 +1840,9 @@ returns     W_body (3, 3): angular velocity in the body frame from those rates
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 22c895ea0aa33cf27a73432cf9b7edd645045c890d81351055832ab2e86d2ae0
 signature   (3)->(3,3)
 """
@@ -1674,8 +1855,10 @@ returns     theta_dot (3): rates of the Euler angles
 verdict     holds under
 assumes     sin(theta_2) != 0
 operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 9730082636217a13ed6443b9376e26c825640305348e897e3b1e8d20d25ad893
 signature   (3),(3)->(3)
 """
@@ -1687,7 +1870,9 @@ returns     Q (3, 3): rotation
 verdict     defined
 assumes     nothing
 operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+error bound 5.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 77eae5b015783de7dba57287593533e40a4bf6d57321c5d7151d36cf1a028acc
 signature   (3)->(3,3)
 """
@@ -1699,7 +1884,9 @@ returns     W (3, 3): angular velocity in the fixed frame from the rates of the 
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 0adf0d7abfcbe1f817931814b81c15a9c846b1c73dcdb818878d86351c757b6d
 signature   (3)->(3,3)
 """
@@ -1711,7 +1898,9 @@ returns     W_body (3, 3): angular velocity in the body frame from those rates
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 6a7529b4dd785268409cc92077030a4cad8a64439e696ba9dfa305974e76a7df
 signature   (3)->(3,3)
 """
@@ -1724,8 +1913,10 @@ returns     theta_dot (3): rates of the Euler angles
 verdict     holds under
 assumes     cos(theta_2) != 0
 operations  13: 2 add, 1 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 f6fb3a6381c9037e8d1dbd8e1df9c051262d4c72bd9738451555e59c302f0f09
 signature   (3),(3)->(3)
 """
@@ -1737,7 +1928,9 @@ returns     Q (3, 3): rotation
 verdict     defined
 assumes     nothing
 operations  24: 2 add, 2 subtract, 14 multiply, 3 sine, 3 cosine
-error bound 6.3 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+error bound 5.4 u of the largest entry, for all angles; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 35a70c6c05dd2903cd2f50766b4e415a63eb2ffed2c6d3e412124e8647c7b716
 signature   (3)->(3,3)
 """
@@ -1749,7 +1942,9 @@ returns     W (3, 3): angular velocity in the fixed frame from the rates of the 
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 2df872f3e6c29262a9a735f3e6450ce704e08a1b40b33a555d7636f417131edb
 signature   (3)->(3,3)
 """
@@ -1761,7 +1956,9 @@ returns     W_body (3, 3): angular velocity in the body frame from those rates
 verdict     defined
 assumes     nothing
 operations  6: 2 multiply, 2 sine, 2 cosine
-error bound 5.01 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+error bound 4.21 u of itself, for all inputs; u = 2^-53, in single precision 2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 0e8fa3809441be1ebd1a102ce8fc5b78357d823973bbc7bac7e1da5c7ce38790
 signature   (3)->(3,3)
 """
@@ -1774,8 +1971,10 @@ returns     theta_dot (3): rates of the Euler angles
 verdict     holds under
 assumes     sin(theta_2) != 0
 operations  13: 1 add, 2 subtract, 5 multiply, 1 divide, 2 sine, 2 cosine
-error bound 11.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+error bound 9.81 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
+            supposed: every operation rounded to nearest, with or without FMA, sine and cosine
+              within 0.8 ulp
 derivation  sha256 c8e47ebca1883ce144424c202eb73e0d953be9339e55743f954ebc4ff9aaa9f5
 signature   (3),(3)->(3)
 """

@@ -42,7 +42,7 @@ const chasles_loop chasles_instant_screw_point_loopf = {
  *   error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA
- *   derivation  sha256 1562849f177e6c267d458290e7a5bbddc3b1feee4c93b5c27822ff1e01156afe
+ *   derivation  sha256 8add5ae098bd1648bf2231d712391a8ce89357247f8df1a150855707c8b25192
  */
 void chasles_instant_screw_point(
     const double omega[3],
@@ -66,7 +66,7 @@ void chasles_instant_screw_point(
 /*
  * (3.70) chasles_instant_screw_point in single precision.
  *   verdict: holds under; assumes omega != 0
- *   29 operations; derivation sha256 1562849f177e6c267d458290e7a5bbddc3b1feee4c93b5c27822ff1e01156afe
+ *   29 operations; derivation sha256 8add5ae098bd1648bf2231d712391a8ce89357247f8df1a150855707c8b25192
  */
 void chasles_instant_screw_pointf(
     const float omega[3],
@@ -90,7 +90,7 @@ void chasles_instant_screw_pointf(
 /*
  * (3.70) chasles_instant_screw_point for a batch.
  *   verdict: holds under; assumes omega != 0
- *   29 operations; derivation sha256 1562849f177e6c267d458290e7a5bbddc3b1feee4c93b5c27822ff1e01156afe
+ *   29 operations; derivation sha256 8add5ae098bd1648bf2231d712391a8ce89357247f8df1a150855707c8b25192
  */
 void chasles_instant_screw_point_batch(
     size_t count,
@@ -113,7 +113,7 @@ void chasles_instant_screw_point_batch(
 /*
  * (3.70) chasles_instant_screw_pointf for a batch.
  *   verdict: holds under; assumes omega != 0
- *   29 operations; derivation sha256 1562849f177e6c267d458290e7a5bbddc3b1feee4c93b5c27822ff1e01156afe
+ *   29 operations; derivation sha256 8add5ae098bd1648bf2231d712391a8ce89357247f8df1a150855707c8b25192
  */
 void chasles_instant_screw_point_batchf(
     size_t count,
