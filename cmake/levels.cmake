@@ -16,7 +16,7 @@ set_source_files_properties(
 
 set(chasles_levels 0)
 set(chasles_level_objects)
-foreach(target own x86-64-v3)
+foreach(target own x86-64-v3 x86-64-v4)
     set(chasles_has_own ON)
     if(NOT target STREQUAL "own")
         if(NOT CMAKE_C_COMPILER_ID MATCHES "^(GNU|Clang)$" OR NOT CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")

@@ -28,7 +28,7 @@ CC = shutil.which("gcc") or shutil.which("cc")
 ITEMS = 1500
 SPECIAL = [0.0, -0.0, 1.0, -1.0, 5e-324, -1e-310, 1e-40, 1e300, -1e300, 1e38, np.inf, -np.inf, np.nan]
 ANGLES = [np.pi, np.pi / 2, -np.pi / 2, 1.6e6, -1.6e6, 1e15, 1e22]
-LEVELS = ("baseline", "x86-64-v3")
+LEVELS = ("baseline", "x86-64-v3", "x86-64-v4")
 
 pytestmark = [
     pytest.mark.slow,

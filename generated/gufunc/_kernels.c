@@ -2429,7 +2429,7 @@ const Kernel chasles_kernels[] = {
 
 int chasles_level;
 
-static const char *const levels[] = {"baseline", "x86-64-v3"};
+static const char *const levels[] = {"baseline", "x86-64-v3", "x86-64-v4"};
 
 /* The types of a ufunc of n operands are the last n of the first and the first n of the second. */
 static char types[2 * CHASLES_OPERANDS];
@@ -2459,8 +2459,8 @@ static int choose_level(void)
         }
     }
     PyErr_Format(
-        PyExc_ImportError, "CHASLES_INSTRUCTIONS is '%s'; this build on this machine has %s%s%s", wanted, levels[0],
-        best > 0 ? ", " : "", best > 0 ? levels[1] : "");
+        PyExc_ImportError, "CHASLES_INSTRUCTIONS is '%s'; this build on this machine has %s%s%s%s%s", wanted, levels[0],
+        best > 0 ? ", " : "", best > 0 ? levels[1] : "", best > 1 ? ", " : "", best > 1 ? levels[2] : "");
     return -1;
 }
 

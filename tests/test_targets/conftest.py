@@ -292,7 +292,11 @@ def imported(name, path, **options):
     return module
 
 
-LEVELS = {"baseline": (), "x86-64-v3": ("avx2", "fma", "bmi2")}
+LEVELS = {
+    "baseline": (),
+    "x86-64-v3": ("avx2", "fma", "bmi2"),
+    "x86-64-v4": ("avx512f", "avx512dq", "avx512vl", "avx512bw", "avx512cd"),
+}
 """The sets of instructions for which blocks are compiled, and what a processor must say of itself to have them."""
 
 

@@ -25,7 +25,7 @@ def results(found):
     return found if isinstance(found, tuple) else (found,)
 
 
-@pytest.fixture(params=["baseline", "x86-64-v3"])
+@pytest.fixture(params=["baseline", "x86-64-v3", "x86-64-v4"])
 def loops(request, levels, ufuncs_by_level):
     """The ufuncs of one build of the loops."""
     if request.param not in levels:
@@ -277,6 +277,20 @@ def test_results_that_go_around_the_cache_are_the_same(loops, kind, shift):
     phi[length // 2] = np.inf
     assert raises_invalid(lambda *inputs: loops.rotation_from_axis_angle(*inputs, out=out), (e, phi))
     assert np.count_nonzero(np.isnan(out).any(axis=(1, 2))) == 1
+
+
+@pytest.mark.parametrize("shift", [0, 1, 5])
+def test_the_widest_of_several_results_goes_around_the_cache(loops, shift):
+    length = 2**24 // (3 * 8) + 33
+    Q = np.random.default_rng(2).normal(size=(length, 3, 3))
+    store = np.full(3 * length + shift + 1, 7.0)
+    u, u_0 = store[shift:-1].reshape(length, 3), np.full(length, 7.0)
+    loops.linear_invariants(Q, out=(u, u_0))
+    for start in range(0, length, 100_000):
+        there = slice(start, start + 100_000)
+        assert all(map(same, (u[there], u_0[there]), loops.linear_invariants(Q[there])))
+    assert np.all(store[:shift] == 7)
+    assert store[-1] == 7
 
 
 def test_an_unknown_set_of_instructions_is_named(extension, tmp_path, monkeypatch):

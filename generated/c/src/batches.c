@@ -66,6 +66,12 @@ static void restore(const State *state)
 
 int chasles_best_level(void)
 {
+#if CHASLES_LEVELS >= 3
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")
+        && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("bmi2")) {
+        return 2;
+    }
+#endif
 #if CHASLES_LEVELS >= 2
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2")) {
         return 1;
@@ -74,10 +80,10 @@ int chasles_best_level(void)
     return 0;
 }
 
-/* How many items a group has. */
-static ptrdiff_t lanes_of(const chasles_loop *loop, int level)
+/* How many items a group has: 1 << shift. */
+static int shift_of(const chasles_loop *loop, int level)
 {
-    return !CHASLES_VECTORS ? 1 : loop->number == (ptrdiff_t)sizeof(double) ? (ptrdiff_t)2 << level : (ptrdiff_t)4 << level;
+    return !CHASLES_VECTORS ? 0 : level + (loop->number == (ptrdiff_t)sizeof(double) ? 1 : 2);
 }
 
 static ptrdiff_t size_of(const chasles_loop *loop, int k)
@@ -107,6 +113,16 @@ static int find_strides(const chasles_loop *loop, const ptrdiff_t *core, Stride 
         dense &= strides[k].dense;
     }
     return dense;
+}
+
+/* Whether the items of each operand lie one after the other. */
+static int is_packed(const chasles_loop *loop, const ptrdiff_t *steps)
+{
+    int packed = 1;
+    for (int k = 0; k < loop->operands; k++) {
+        packed &= steps[k] == size_of(loop, k);
+    }
+    return packed;
 }
 
 /* The first byte of operand k and the one after its last. */
@@ -237,28 +253,24 @@ static ptrdiff_t room_of(const chasles_loop *loop, ptrdiff_t lanes)
     return room - room % lanes;
 }
 
-/* How a part of a batch is computed: where it lies; copied to the store and back; results in the store, from where they
- * go around the cache. */
-typedef enum { IN_PLACE, GATHERED, STREAMED } Way;
-
 #if CHASLES_VECTORS && defined(__SSE2__)
-/* Results of fewer bytes may still be in the cache when they are read; for results of fewer numbers an item, which are
- * little beside the inputs, copying costs more than is gained. Both measured. */
+/* Results of fewer bytes may still be in the cache when they are read; those of one or two numbers an item are little
+ * beside the inputs. */
 #define CHASLES_STREAMED 16777216
-#define CHASLES_WIDE 6
+#define CHASLES_WIDE 3
 
-/* Whether the results lie one after the other and are so many that the cache could not keep them: then a line of memory
- * is better not read before it is written. */
-static int is_streamed(const chasles_loop *loop, ptrdiff_t count, const ptrdiff_t *steps)
+/* The output whose items lie one after the other and are so many that the cache could not keep them: then a line of
+ * memory is better not read before it is written. -1 where there is none. */
+static int streamed_output(const chasles_loop *loop, ptrdiff_t count, const ptrdiff_t *steps)
 {
-    ptrdiff_t item = 0;
-    for (int k = loop->inputs; k < loop->operands; k++) {
-        if (steps[k] != size_of(loop, k)) {
-            return 0;
-        }
-        item += steps[k];
+    int widest = loop->inputs;
+    for (int k = widest; k < loop->operands; k++) {
+        widest = size_of(loop, k) > size_of(loop, widest) ? k : widest;
     }
-    return item >= CHASLES_WIDE * loop->number && count >= CHASLES_STREAMED / item;
+    const ptrdiff_t size = size_of(loop, widest);
+    const int many = size >= CHASLES_WIDE * loop->number && count * size >= CHASLES_STREAMED;
+    const int fits = size * CHASLES_LANES <= CHASLES_STORE / 2 - 2 * CHASLES_LINE;
+    return many && fits && steps[widest] == size ? widest : -1;
 }
 
 /* Waits until what went around the cache is where others see it. */
@@ -266,53 +278,15 @@ static void settle(void)
 {
     _mm_sfence();
 }
-
-/* Gives the results of a part room in `store`, all else where it lies. */
-static void place_results(const chasles_loop *loop, Part *part, const Part *batch, ptrdiff_t items, char *store)
-{
-    *part = *batch;
-    for (int k = loop->inputs; k < loop->operands; k++) {
-        part->at[k] = store;
-        store += items * part->steps[k];
-    }
-}
-
-/* Copies the results of a part to their places, around the cache. */
-static void stream(const chasles_loop *loop, const Part *part, const Part *batch, ptrdiff_t items)
-{
-    for (int k = loop->inputs; k < loop->operands; k++) {
-        const char *from = part->at[k], *end = from + items * part->steps[k];
-        char *to = batch->at[k];
-        for (; from < end && ((uintptr_t)to & 15) != 0; from += sizeof(int), to += sizeof(int)) {
-            int four;
-            memcpy(&four, from, sizeof four);
-            _mm_stream_si32((int *)(void *)to, four);
-        }
-        for (; end - from >= 16; from += 16, to += 16) {
-            _mm_stream_si128((__m128i *)(void *)to, _mm_loadu_si128((const __m128i *)(const void *)from));
-        }
-        memcpy(to, from, (size_t)(end - from));
-    }
-}
 #else
-static int is_streamed(const chasles_loop *loop, ptrdiff_t count, const ptrdiff_t *steps)
+static int streamed_output(const chasles_loop *loop, ptrdiff_t count, const ptrdiff_t *steps)
 {
     (void)loop, (void)count, (void)steps;
-    return 0;
+    return -1;
 }
 
 static void settle(void)
 {
-}
-
-static void place_results(const chasles_loop *loop, Part *part, const Part *batch, ptrdiff_t items, char *store)
-{
-    (void)loop, (void)part, (void)batch, (void)items, (void)store;
-}
-
-static void stream(const chasles_loop *loop, const Part *part, const Part *batch, ptrdiff_t items)
-{
-    (void)loop, (void)part, (void)batch, (void)items;
 }
 #endif
 
@@ -321,38 +295,85 @@ typedef struct {
     const chasles_loop *loop;
     chasles_block *block;
     const Stride *strides;
+    int shift;
     ptrdiff_t lanes;
     Part rest;
     int singular;
 } Run;
 
-/* Computes the first `items` of the rest. */
-static void advance(Run *run, Way way, ptrdiff_t items, char *store)
+/* Computes the first `items` of the rest at the places of `part`, while what `trail` says is copied. */
+static void advance(Run *run, const Part *part, ptrdiff_t items, const chasles_trail *trail)
 {
-    const chasles_loop *loop = run->loop;
-    const ptrdiff_t groups = (items + run->lanes - 1) / run->lanes;
-    Part there;
-    const Part *part = &there;
-    if (way == IN_PLACE) {
-        part = &run->rest;
-    } else if (way == GATHERED) {
-        gather(loop, &there, &run->rest, run->strides, items, groups * run->lanes, store);
-    } else {
-        place_results(loop, &there, &run->rest, items, store);
-    }
-    run->block(groups, part->at, part->steps);
-    if (!run->singular && (loop->silent || is_invalid())) {
-        run->singular = is_singular(loop, part, items);
+    run->block((items + run->lanes - 1) >> run->shift, part->at, part->steps, trail);
+    if (!run->singular && (run->loop->silent || is_invalid())) {
+        run->singular = is_singular(run->loop, part, items);
         clear();
     }
-    if (way == GATHERED) {
-        scatter(loop, part, &run->rest, run->strides, items);
-    } else if (way == STREAMED) {
-        stream(loop, part, &run->rest, items);
-    }
-    for (int k = 0; k < loop->operands; k++) {
+}
+
+static void go_on(Run *run, ptrdiff_t items)
+{
+    for (int k = 0; k < run->loop->operands; k++) {
         run->rest.at[k] += items * run->rest.steps[k];
     }
+}
+
+static const chasles_trail nothing = {NULL, NULL, 0, 0};
+
+/* Computes items where they lie; gives how many of the rest. */
+static ptrdiff_t run_in_place(Run *run, ptrdiff_t left)
+{
+    const ptrdiff_t most = left > CHASLES_BLOCK ? CHASLES_BLOCK : left;
+    const ptrdiff_t items = most >> run->shift << run->shift;
+    advance(run, &run->rest, items, &nothing);
+    go_on(run, items);
+    return items;
+}
+
+/* Computes items copied to the store, and copies the results back; gives how many of the rest. */
+static ptrdiff_t run_gathered(Run *run, ptrdiff_t left, char *store)
+{
+    const ptrdiff_t room = room_of(run->loop, run->lanes), items = left > room ? room : left;
+    const ptrdiff_t filled = (items + run->lanes - 1) >> run->shift << run->shift;
+    Part part;
+    gather(run->loop, &part, &run->rest, run->strides, items, filled, store);
+    advance(run, &part, items, &nothing);
+    scatter(run->loop, &part, &run->rest, run->strides, items);
+    go_on(run, items);
+    return items;
+}
+
+/* Computes whole blocks, of output k in one half of the store, while what the other half holds is copied to its place,
+ * around the cache, by whole lines of memory; gives how many items of the rest. */
+static ptrdiff_t run_streamed(Run *run, int k, ptrdiff_t left, char *store)
+{
+    const ptrdiff_t size = run->rest.steps[k], half = CHASLES_STORE / 2;
+    const ptrdiff_t fitting = (half - 2 * CHASLES_LINE) / size;
+    const ptrdiff_t most = fitting > CHASLES_BLOCK ? CHASLES_BLOCK : fitting;
+    const ptrdiff_t items = most - most % CHASLES_LANES, bytes = items * size;
+    const ptrdiff_t odd = (ptrdiff_t)((uintptr_t)run->rest.at[k] % CHASLES_LINE), groups = items >> run->shift;
+    char *const start = store + (CHASLES_LINE - (uintptr_t)store % CHASLES_LINE) % CHASLES_LINE;
+    char *const rooms[2] = {start, start + half - CHASLES_LINE};
+    chasles_trail trail = nothing;
+    ptrdiff_t done = 0;
+    for (int turn = 0; left - done >= items; turn = !turn) {
+        char *const room = rooms[turn], *const to = run->rest.at[k] - odd;
+        Part part = run->rest;
+        part.at[k] = room + odd;
+        memcpy(room, rooms[!turn] + bytes, done > 0 ? (size_t)odd : 0);
+        advance(run, &part, items, &trail);
+        /* The first line is not ours alone. */
+        const ptrdiff_t skipped = done == 0 && odd > 0;
+        memcpy(to + odd, room + odd, (size_t)(skipped * (CHASLES_LINE - odd)));
+        trail.from = room + skipped * CHASLES_LINE;
+        trail.to = to + skipped * CHASLES_LINE;
+        trail.lines = bytes / CHASLES_LINE - skipped;
+        trail.share = (trail.lines + groups - 1) / groups;
+        go_on(run, items);
+        done += items;
+    }
+    memcpy(trail.to, trail.from, (size_t)(trail.lines * CHASLES_LINE + odd));
+    return done;
 }
 
 static void step_back(Run *run, ptrdiff_t items)
@@ -371,38 +392,39 @@ void chasles_run(
     double store[CHASLES_STORE / sizeof(double)];
     Stride strides[CHASLES_OPERANDS];
     Run run;
+    const int lies_well = find_strides(loop, core, strides) && !overlaps(loop, count, at, steps, strides);
+    if (level == 2 && !(lies_well && count >> shift_of(loop, level) > 0 && is_packed(loop, steps))) {
+        level = 1;
+    }
     run.loop = loop;
     run.block = loop->blocks[level];
     run.strides = strides;
-    run.lanes = lanes_of(loop, level);
+    run.shift = shift_of(loop, level);
+    run.lanes = (ptrdiff_t)1 << run.shift;
     run.singular = 0;
     memcpy(run.rest.at, at, (size_t)loop->operands * sizeof *at);
     memcpy(run.rest.steps, steps, (size_t)loop->operands * sizeof *steps);
-    const int lies_well = find_strides(loop, core, strides) && !overlaps(loop, count, at, steps, strides);
     if (lies_well && count == 1) {
         /* An item alone is computed in all lanes. */
         memset(run.rest.steps, 0, sizeof run.rest.steps);
         count = run.lanes;
     }
-    Way whole = GATHERED;
-    if (lies_well && count >= run.lanes) {
-        whole = is_streamed(loop, count, run.rest.steps) ? STREAMED : IN_PLACE;
-    }
-    const ptrdiff_t room = room_of(loop, run.lanes);
+    const int in_place = lies_well && count >= run.lanes;
+    const int streamed = in_place ? streamed_output(loop, count, run.rest.steps) : -1;
+    ptrdiff_t left = count;
     const State state = quiet();
-    for (ptrdiff_t left = count, items = 0; left > 0; left -= items) {
-        Way way = whole;
-        if (left < run.lanes && whole != GATHERED) {
+    if (streamed >= 0) {
+        left -= run_streamed(&run, streamed, left, (char *)store);
+    }
+    while (left > 0) {
+        if (in_place && left < run.lanes) {
             /* The last group begins among items that are computed already, to the same results. */
             step_back(&run, run.lanes - left);
             left = run.lanes;
-            way = IN_PLACE;
         }
-        const ptrdiff_t most = way == IN_PLACE ? CHASLES_BLOCK : room;
-        items = left > most ? most : way == GATHERED ? left : left - left % run.lanes;
-        advance(&run, way, items, (char *)store);
+        left -= in_place ? run_in_place(&run, left) : run_gathered(&run, left, (char *)store);
     }
-    if (whole == STREAMED) {
+    if (streamed >= 0) {
         settle();
     }
     restore(&state);

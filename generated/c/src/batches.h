@@ -16,8 +16,7 @@
 #define CHASLES_VECTORS 0
 #endif
 
-/* How many levels there are: the compiler's own target and, on x86-64, x86-64-v3. With x86-64-v4 the widest kernels
- * were slower, in registers of 64 bytes as in those of 32. */
+/* How many levels there are: the compiler's own target and, on x86-64, x86-64-v3 and x86-64-v4. */
 #ifndef CHASLES_LEVELS
 #define CHASLES_LEVELS 1
 #endif
@@ -30,17 +29,26 @@
 #if CHASLES_LEVEL == 0
 #define CHASLES_LEVELED(name) name##_baseline
 #define CHASLES_REGISTER 16
-#else
+#define CHASLES_STEP(k, size) steps[k]
+#elif CHASLES_LEVEL == 1
 #define CHASLES_LEVELED(name) name##_v3
 #define CHASLES_REGISTER 32
+#define CHASLES_STEP(k, size) steps[k]
+#else
+#define CHASLES_LEVELED(name) name##_v4
+#define CHASLES_REGISTER 64
+#define CHASLES_STEP(k, size) ((void)steps, (ptrdiff_t)(size))
 #endif
 
 #if CHASLES_LEVELS == 1
 #define CHASLES_DECLARED(name) name##_baseline
 #define CHASLES_BLOCKS(name) {name##_baseline}
-#else
+#elif CHASLES_LEVELS == 2
 #define CHASLES_DECLARED(name) name##_baseline, name##_v3
 #define CHASLES_BLOCKS(name) {name##_baseline, name##_v3}
+#else
+#define CHASLES_DECLARED(name) name##_baseline, name##_v3, name##_v4
+#define CHASLES_BLOCKS(name) {name##_baseline, name##_v3, name##_v4}
 #endif
 
 /* The most items in a block, the most operands of a kernel, and the bytes in which a block's items are gathered. */
@@ -48,12 +56,24 @@
 #define CHASLES_OPERANDS 16
 #define CHASLES_STORE 32768
 
+/* The bytes of a line of memory, and the most lanes that a register has. */
+#define CHASLES_LINE 64
+#define CHASLES_LANES 16
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/* What is copied on the way, `share` lines of memory with each group: `lines` from `from` to `to`, where they begin. */
+typedef struct {
+    const char *from;
+    char *to;
+    ptrdiff_t lines;
+    ptrdiff_t share;
+} chasles_trail;
+
 /* Computes groups * lanes items: that of operand k starts at at[k], the next one steps[k] bytes on, each row-major. */
-typedef void chasles_block(ptrdiff_t groups, char *const *at, const ptrdiff_t *steps);
+typedef void chasles_block(ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_trail *trail);
 
 /* The core shape of an operand: how many axes, and the rows and columns, 1 where there is no such axis. */
 typedef struct {

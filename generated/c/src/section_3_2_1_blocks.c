@@ -16,29 +16,33 @@
 void CHASLES_LEVELED(chasles_normal_matrix_inverse_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         const doubles sin_half_phi = sines[0][g];
         const doubles t1 = choose(equal(sin_half_phi, spread(0.0)), spread(0.0), spread(0.5));
         const doubles t2 = t1 / sin_half_phi;
@@ -53,38 +57,44 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_block)(
         const doubles result4 = t3 + e[1] * t6;
         const doubles result8 = t3 + e[2] * (e[2] * t4);
         char *const item2 = at2 + g * LANES * step2;
+        claim(item2, LANES * step2);
         store_4(item2, step2, result0, result1, result2, result1);
         store_4(item2 + 4 * sizeof(double), step2, result4, result5, result2, result5);
         store_1(item2 + 8 * sizeof(double), step2, result8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_normal_matrix_inverse_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         const floats sin_half_phi = sines[0][g];
         const truthsf t1 = equalf(sin_half_phi, spreadf(0.0f));
         const floats t2 = choosef(t1, spreadf(0.0f), spreadf(0.5f)) / sin_half_phi;
@@ -99,50 +109,56 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_blockf)(
         const floats result4 = t3 + e[1] * t6;
         const floats result8 = t3 + e[2] * (e[2] * t4);
         char *const item2 = at2 + g * LANESF * step2;
+        claim(item2, LANESF * step2);
         store_4f(item2, step2, result0, result1, result2, result1);
         store_4f(item2 + 4 * sizeof(float), step2, result4, result5, result2, result5);
         store_1f(item2 + 8 * sizeof(float), step2, result8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_screw_axis_point_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, a);
-        load_1(item2 + 2 * sizeof(double), step2, &a[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, a);
         doubles a_prime[3];
         const char *const item3 = at3 + g * LANES * step3;
-        load_2(item3, step3, a_prime);
-        load_1(item3 + 2 * sizeof(double), step3, &a_prime[2]);
+        fetch(item3, LANES * step3);
+        load_3(item3, step3, a_prime);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t1 = a[0] + a_prime[0];
@@ -158,49 +174,54 @@ void CHASLES_LEVELED(chasles_screw_axis_point_block)(
         const doubles p_0_1 = 0.5 * ((e[2] * t5 - e[0] * t7) * t9 - (e[1] * t4 - t2));
         const doubles p_0_2 = 0.5 * ((e[0] * t6 - e[1] * t5) * t9 - (e[2] * t4 - t3));
         char *const item4 = at4 + g * LANES * step4;
-        store_2(item4, step4, p_0_0, p_0_1);
-        store_1(item4 + 2 * sizeof(double), step4, p_0_2);
+        claim(item4, LANES * step4);
+        store_3(item4, step4, p_0_0, p_0_1, p_0_2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_screw_axis_point_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, a);
-        load_1f(item2 + 2 * sizeof(float), step2, &a[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, a);
         floats a_prime[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        load_2f(item3, step3, a_prime);
-        load_1f(item3 + 2 * sizeof(float), step3, &a_prime[2]);
+        fetch(item3, LANESF * step3);
+        load_3f(item3, step3, a_prime);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t1 = a[0] + a_prime[0];
@@ -216,8 +237,9 @@ void CHASLES_LEVELED(chasles_screw_axis_point_blockf)(
         const floats p_0_1 = 0.5f * ((e[2] * t5 - e[0] * t7) * t9 - (e[1] * t4 - t2));
         const floats p_0_2 = 0.5f * ((e[0] * t6 - e[1] * t5) * t9 - (e[2] * t4 - t3));
         char *const item4 = at4 + g * LANESF * step4;
-        store_2f(item4, step4, p_0_0, p_0_1);
-        store_1f(item4 + 2 * sizeof(float), step4, p_0_2);
+        claim(item4, LANESF * step4);
+        store_3f(item4, step4, p_0_0, p_0_1, p_0_2);
+        follow(&way);
     }
 }
 
@@ -226,8 +248,10 @@ void CHASLES_LEVELED(chasles_screw_axis_point_blockf)(
 void CHASLES_LEVELED(chasles_normal_matrix_inverse_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_normal_matrix_inverse(
             (const double *)(at[0] + i * steps[0]),
@@ -239,8 +263,10 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_block)(
 void CHASLES_LEVELED(chasles_normal_matrix_inverse_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_normal_matrix_inversef(
             (const float *)(at[0] + i * steps[0]),
@@ -252,8 +278,10 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_blockf)(
 void CHASLES_LEVELED(chasles_screw_axis_point_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_screw_axis_point(
             (const double *)(at[0] + i * steps[0]),
@@ -267,8 +295,10 @@ void CHASLES_LEVELED(chasles_screw_axis_point_block)(
 void CHASLES_LEVELED(chasles_screw_axis_point_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_screw_axis_pointf(
             (const float *)(at[0] + i * steps[0]),

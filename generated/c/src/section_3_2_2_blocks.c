@@ -16,23 +16,25 @@
 void CHASLES_LEVELED(chasles_plucker_line_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles p_1[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, p_1);
-        load_1(item0 + 2 * sizeof(double), step0, &p_1[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, p_1);
         doubles p_2[3];
         const char *const item1 = at1 + g * LANES * step1;
-        load_2(item1, step1, p_2);
-        load_1(item1 + 2 * sizeof(double), step1, &p_2[2]);
+        fetch(item1, LANES * step1);
+        load_3(item1, step1, p_2);
         const doubles t1 = p_2[0] - p_1[0];
         const doubles t2 = p_2[1] - p_1[1];
         const doubles t3 = p_2[2] - p_1[2];
@@ -46,31 +48,35 @@ void CHASLES_LEVELED(chasles_plucker_line_block)(
         const doubles kappa4 = p_1[2] * kappa0 - p_1[0] * kappa2;
         const doubles kappa5 = p_1[0] * kappa1 - p_1[1] * kappa0;
         char *const item2 = at2 + g * LANES * step2;
+        claim(item2, LANES * step2);
         store_4(item2, step2, kappa0, kappa1, kappa2, kappa3);
         store_2(item2 + 4 * sizeof(double), step2, kappa4, kappa5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_plucker_line_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats p_1[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, p_1);
-        load_1f(item0 + 2 * sizeof(float), step0, &p_1[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, p_1);
         floats p_2[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        load_2f(item1, step1, p_2);
-        load_1f(item1 + 2 * sizeof(float), step1, &p_2[2]);
+        fetch(item1, LANESF * step1);
+        load_3f(item1, step1, p_2);
         const floats t1 = p_2[0] - p_1[0];
         const floats t2 = p_2[1] - p_1[1];
         const floats t3 = p_2[2] - p_1[2];
@@ -84,37 +90,42 @@ void CHASLES_LEVELED(chasles_plucker_line_blockf)(
         const floats kappa4 = p_1[2] * kappa0 - p_1[0] * kappa2;
         const floats kappa5 = p_1[0] * kappa1 - p_1[1] * kappa0;
         char *const item2 = at2 + g * LANESF * step2;
+        claim(item2, LANESF * step2);
         store_4f(item2, step2, kappa0, kappa1, kappa2, kappa3);
         store_2f(item2 + 4 * sizeof(float), step2, kappa4, kappa5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_plucker_transfer_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles kappa_A[6];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_4(item0, step0, kappa_A);
         load_2(item0 + 4 * sizeof(double), step0, &kappa_A[4]);
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
-        load_2(item1, step1, a);
-        load_1(item1 + 2 * sizeof(double), step1, &a[2]);
+        fetch(item1, LANES * step1);
+        load_3(item1, step1, a);
         doubles b[3];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, b);
-        load_1(item2 + 2 * sizeof(double), step2, &b[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, b);
         const doubles kappa_B0 = kappa_A[0];
         const doubles kappa_B1 = kappa_A[1];
         const doubles kappa_B2 = kappa_A[2];
@@ -125,37 +136,42 @@ void CHASLES_LEVELED(chasles_plucker_transfer_block)(
         const doubles kappa_B4 = kappa_A[4] + (kappa_B0 * t3 - kappa_B2 * t1);
         const doubles kappa_B5 = kappa_A[5] + (kappa_B1 * t1 - kappa_B0 * t2);
         char *const item3 = at3 + g * LANES * step3;
+        claim(item3, LANES * step3);
         store_4(item3, step3, kappa_B0, kappa_B1, kappa_B2, kappa_B3);
         store_2(item3 + 4 * sizeof(double), step3, kappa_B4, kappa_B5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_plucker_transfer_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats kappa_A[6];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_4f(item0, step0, kappa_A);
         load_2f(item0 + 4 * sizeof(float), step0, &kappa_A[4]);
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        load_2f(item1, step1, a);
-        load_1f(item1 + 2 * sizeof(float), step1, &a[2]);
+        fetch(item1, LANESF * step1);
+        load_3f(item1, step1, a);
         floats b[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, b);
-        load_1f(item2 + 2 * sizeof(float), step2, &b[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, b);
         const floats kappa_B0 = kappa_A[0];
         const floats kappa_B1 = kappa_A[1];
         const floats kappa_B2 = kappa_A[2];
@@ -166,8 +182,10 @@ void CHASLES_LEVELED(chasles_plucker_transfer_blockf)(
         const floats kappa_B4 = kappa_A[4] + (kappa_B0 * t3 - kappa_B2 * t1);
         const floats kappa_B5 = kappa_A[5] + (kappa_B1 * t1 - kappa_B0 * t2);
         char *const item3 = at3 + g * LANESF * step3;
+        claim(item3, LANESF * step3);
         store_4f(item3, step3, kappa_B0, kappa_B1, kappa_B2, kappa_B3);
         store_2f(item3 + 4 * sizeof(float), step3, kappa_B4, kappa_B5);
+        follow(&way);
     }
 }
 
@@ -176,8 +194,10 @@ void CHASLES_LEVELED(chasles_plucker_transfer_blockf)(
 void CHASLES_LEVELED(chasles_plucker_line_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_plucker_line(
             (const double *)(at[0] + i * steps[0]),
@@ -189,8 +209,10 @@ void CHASLES_LEVELED(chasles_plucker_line_block)(
 void CHASLES_LEVELED(chasles_plucker_line_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_plucker_linef(
             (const float *)(at[0] + i * steps[0]),
@@ -202,8 +224,10 @@ void CHASLES_LEVELED(chasles_plucker_line_blockf)(
 void CHASLES_LEVELED(chasles_plucker_transfer_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_plucker_transfer(
             (const double *)(at[0] + i * steps[0]),
@@ -216,8 +240,10 @@ void CHASLES_LEVELED(chasles_plucker_transfer_block)(
 void CHASLES_LEVELED(chasles_plucker_transfer_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_plucker_transferf(
             (const float *)(at[0] + i * steps[0]),

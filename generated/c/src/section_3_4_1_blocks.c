@@ -16,29 +16,31 @@
 void CHASLES_LEVELED(chasles_instant_screw_point_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, omega);
-        load_1(item0 + 2 * sizeof(double), step0, &omega[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, omega);
         doubles a_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
-        load_2(item1, step1, a_dot);
-        load_1(item1 + 2 * sizeof(double), step1, &a_dot[2]);
+        fetch(item1, LANES * step1);
+        load_3(item1, step1, a_dot);
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, a);
-        load_1(item2 + 2 * sizeof(double), step2, &a[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, a);
         const doubles t1 = omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2];
         const doubles t2 = a_dot[0] - (omega[1] * a[2] - omega[2] * a[1]);
         const doubles t3 = a_dot[1] - (omega[2] * a[0] - omega[0] * a[2]);
@@ -48,37 +50,40 @@ void CHASLES_LEVELED(chasles_instant_screw_point_block)(
         const doubles p_0_prime1 = choose(t5, spread(0.0), omega[2] * t2 - omega[0] * t4) / t1;
         const doubles p_0_prime2 = choose(t5, spread(0.0), omega[0] * t3 - omega[1] * t2) / t1;
         char *const item3 = at3 + g * LANES * step3;
-        store_2(item3, step3, p_0_prime0, p_0_prime1);
-        store_1(item3 + 2 * sizeof(double), step3, p_0_prime2);
+        claim(item3, LANES * step3);
+        store_3(item3, step3, p_0_prime0, p_0_prime1, p_0_prime2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_instant_screw_point_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, omega);
-        load_1f(item0 + 2 * sizeof(float), step0, &omega[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, omega);
         floats a_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        load_2f(item1, step1, a_dot);
-        load_1f(item1 + 2 * sizeof(float), step1, &a_dot[2]);
+        fetch(item1, LANESF * step1);
+        load_3f(item1, step1, a_dot);
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, a);
-        load_1f(item2 + 2 * sizeof(float), step2, &a[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, a);
         const floats t1 = omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2];
         const floats t2 = a_dot[0] - (omega[1] * a[2] - omega[2] * a[1]);
         const floats t3 = a_dot[1] - (omega[2] * a[0] - omega[0] * a[2]);
@@ -88,8 +93,9 @@ void CHASLES_LEVELED(chasles_instant_screw_point_blockf)(
         const floats p_0_prime1 = choosef(t5, spreadf(0.0f), omega[2] * t2 - omega[0] * t4) / t1;
         const floats p_0_prime2 = choosef(t5, spreadf(0.0f), omega[0] * t3 - omega[1] * t2) / t1;
         char *const item3 = at3 + g * LANESF * step3;
-        store_2f(item3, step3, p_0_prime0, p_0_prime1);
-        store_1f(item3 + 2 * sizeof(float), step3, p_0_prime2);
+        claim(item3, LANESF * step3);
+        store_3f(item3, step3, p_0_prime0, p_0_prime1, p_0_prime2);
+        follow(&way);
     }
 }
 
@@ -98,8 +104,10 @@ void CHASLES_LEVELED(chasles_instant_screw_point_blockf)(
 void CHASLES_LEVELED(chasles_instant_screw_point_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_instant_screw_point(
             (const double *)(at[0] + i * steps[0]),
@@ -112,8 +120,10 @@ void CHASLES_LEVELED(chasles_instant_screw_point_block)(
 void CHASLES_LEVELED(chasles_instant_screw_point_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_instant_screw_pointf(
             (const float *)(at[0] + i * steps[0]),

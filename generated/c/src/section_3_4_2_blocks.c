@@ -16,29 +16,33 @@
 void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles N9 = e[0];
@@ -67,38 +71,44 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
         const doubles N6 = half_N10 - t7;
         const doubles N7 = -(half_N9 + t9);
         char *const item2 = at2 + g * LANES * step2;
+        claim(item2, LANES * step2);
         store_4(item2, step2, N0, N1, N2, N3);
         store_4(item2 + 4 * sizeof(double), step2, N4, N5, N6, N7);
         store_4(item2 + 8 * sizeof(double), step2, N8, N9, N10, N11);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats N9 = e[0];
@@ -127,38 +137,44 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
         const floats N6 = half_N10 - t7;
         const floats N7 = -(half_N9 + t9);
         char *const item2 = at2 + g * LANESF * step2;
+        claim(item2, LANESF * step2);
         store_4f(item2, step2, N0, N1, N2, N3);
         store_4f(item2 + 4 * sizeof(float), step2, N4, N5, N6, N7);
         store_4f(item2 + 8 * sizeof(float), step2, N8, N9, N10, N11);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
         const doubles half_cos_phi = 0.5 * cos_phi;
@@ -186,38 +202,44 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
         const doubles L10 = -(e[1] * sin_phi);
         const doubles L11 = -(e[2] * sin_phi);
         char *const item2 = at2 + g * LANES * step2;
+        claim(item2, LANES * step2);
         store_4(item2, step2, L0, L1, L2, L3);
         store_4(item2 + 4 * sizeof(double), step2, L4, L5, L6, L7);
         store_4(item2 + 8 * sizeof(double), step2, L8, L9, L10, L11);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
         const floats half_cos_phi = 0.5f * cos_phi;
@@ -245,38 +267,44 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
         const floats L10 = -(e[1] * sin_phi);
         const floats L11 = -(e[2] * sin_phi);
         char *const item2 = at2 + g * LANESF * step2;
+        claim(item2, LANESF * step2);
         store_4f(item2, step2, L0, L1, L2, L3);
         store_4f(item2 + 4 * sizeof(float), step2, L4, L5, L6, L7);
         store_4f(item2 + 8 * sizeof(float), step2, L8, L9, L10, L11);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles H0 = 0.5 * cos_half_phi;
@@ -288,38 +316,44 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
         const doubles H1 = e[2] * half_sin_half_phi;
         const doubles H3 = -H1;
         char *const item2 = at2 + g * LANES * step2;
+        claim(item2, LANES * step2);
         store_4(item2, step2, H0, H1, H2, H3);
         store_4(item2 + 4 * sizeof(double), step2, H0, H5, H6, H7);
         store_4(item2 + 8 * sizeof(double), step2, H0, H7, H2, H3);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats H0 = 0.5f * cos_half_phi;
@@ -331,30 +365,35 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
         const floats H1 = e[2] * half_sin_half_phi;
         const floats H3 = -H1;
         char *const item2 = at2 + g * LANESF * step2;
+        claim(item2, LANESF * step2);
         store_4f(item2, step2, H0, H1, H2, H3);
         store_4f(item2 + 4 * sizeof(float), step2, H0, H5, H6, H7);
         store_4f(item2 + 8 * sizeof(float), step2, H0, H7, H2, H3);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles q[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, q);
-        load_1(item0 + 2 * sizeof(double), step0, &q[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, q);
         doubles q_0;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &q_0);
         const doubles t1 = 1.0 + q_0;
         const doubles t2 = choose(equal(t1, spread(0.0)), spread(0.0), spread(1.0)) / t1;
@@ -373,30 +412,35 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
         const doubles Q6 = t6 - q[1];
         const doubles Q7 = q[0] + t7;
         char *const item2 = at2 + g * LANES * step2;
+        claim(item2, LANES * step2);
         store_4(item2, step2, Q0, Q1, Q2, Q3);
         store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
         store_1(item2 + 8 * sizeof(double), step2, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats q[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, q);
-        load_1f(item0 + 2 * sizeof(float), step0, &q[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, q);
         floats q_0;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &q_0);
         const floats t1 = 1.0f + q_0;
         const floats t2 = choosef(equalf(t1, spreadf(0.0f)), spreadf(0.0f), spreadf(1.0f)) / t1;
@@ -415,30 +459,35 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
         const floats Q6 = t6 - q[1];
         const floats Q7 = q[0] + t7;
         char *const item2 = at2 + g * LANESF * step2;
+        claim(item2, LANESF * step2);
         store_4f(item2, step2, Q0, Q1, Q2, Q3);
         store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
         store_1f(item2 + 8 * sizeof(float), step2, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles q[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, q);
-        load_1(item0 + 2 * sizeof(double), step0, &q[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, q);
         doubles q_0;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &q_0);
         const doubles t1 = q_0 * q_0 - (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
         const doubles t2 = 2.0 * q_0;
@@ -460,30 +509,35 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
         const doubles Q6 = t6 - t9;
         const doubles Q7 = t7 + t8;
         char *const item2 = at2 + g * LANES * step2;
+        claim(item2, LANES * step2);
         store_4(item2, step2, Q0, Q1, Q2, Q3);
         store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
         store_1(item2 + 8 * sizeof(double), step2, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats q[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, q);
-        load_1f(item0 + 2 * sizeof(float), step0, &q[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, q);
         floats q_0;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &q_0);
         const floats t1 = q_0 * q_0 - (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
         const floats t2 = 2.0f * q_0;
@@ -505,26 +559,31 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
         const floats Q6 = t6 - t9;
         const floats Q7 = t7 + t8;
         char *const item2 = at2 + g * LANESF * step2;
+        claim(item2, LANESF * step2);
         store_4f(item2, step2, Q0, Q1, Q2, Q3);
         store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
         store_1f(item2 + 8 * sizeof(float), step2, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_linear_invariants_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_4(item0, step0, Q);
         load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
         load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
@@ -533,27 +592,32 @@ void CHASLES_LEVELED(chasles_linear_invariants_block)(
         const doubles q2 = 0.5 * (Q[3] - Q[1]);
         const doubles q_0_value = 0.5 * (Q[8] + (Q[0] + Q[4]) - 1.0);
         char *const item1 = at1 + g * LANES * step1;
-        store_2(item1, step1, q0, q1);
-        store_1(item1 + 2 * sizeof(double), step1, q2);
+        claim(item1, LANES * step1);
+        store_3(item1, step1, q0, q1, q2);
         char *const item2 = at2 + g * LANES * step2;
+        claim(item2, LANES * step2);
         store_1(item2, step2, q_0_value);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_4f(item0, step0, Q);
         load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
@@ -562,27 +626,32 @@ void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
         const floats q2 = 0.5f * (Q[3] - Q[1]);
         const floats q_0_value = 0.5f * (Q[8] + (Q[0] + Q[4]) - 1.0f);
         char *const item1 = at1 + g * LANESF * step1;
-        store_2f(item1, step1, q0, q1);
-        store_1f(item1 + 2 * sizeof(float), step1, q2);
+        claim(item1, LANESF * step1);
+        store_3f(item1, step1, q0, q1, q2);
         char *const item2 = at2 + g * LANESF * step2;
+        claim(item2, LANESF * step2);
         store_1f(item2, step2, q_0_value);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_natural_invariants_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_4(item0, step0, Q);
         load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
         load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
@@ -655,27 +724,32 @@ void CHASLES_LEVELED(chasles_natural_invariants_block)(
         const doubles e2 = t48 * t64;
         const doubles phi_value = 2.0 * directions(choose(t55, spread(0.0), t41) / t54, t57 * t64);
         char *const item1 = at1 + g * LANES * step1;
-        store_2(item1, step1, e0, e1);
-        store_1(item1 + 2 * sizeof(double), step1, e2);
+        claim(item1, LANES * step1);
+        store_3(item1, step1, e0, e1, e2);
         char *const item2 = at2 + g * LANES * step2;
+        claim(item2, LANES * step2);
         store_1(item2, step2, phi_value);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_4f(item0, step0, Q);
         load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
@@ -748,27 +822,32 @@ void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
         const floats e2 = t48 * t64;
         const floats phi_value = 2.0f * directionsf(choosef(t55, spreadf(0.0f), t41) / t54, t57 * t64);
         char *const item1 = at1 + g * LANESF * step1;
-        store_2f(item1, step1, e0, e1);
-        store_1f(item1 + 2 * sizeof(float), step1, e2);
+        claim(item1, LANESF * step1);
+        store_3f(item1, step1, e0, e1, e2);
         char *const item2 = at2 + g * LANESF * step2;
+        claim(item2, LANESF * step2);
         store_1f(item2, step2, phi_value);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_4(item0, step0, Q);
         load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
         load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
@@ -832,27 +911,32 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
         const doubles q2 = t44 * t55;
         const doubles q_0_value = t48 * t55;
         char *const item1 = at1 + g * LANES * step1;
-        store_2(item1, step1, q0, q1);
-        store_1(item1 + 2 * sizeof(double), step1, q2);
+        claim(item1, LANES * step1);
+        store_3(item1, step1, q0, q1, q2);
         char *const item2 = at2 + g * LANES * step2;
+        claim(item2, LANES * step2);
         store_1(item2, step2, q_0_value);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_4f(item0, step0, Q);
         load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
@@ -916,44 +1000,49 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
         const floats q2 = t44 * t55;
         const floats q_0_value = t48 * t55;
         char *const item1 = at1 + g * LANESF * step1;
-        store_2f(item1, step1, q0, q1);
-        store_1f(item1 + 2 * sizeof(float), step1, q2);
+        claim(item1, LANESF * step1);
+        store_3f(item1, step1, q0, q1, q2);
         char *const item2 = at2 + g * LANESF * step2;
+        claim(item2, LANESF * step2);
         store_1f(item2, step2, q_0_value);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_screw_of_motion_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at5 = at[5];
-    const ptrdiff_t step5 = steps[5];
+    const ptrdiff_t step5 = CHASLES_STEP(5, 1 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_4(item0, step0, Q);
         load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
         load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
-        load_2(item1, step1, a);
-        load_1(item1 + 2 * sizeof(double), step1, &a[2]);
+        fetch(item1, LANES * step1);
+        load_3(item1, step1, a);
         doubles a_prime[3];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, a_prime);
-        load_1(item2 + 2 * sizeof(double), step2, &a_prime[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, a_prime);
         const doubles t1 = Q[2] + Q[6];
         const doubles t2 = Q[5] + Q[7];
         const doubles t3 = Q[8] + (Q[0] + Q[4]);
@@ -1039,46 +1128,53 @@ void CHASLES_LEVELED(chasles_screw_of_motion_block)(
         const doubles d_0_value = axis0 * t69 + axis1 * t70 + axis2 * t71;
         const doubles phi_value = 2.0 * directions(t58, t75);
         char *const item3 = at3 + g * LANES * step3;
+        claim(item3, LANES * step3);
         store_4(item3, step3, axis0, axis1, axis2, axis3);
         store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
         char *const item4 = at4 + g * LANES * step4;
+        claim(item4, LANES * step4);
         store_1(item4, step4, d_0_value);
         char *const item5 = at5 + g * LANES * step5;
+        claim(item5, LANES * step5);
         store_1(item5, step5, phi_value);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at5 = at[5];
-    const ptrdiff_t step5 = steps[5];
+    const ptrdiff_t step5 = CHASLES_STEP(5, 1 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_4f(item0, step0, Q);
         load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        load_2f(item1, step1, a);
-        load_1f(item1 + 2 * sizeof(float), step1, &a[2]);
+        fetch(item1, LANESF * step1);
+        load_3f(item1, step1, a);
         floats a_prime[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, a_prime);
-        load_1f(item2 + 2 * sizeof(float), step2, &a_prime[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, a_prime);
         const floats t1 = Q[2] + Q[6];
         const floats t2 = Q[5] + Q[7];
         const floats t3 = Q[8] + (Q[0] + Q[4]);
@@ -1164,43 +1260,49 @@ void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
         const floats d_0_value = axis0 * t69 + axis1 * t70 + axis2 * t71;
         const floats phi_value = 2.0f * directionsf(t58, t75);
         char *const item3 = at3 + g * LANESF * step3;
+        claim(item3, LANESF * step3);
         store_4f(item3, step3, axis0, axis1, axis2, axis3);
         store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
         char *const item4 = at4 + g * LANESF * step4;
+        claim(item4, LANESF * step4);
         store_1f(item4, step4, d_0_value);
         char *const item5 = at5 + g * LANESF * step5;
+        claim(item5, LANESF * step5);
         store_1f(item5, step5, phi_value);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_instant_screw_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 1 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, omega);
-        load_1(item0 + 2 * sizeof(double), step0, &omega[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, omega);
         doubles a_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
-        load_2(item1, step1, a_dot);
-        load_1(item1 + 2 * sizeof(double), step1, &a_dot[2]);
+        fetch(item1, LANES * step1);
+        load_3(item1, step1, a_dot);
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, a);
-        load_1(item2 + 2 * sizeof(double), step2, &a[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, a);
         const doubles t1 = omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2];
         const doubles t2 = roots(t1);
         const truths t3 = equal(t1, spread(0.0));
@@ -1218,41 +1320,46 @@ void CHASLES_LEVELED(chasles_instant_screw_block)(
         const doubles axis5 = axis1 * t7 - axis0 * t8;
         const doubles pitch_value = axis0 * t4 + axis1 * t5 + axis2 * t6;
         char *const item3 = at3 + g * LANES * step3;
+        claim(item3, LANES * step3);
         store_4(item3, step3, axis0, axis1, axis2, axis3);
         store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
         char *const item4 = at4 + g * LANES * step4;
+        claim(item4, LANES * step4);
         store_1(item4, step4, pitch_value);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_instant_screw_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 1 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, omega);
-        load_1f(item0 + 2 * sizeof(float), step0, &omega[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, omega);
         floats a_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        load_2f(item1, step1, a_dot);
-        load_1f(item1 + 2 * sizeof(float), step1, &a_dot[2]);
+        fetch(item1, LANESF * step1);
+        load_3f(item1, step1, a_dot);
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, a);
-        load_1f(item2 + 2 * sizeof(float), step2, &a[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, a);
         const floats t1 = omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2];
         const floats t2 = rootsf(t1);
         const truthsf t3 = equalf(t1, spreadf(0.0f));
@@ -1270,39 +1377,46 @@ void CHASLES_LEVELED(chasles_instant_screw_blockf)(
         const floats axis5 = axis1 * t7 - axis0 * t8;
         const floats pitch_value = axis0 * t4 + axis1 * t5 + axis2 * t6;
         char *const item3 = at3 + g * LANESF * step3;
+        claim(item3, LANESF * step3);
         store_4f(item3, step3, axis0, axis1, axis2, axis3);
         store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
         char *const item4 = at4 + g * LANESF * step4;
+        claim(item4, LANESF * step4);
         store_1f(item4, step4, pitch_value);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
         const doubles N_tilde3 = e[0];
@@ -1317,38 +1431,44 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
         const doubles N_tilde6 = -N_tilde9;
         const doubles N_tilde8 = -N_tilde2;
         char *const item2 = at2 + g * LANES * step2;
+        claim(item2, LANES * step2);
         store_4(item2, step2, N_tilde0, N_tilde1, N_tilde2, N_tilde3);
         store_4(item2 + 4 * sizeof(double), step2, N_tilde4, N_tilde0, N_tilde6, N_tilde7);
         store_4(item2 + 8 * sizeof(double), step2, N_tilde8, N_tilde9, N_tilde0, N_tilde11);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
         const floats N_tilde3 = e[0];
@@ -1363,38 +1483,44 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
         const floats N_tilde6 = -N_tilde9;
         const floats N_tilde8 = -N_tilde2;
         char *const item2 = at2 + g * LANESF * step2;
+        claim(item2, LANESF * step2);
         store_4f(item2, step2, N_tilde0, N_tilde1, N_tilde2, N_tilde3);
         store_4f(item2 + 4 * sizeof(float), step2, N_tilde4, N_tilde0, N_tilde6, N_tilde7);
         store_4f(item2 + 8 * sizeof(float), step2, N_tilde8, N_tilde9, N_tilde0, N_tilde11);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t1 = choose(equal(cos_half_phi, spread(0.0)), spread(0.0), sin_half_phi);
@@ -1406,38 +1532,44 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
         const doubles L_tilde3 = -L_tilde9;
         const doubles L_tilde7 = -L_tilde2;
         char *const item2 = at2 + g * LANES * step2;
+        claim(item2, LANES * step2);
         store_4(item2, step2, spread(1.0), L_tilde1, L_tilde2, L_tilde3);
         store_4(item2 + 4 * sizeof(double), step2, L_tilde4, spread(1.0), L_tilde3, L_tilde7);
         store_4(item2 + 8 * sizeof(double), step2, L_tilde7, L_tilde9, spread(1.0), L_tilde1);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const truthsf t1 = equalf(cos_half_phi, spreadf(0.0f));
@@ -1449,38 +1581,44 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
         const floats L_tilde3 = -L_tilde9;
         const floats L_tilde7 = -L_tilde2;
         char *const item2 = at2 + g * LANESF * step2;
+        claim(item2, LANESF * step2);
         store_4f(item2, step2, spreadf(1.0f), L_tilde1, L_tilde2, L_tilde3);
         store_4f(item2 + 4 * sizeof(float), step2, L_tilde4, spreadf(1.0f), L_tilde3, L_tilde7);
         store_4f(item2 + 8 * sizeof(float), step2, L_tilde7, L_tilde9, spreadf(1.0f), L_tilde1);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles H_tilde0 = 2.0 * cos_half_phi;
@@ -1492,38 +1630,44 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
         const doubles H_tilde3 = -H_tilde9;
         const doubles H_tilde7 = -H_tilde2;
         char *const item2 = at2 + g * LANES * step2;
+        claim(item2, LANES * step2);
         store_4(item2, step2, H_tilde0, H_tilde1, H_tilde2, H_tilde3);
         store_4(item2 + 4 * sizeof(double), step2, H_tilde4, H_tilde0, H_tilde3, H_tilde7);
         store_4(item2 + 8 * sizeof(double), step2, H_tilde7, H_tilde9, H_tilde0, H_tilde1);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats H_tilde0 = 2.0f * cos_half_phi;
@@ -1535,42 +1679,49 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
         const floats H_tilde3 = -H_tilde9;
         const floats H_tilde7 = -H_tilde2;
         char *const item2 = at2 + g * LANESF * step2;
+        claim(item2, LANESF * step2);
         store_4f(item2, step2, H_tilde0, H_tilde1, H_tilde2, H_tilde3);
         store_4f(item2 + 4 * sizeof(float), step2, H_tilde4, H_tilde0, H_tilde3, H_tilde7);
         store_4f(item2 + 8 * sizeof(float), step2, H_tilde7, H_tilde9, H_tilde0, H_tilde1);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
+        fetch(item2, LANES * step2);
         load_4(item2, step2, t);
         load_2(item2 + 4 * sizeof(double), step2, &t[4]);
         const doubles sin_half_phi = sines[0][g];
@@ -1585,42 +1736,48 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
         const doubles s_dot1 = -(0.5 * (e[2] * t[0] - e[0] * t[2]) + (e[1] * s_dot3 - t[1]) * t2);
         const doubles s_dot2 = -(0.5 * (e[0] * t[1] - e[1] * t[0]) + (e[2] * s_dot3 - t[2]) * t2);
         char *const item3 = at3 + g * LANES * step3;
+        claim(item3, LANES * step3);
         store_4(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
-        store_2(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5);
-        store_1(item3 + 6 * sizeof(double), step3, s_dot6);
+        store_3(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5, s_dot6);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
+        fetch(item2, LANESF * step2);
         load_4f(item2, step2, t);
         load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
         const floats sin_half_phi = sines[0][g];
@@ -1635,42 +1792,48 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
         const floats s_dot1 = -(0.5f * (e[2] * t[0] - e[0] * t[2]) + (e[1] * s_dot3 - t[1]) * t2);
         const floats s_dot2 = -(0.5f * (e[0] * t[1] - e[1] * t[0]) + (e[2] * s_dot3 - t[2]) * t2);
         char *const item3 = at3 + g * LANESF * step3;
+        claim(item3, LANESF * step3);
         store_4f(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
-        store_2f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5);
-        store_1f(item3 + 6 * sizeof(float), step3, s_dot6);
+        store_3f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5, s_dot6);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
+        fetch(item2, LANES * step2);
         load_4(item2, step2, t);
         load_2(item2 + 4 * sizeof(double), step2, &t[4]);
         const doubles sin_phi = sines[0][g];
@@ -1688,42 +1851,48 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
         const doubles t3 = t[0] * (e[0] * sin_phi) + t[1] * (e[1] * sin_phi);
         const doubles s_dot3 = -(t3 + t[2] * (e[2] * sin_phi));
         char *const item3 = at3 + g * LANES * step3;
+        claim(item3, LANES * step3);
         store_4(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
-        store_2(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5);
-        store_1(item3 + 6 * sizeof(double), step3, s_dot6);
+        store_3(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5, s_dot6);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
+        fetch(item2, LANESF * step2);
         load_4f(item2, step2, t);
         load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
         const floats sin_phi = sines[0][g];
@@ -1741,42 +1910,48 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
         const floats t3 = t[0] * (e[0] * sin_phi) + t[1] * (e[1] * sin_phi);
         const floats s_dot3 = -(t3 + t[2] * (e[2] * sin_phi));
         char *const item3 = at3 + g * LANESF * step3;
+        claim(item3, LANESF * step3);
         store_4f(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
-        store_2f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5);
-        store_1f(item3 + 6 * sizeof(float), step3, s_dot6);
+        store_3f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5, s_dot6);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
+        fetch(item2, LANES * step2);
         load_4(item2, step2, t);
         load_2(item2 + 4 * sizeof(double), step2, &t[4]);
         const doubles sin_half_phi = sines[0][g];
@@ -1794,42 +1969,48 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
         const doubles s_dot2 = t[0] * t2 - t[1] * t1 + t[2] * half_cos_half_phi;
         const doubles s_dot3 = -(t[0] * t1 + t[1] * t2 + t[2] * t3);
         char *const item3 = at3 + g * LANES * step3;
+        claim(item3, LANES * step3);
         store_4(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
-        store_2(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5);
-        store_1(item3 + 6 * sizeof(double), step3, s_dot6);
+        store_3(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5, s_dot6);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
+        fetch(item2, LANESF * step2);
         load_4f(item2, step2, t);
         load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
         const floats sin_half_phi = sines[0][g];
@@ -1847,45 +2028,50 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
         const floats s_dot2 = t[0] * t2 - t[1] * t1 + t[2] * half_cos_half_phi;
         const floats s_dot3 = -(t[0] * t1 + t[1] * t2 + t[2] * t3);
         char *const item3 = at3 + g * LANESF * step3;
+        claim(item3, LANESF * step3);
         store_4f(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
-        store_2f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5);
-        store_1f(item3 + 6 * sizeof(float), step3, s_dot6);
+        store_3f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5, s_dot6);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
+        fetch(item2, LANES * step2);
         load_4(item2, step2, s_dot);
-        load_2(item2 + 4 * sizeof(double), step2, &s_dot[4]);
-        load_1(item2 + 6 * sizeof(double), step2, &s_dot[6]);
+        load_3(item2 + 4 * sizeof(double), step2, &s_dot[4]);
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
         const doubles t3 = s_dot[4];
@@ -1899,44 +2085,50 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
         const doubles t9 = s_dot[2] * sin_phi + t6 * (e[0] * s_dot[1] - e[1] * s_dot[0]);
         const doubles t2 = t9 + e[2] * s_dot[3];
         char *const item3 = at3 + g * LANES * step3;
+        claim(item3, LANES * step3);
         store_4(item3, step3, t0, t1, t2, t3);
         store_2(item3 + 4 * sizeof(double), step3, t4, t5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
+        fetch(item2, LANESF * step2);
         load_4f(item2, step2, s_dot);
-        load_2f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
-        load_1f(item2 + 6 * sizeof(float), step2, &s_dot[6]);
+        load_3f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
         const floats t3 = s_dot[4];
@@ -1950,44 +2142,50 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
         const floats t9 = s_dot[2] * sin_phi + t6 * (e[0] * s_dot[1] - e[1] * s_dot[0]);
         const floats t2 = t9 + e[2] * s_dot[3];
         char *const item3 = at3 + g * LANESF * step3;
+        claim(item3, LANESF * step3);
         store_4f(item3, step3, t0, t1, t2, t3);
         store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
+        fetch(item2, LANES * step2);
         load_4(item2, step2, s_dot);
-        load_2(item2 + 4 * sizeof(double), step2, &s_dot[4]);
-        load_1(item2 + 6 * sizeof(double), step2, &s_dot[6]);
+        load_3(item2 + 4 * sizeof(double), step2, &s_dot[4]);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t3 = s_dot[4];
@@ -2002,44 +2200,50 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
         const doubles t1 = s_dot[1] + s_dot[0] * t10 - s_dot[2] * t8 - s_dot[3] * t9;
         const doubles t2 = s_dot[2] + (s_dot[1] * t8 - s_dot[0] * t9) - s_dot[3] * t10;
         char *const item3 = at3 + g * LANES * step3;
+        claim(item3, LANES * step3);
         store_4(item3, step3, t0, t1, t2, t3);
         store_2(item3 + 4 * sizeof(double), step3, t4, t5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
+        fetch(item2, LANESF * step2);
         load_4f(item2, step2, s_dot);
-        load_2f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
-        load_1f(item2 + 6 * sizeof(float), step2, &s_dot[6]);
+        load_3f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t3 = s_dot[4];
@@ -2054,44 +2258,50 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
         const floats t1 = s_dot[1] + s_dot[0] * t10 - s_dot[2] * t8 - s_dot[3] * t9;
         const floats t2 = s_dot[2] + (s_dot[1] * t8 - s_dot[0] * t9) - s_dot[3] * t10;
         char *const item3 = at3 + g * LANESF * step3;
+        claim(item3, LANESF * step3);
         store_4f(item3, step3, t0, t1, t2, t3);
         store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
+        fetch(item2, LANES * step2);
         load_4(item2, step2, s_dot);
-        load_2(item2 + 4 * sizeof(double), step2, &s_dot[4]);
-        load_1(item2 + 6 * sizeof(double), step2, &s_dot[6]);
+        load_3(item2 + 4 * sizeof(double), step2, &s_dot[4]);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t3 = s_dot[4];
@@ -2106,44 +2316,50 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
         const doubles t1 = s_dot[0] * t10 + s_dot[1] * t6 - s_dot[2] * t8 - s_dot[3] * t9;
         const doubles t2 = s_dot[1] * t8 - s_dot[0] * t9 + s_dot[2] * t6 - s_dot[3] * t10;
         char *const item3 = at3 + g * LANES * step3;
+        claim(item3, LANES * step3);
         store_4(item3, step3, t0, t1, t2, t3);
         store_2(item3 + 4 * sizeof(double), step3, t4, t5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
+        fetch(item2, LANESF * step2);
         load_4f(item2, step2, s_dot);
-        load_2f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
-        load_1f(item2 + 6 * sizeof(float), step2, &s_dot[6]);
+        load_3f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t3 = s_dot[4];
@@ -2158,37 +2374,42 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
         const floats t1 = s_dot[0] * t10 + s_dot[1] * t6 - s_dot[2] * t8 - s_dot[3] * t9;
         const floats t2 = s_dot[1] * t8 - s_dot[0] * t9 + s_dot[2] * t6 - s_dot[3] * t10;
         char *const item3 = at3 + g * LANESF * step3;
+        claim(item3, LANESF * step3);
         store_4f(item3, step3, t0, t1, t2, t3);
         store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_twist_transfer_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles t_A[6];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_4(item0, step0, t_A);
         load_2(item0 + 4 * sizeof(double), step0, &t_A[4]);
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
-        load_2(item1, step1, a);
-        load_1(item1 + 2 * sizeof(double), step1, &a[2]);
+        fetch(item1, LANES * step1);
+        load_3(item1, step1, a);
         doubles p[3];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, p);
-        load_1(item2 + 2 * sizeof(double), step2, &p[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, p);
         const doubles t_P0 = t_A[0];
         const doubles t_P1 = t_A[1];
         const doubles t_P2 = t_A[2];
@@ -2199,37 +2420,42 @@ void CHASLES_LEVELED(chasles_twist_transfer_block)(
         const doubles t_P4 = t_A[4] + (t_P0 * t3 - t_P2 * t1);
         const doubles t_P5 = t_A[5] + (t_P1 * t1 - t_P0 * t2);
         char *const item3 = at3 + g * LANES * step3;
+        claim(item3, LANES * step3);
         store_4(item3, step3, t_P0, t_P1, t_P2, t_P3);
         store_2(item3 + 4 * sizeof(double), step3, t_P4, t_P5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_twist_transfer_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats t_A[6];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_4f(item0, step0, t_A);
         load_2f(item0 + 4 * sizeof(float), step0, &t_A[4]);
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        load_2f(item1, step1, a);
-        load_1f(item1 + 2 * sizeof(float), step1, &a[2]);
+        fetch(item1, LANESF * step1);
+        load_3f(item1, step1, a);
         floats p[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, p);
-        load_1f(item2 + 2 * sizeof(float), step2, &p[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, p);
         const floats t_P0 = t_A[0];
         const floats t_P1 = t_A[1];
         const floats t_P2 = t_A[2];
@@ -2240,8 +2466,10 @@ void CHASLES_LEVELED(chasles_twist_transfer_blockf)(
         const floats t_P4 = t_A[4] + (t_P0 * t3 - t_P2 * t1);
         const floats t_P5 = t_A[5] + (t_P1 * t1 - t_P0 * t2);
         char *const item3 = at3 + g * LANESF * step3;
+        claim(item3, LANESF * step3);
         store_4f(item3, step3, t_P0, t_P1, t_P2, t_P3);
         store_2f(item3 + 4 * sizeof(float), step3, t_P4, t_P5);
+        follow(&way);
     }
 }
 
@@ -2250,8 +2478,10 @@ void CHASLES_LEVELED(chasles_twist_transfer_blockf)(
 void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_natural_rate_matrix(
             (const double *)(at[0] + i * steps[0]),
@@ -2263,8 +2493,10 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
 void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_natural_rate_matrixf(
             (const float *)(at[0] + i * steps[0]),
@@ -2276,8 +2508,10 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
 void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_linear_rate_matrix(
             (const double *)(at[0] + i * steps[0]),
@@ -2289,8 +2523,10 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
 void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_linear_rate_matrixf(
             (const float *)(at[0] + i * steps[0]),
@@ -2302,8 +2538,10 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
 void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rodrigues_rate_matrix(
             (const double *)(at[0] + i * steps[0]),
@@ -2315,8 +2553,10 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
 void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rodrigues_rate_matrixf(
             (const float *)(at[0] + i * steps[0]),
@@ -2328,8 +2568,10 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
 void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_linear_invariants(
             (const double *)(at[0] + i * steps[0]),
@@ -2341,8 +2583,10 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
 void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_linear_invariantsf(
             (const float *)(at[0] + i * steps[0]),
@@ -2354,8 +2598,10 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_rodrigues(
             (const double *)(at[0] + i * steps[0]),
@@ -2367,8 +2613,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_rodriguesf(
             (const float *)(at[0] + i * steps[0]),
@@ -2380,8 +2628,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
 void CHASLES_LEVELED(chasles_linear_invariants_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_linear_invariants(
             (const double *)(at[0] + i * steps[0]),
@@ -2393,8 +2643,10 @@ void CHASLES_LEVELED(chasles_linear_invariants_block)(
 void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_linear_invariantsf(
             (const float *)(at[0] + i * steps[0]),
@@ -2406,8 +2658,10 @@ void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
 void CHASLES_LEVELED(chasles_natural_invariants_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_natural_invariants(
             (const double *)(at[0] + i * steps[0]),
@@ -2419,8 +2673,10 @@ void CHASLES_LEVELED(chasles_natural_invariants_block)(
 void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_natural_invariantsf(
             (const float *)(at[0] + i * steps[0]),
@@ -2432,8 +2688,10 @@ void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
 void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rodrigues_parameters(
             (const double *)(at[0] + i * steps[0]),
@@ -2445,8 +2703,10 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
 void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rodrigues_parametersf(
             (const float *)(at[0] + i * steps[0]),
@@ -2458,8 +2718,10 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
 void CHASLES_LEVELED(chasles_screw_of_motion_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_screw_of_motion(
             (const double *)(at[0] + i * steps[0]),
@@ -2474,8 +2736,10 @@ void CHASLES_LEVELED(chasles_screw_of_motion_block)(
 void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_screw_of_motionf(
             (const float *)(at[0] + i * steps[0]),
@@ -2490,8 +2754,10 @@ void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
 void CHASLES_LEVELED(chasles_instant_screw_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_instant_screw(
             (const double *)(at[0] + i * steps[0]),
@@ -2505,8 +2771,10 @@ void CHASLES_LEVELED(chasles_instant_screw_block)(
 void CHASLES_LEVELED(chasles_instant_screw_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_instant_screwf(
             (const float *)(at[0] + i * steps[0]),
@@ -2520,8 +2788,10 @@ void CHASLES_LEVELED(chasles_instant_screw_blockf)(
 void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_natural_velocity_matrix(
             (const double *)(at[0] + i * steps[0]),
@@ -2533,8 +2803,10 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
 void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_natural_velocity_matrixf(
             (const float *)(at[0] + i * steps[0]),
@@ -2546,8 +2818,10 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
 void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_linear_velocity_matrix(
             (const double *)(at[0] + i * steps[0]),
@@ -2559,8 +2833,10 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
 void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_linear_velocity_matrixf(
             (const float *)(at[0] + i * steps[0]),
@@ -2572,8 +2848,10 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
 void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rodrigues_velocity_matrix(
             (const double *)(at[0] + i * steps[0]),
@@ -2585,8 +2863,10 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
 void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rodrigues_velocity_matrixf(
             (const float *)(at[0] + i * steps[0]),
@@ -2598,8 +2878,10 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
 void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_rate_natural(
             (const double *)(at[0] + i * steps[0]),
@@ -2612,8 +2894,10 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
 void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_rate_naturalf(
             (const float *)(at[0] + i * steps[0]),
@@ -2626,8 +2910,10 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
 void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_rate_linear(
             (const double *)(at[0] + i * steps[0]),
@@ -2640,8 +2926,10 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
 void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_rate_linearf(
             (const float *)(at[0] + i * steps[0]),
@@ -2654,8 +2942,10 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
 void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_rate_euler_rodrigues(
             (const double *)(at[0] + i * steps[0]),
@@ -2668,8 +2958,10 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
 void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_rate_euler_rodriguesf(
             (const float *)(at[0] + i * steps[0]),
@@ -2682,8 +2974,10 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
 void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_from_pose_rate_natural(
             (const double *)(at[0] + i * steps[0]),
@@ -2696,8 +2990,10 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
 void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_from_pose_rate_naturalf(
             (const float *)(at[0] + i * steps[0]),
@@ -2710,8 +3006,10 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
 void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_from_pose_rate_linear(
             (const double *)(at[0] + i * steps[0]),
@@ -2724,8 +3022,10 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
 void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_from_pose_rate_linearf(
             (const float *)(at[0] + i * steps[0]),
@@ -2738,8 +3038,10 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
 void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_from_pose_rate_euler_rodrigues(
             (const double *)(at[0] + i * steps[0]),
@@ -2752,8 +3054,10 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
 void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_from_pose_rate_euler_rodriguesf(
             (const float *)(at[0] + i * steps[0]),
@@ -2766,8 +3070,10 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
 void CHASLES_LEVELED(chasles_twist_transfer_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_transfer(
             (const double *)(at[0] + i * steps[0]),
@@ -2780,8 +3086,10 @@ void CHASLES_LEVELED(chasles_twist_transfer_block)(
 void CHASLES_LEVELED(chasles_twist_transfer_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_transferf(
             (const float *)(at[0] + i * steps[0]),

@@ -16,35 +16,37 @@
 void CHASLES_LEVELED(chasles_velocity_of_point_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, omega);
-        load_1(item0 + 2 * sizeof(double), step0, &omega[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, omega);
         doubles a_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
-        load_2(item1, step1, a_dot);
-        load_1(item1 + 2 * sizeof(double), step1, &a_dot[2]);
+        fetch(item1, LANES * step1);
+        load_3(item1, step1, a_dot);
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, a);
-        load_1(item2 + 2 * sizeof(double), step2, &a[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, a);
         doubles p[3];
         const char *const item3 = at3 + g * LANES * step3;
-        load_2(item3, step3, p);
-        load_1(item3 + 2 * sizeof(double), step3, &p[2]);
+        fetch(item3, LANES * step3);
+        load_3(item3, step3, p);
         const doubles t1 = p[0] - a[0];
         const doubles t2 = p[1] - a[1];
         const doubles t3 = p[2] - a[2];
@@ -52,43 +54,46 @@ void CHASLES_LEVELED(chasles_velocity_of_point_block)(
         const doubles p_dot1 = a_dot[1] + (omega[2] * t1 - omega[0] * t3);
         const doubles p_dot2 = a_dot[2] + (omega[0] * t2 - omega[1] * t1);
         char *const item4 = at4 + g * LANES * step4;
-        store_2(item4, step4, p_dot0, p_dot1);
-        store_1(item4 + 2 * sizeof(double), step4, p_dot2);
+        claim(item4, LANES * step4);
+        store_3(item4, step4, p_dot0, p_dot1, p_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_velocity_of_point_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, omega);
-        load_1f(item0 + 2 * sizeof(float), step0, &omega[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, omega);
         floats a_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        load_2f(item1, step1, a_dot);
-        load_1f(item1 + 2 * sizeof(float), step1, &a_dot[2]);
+        fetch(item1, LANESF * step1);
+        load_3f(item1, step1, a_dot);
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, a);
-        load_1f(item2 + 2 * sizeof(float), step2, &a[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, a);
         floats p[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        load_2f(item3, step3, p);
-        load_1f(item3 + 2 * sizeof(float), step3, &p[2]);
+        fetch(item3, LANESF * step3);
+        load_3f(item3, step3, p);
         const floats t1 = p[0] - a[0];
         const floats t2 = p[1] - a[1];
         const floats t3 = p[2] - a[2];
@@ -96,8 +101,9 @@ void CHASLES_LEVELED(chasles_velocity_of_point_blockf)(
         const floats p_dot1 = a_dot[1] + (omega[2] * t1 - omega[0] * t3);
         const floats p_dot2 = a_dot[2] + (omega[0] * t2 - omega[1] * t1);
         char *const item4 = at4 + g * LANESF * step4;
-        store_2f(item4, step4, p_dot0, p_dot1);
-        store_1f(item4 + 2 * sizeof(float), step4, p_dot2);
+        claim(item4, LANESF * step4);
+        store_3f(item4, step4, p_dot0, p_dot1, p_dot2);
+        follow(&way);
     }
 }
 
@@ -106,8 +112,10 @@ void CHASLES_LEVELED(chasles_velocity_of_point_blockf)(
 void CHASLES_LEVELED(chasles_velocity_of_point_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_velocity_of_point(
             (const double *)(at[0] + i * steps[0]),
@@ -121,8 +129,10 @@ void CHASLES_LEVELED(chasles_velocity_of_point_block)(
 void CHASLES_LEVELED(chasles_velocity_of_point_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_velocity_of_pointf(
             (const float *)(at[0] + i * steps[0]),

@@ -16,23 +16,25 @@
 void CHASLES_LEVELED(chasles_angular_acceleration_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, omega);
-        load_1(item0 + 2 * sizeof(double), step0, &omega[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, omega);
         doubles omega_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
-        load_2(item1, step1, omega_dot);
-        load_1(item1 + 2 * sizeof(double), step1, &omega_dot[2]);
+        fetch(item1, LANES * step1);
+        load_3(item1, step1, omega_dot);
         const doubles t1 = omega[0] * omega[0];
         const doubles t2 = omega[0] * omega[1];
         const doubles t3 = omega[0] * omega[2];
@@ -49,32 +51,36 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_block)(
         const doubles W6 = t3 - omega_dot[1];
         const doubles W7 = omega_dot[0] + t5;
         char *const item2 = at2 + g * LANES * step2;
+        claim(item2, LANES * step2);
         store_4(item2, step2, W0, W1, W2, W3);
         store_4(item2 + 4 * sizeof(double), step2, W4, W5, W6, W7);
         store_1(item2 + 8 * sizeof(double), step2, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_angular_acceleration_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, omega);
-        load_1f(item0 + 2 * sizeof(float), step0, &omega[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, omega);
         floats omega_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        load_2f(item1, step1, omega_dot);
-        load_1f(item1 + 2 * sizeof(float), step1, &omega_dot[2]);
+        fetch(item1, LANESF * step1);
+        load_3f(item1, step1, omega_dot);
         const floats t1 = omega[0] * omega[0];
         const floats t2 = omega[0] * omega[1];
         const floats t3 = omega[0] * omega[2];
@@ -91,50 +97,54 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_blockf)(
         const floats W6 = t3 - omega_dot[1];
         const floats W7 = omega_dot[0] + t5;
         char *const item2 = at2 + g * LANESF * step2;
+        claim(item2, LANESF * step2);
         store_4f(item2, step2, W0, W1, W2, W3);
         store_4f(item2 + 4 * sizeof(float), step2, W4, W5, W6, W7);
         store_1f(item2 + 8 * sizeof(float), step2, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_acceleration_of_point_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(double));
     char *const at5 = at[5];
-    const ptrdiff_t step5 = steps[5];
+    const ptrdiff_t step5 = CHASLES_STEP(5, 3 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, omega);
-        load_1(item0 + 2 * sizeof(double), step0, &omega[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, omega);
         doubles omega_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
-        load_2(item1, step1, omega_dot);
-        load_1(item1 + 2 * sizeof(double), step1, &omega_dot[2]);
+        fetch(item1, LANES * step1);
+        load_3(item1, step1, omega_dot);
         doubles a_ddot[3];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, a_ddot);
-        load_1(item2 + 2 * sizeof(double), step2, &a_ddot[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, a_ddot);
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
-        load_2(item3, step3, a);
-        load_1(item3 + 2 * sizeof(double), step3, &a[2]);
+        fetch(item3, LANES * step3);
+        load_3(item3, step3, a);
         doubles p[3];
         const char *const item4 = at4 + g * LANES * step4;
-        load_2(item4, step4, p);
-        load_1(item4 + 2 * sizeof(double), step4, &p[2]);
+        fetch(item4, LANES * step4);
+        load_3(item4, step4, p);
         const doubles t1 = p[0] - a[0];
         const doubles t2 = p[1] - a[1];
         const doubles t3 = p[2] - a[2];
@@ -148,49 +158,52 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_block)(
         const doubles t9 = a_ddot[2] + (omega_dot[0] * t2 - omega_dot[1] * t1);
         const doubles p_ddot2 = t9 + (omega[0] * t5 - omega[1] * t4);
         char *const item5 = at5 + g * LANES * step5;
-        store_2(item5, step5, p_ddot0, p_ddot1);
-        store_1(item5 + 2 * sizeof(double), step5, p_ddot2);
+        claim(item5, LANES * step5);
+        store_3(item5, step5, p_ddot0, p_ddot1, p_ddot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_acceleration_of_point_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(float));
     char *const at5 = at[5];
-    const ptrdiff_t step5 = steps[5];
+    const ptrdiff_t step5 = CHASLES_STEP(5, 3 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, omega);
-        load_1f(item0 + 2 * sizeof(float), step0, &omega[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, omega);
         floats omega_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        load_2f(item1, step1, omega_dot);
-        load_1f(item1 + 2 * sizeof(float), step1, &omega_dot[2]);
+        fetch(item1, LANESF * step1);
+        load_3f(item1, step1, omega_dot);
         floats a_ddot[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, a_ddot);
-        load_1f(item2 + 2 * sizeof(float), step2, &a_ddot[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, a_ddot);
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        load_2f(item3, step3, a);
-        load_1f(item3 + 2 * sizeof(float), step3, &a[2]);
+        fetch(item3, LANESF * step3);
+        load_3f(item3, step3, a);
         floats p[3];
         const char *const item4 = at4 + g * LANESF * step4;
-        load_2f(item4, step4, p);
-        load_1f(item4 + 2 * sizeof(float), step4, &p[2]);
+        fetch(item4, LANESF * step4);
+        load_3f(item4, step4, p);
         const floats t1 = p[0] - a[0];
         const floats t2 = p[1] - a[1];
         const floats t3 = p[2] - a[2];
@@ -204,43 +217,48 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_blockf)(
         const floats t9 = a_ddot[2] + (omega_dot[0] * t2 - omega_dot[1] * t1);
         const floats p_ddot2 = t9 + (omega[0] * t5 - omega[1] * t4);
         char *const item5 = at5 + g * LANESF * step5;
-        store_2f(item5, step5, p_ddot0, p_ddot1);
-        store_1f(item5 + 2 * sizeof(float), step5, p_ddot2);
+        claim(item5, LANESF * step5);
+        store_3f(item5, step5, p_ddot0, p_ddot1, p_ddot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, omega);
-        load_1(item2 + 2 * sizeof(double), step2, &omega[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, omega);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t1 = choose(equal(sin_half_phi, spread(0.0)), spread(0.0), cos_half_phi);
@@ -276,44 +294,50 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
         const doubles N_dot7 = half_t8 + t16;
         const doubles N_dot8 = e[2] * t13 - t4;
         char *const item3 = at3 + g * LANES * step3;
+        claim(item3, LANES * step3);
         store_4(item3, step3, N_dot0, N_dot1, N_dot2, N_dot3);
         store_4(item3 + 4 * sizeof(double), step3, N_dot4, N_dot5, N_dot6, N_dot7);
         store_4(item3 + 8 * sizeof(double), step3, N_dot8, N_dot9, N_dot10, N_dot11);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, omega);
-        load_1f(item2 + 2 * sizeof(float), step2, &omega[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, omega);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const truthsf t1 = equalf(sin_half_phi, spreadf(0.0f));
@@ -349,44 +373,50 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
         const floats N_dot7 = half_t8 + t16;
         const floats N_dot8 = e[2] * t13 - t4;
         char *const item3 = at3 + g * LANESF * step3;
+        claim(item3, LANESF * step3);
         store_4f(item3, step3, N_dot0, N_dot1, N_dot2, N_dot3);
         store_4f(item3 + 4 * sizeof(float), step3, N_dot4, N_dot5, N_dot6, N_dot7);
         store_4f(item3 + 8 * sizeof(float), step3, N_dot8, N_dot9, N_dot10, N_dot11);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, omega);
-        load_1(item2 + 2 * sizeof(double), step2, &omega[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, omega);
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
         const doubles t1 = e[0] * omega[0] + e[1] * omega[1] + e[2] * omega[2];
@@ -427,44 +457,50 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
         const doubles L_dot10 = -t13;
         const doubles L_dot11 = -t14;
         char *const item3 = at3 + g * LANES * step3;
+        claim(item3, LANES * step3);
         store_4(item3, step3, L_dot0, L_dot1, L_dot2, L_dot3);
         store_4(item3 + 4 * sizeof(double), step3, L_dot4, L_dot5, L_dot6, L_dot7);
         store_4(item3 + 8 * sizeof(double), step3, L_dot8, L_dot9, L_dot10, L_dot11);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, omega);
-        load_1f(item2 + 2 * sizeof(float), step2, &omega[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, omega);
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
         const floats t1 = e[0] * omega[0] + e[1] * omega[1] + e[2] * omega[2];
@@ -505,44 +541,50 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
         const floats L_dot10 = -t13;
         const floats L_dot11 = -t14;
         char *const item3 = at3 + g * LANESF * step3;
+        claim(item3, LANESF * step3);
         store_4f(item3, step3, L_dot0, L_dot1, L_dot2, L_dot3);
         store_4f(item3 + 4 * sizeof(float), step3, L_dot4, L_dot5, L_dot6, L_dot7);
         store_4f(item3 + 8 * sizeof(float), step3, L_dot8, L_dot9, L_dot10, L_dot11);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, omega);
-        load_1(item2 + 2 * sizeof(double), step2, &omega[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, omega);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t1 = 0.25 * sin_half_phi;
@@ -558,44 +600,50 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
         const doubles H_dot2 = -H_dot6;
         const doubles H_dot3 = -H_dot1;
         char *const item3 = at3 + g * LANES * step3;
+        claim(item3, LANES * step3);
         store_4(item3, step3, H_dot0, H_dot1, H_dot2, H_dot3);
         store_4(item3 + 4 * sizeof(double), step3, H_dot0, H_dot5, H_dot6, H_dot7);
         store_4(item3 + 8 * sizeof(double), step3, H_dot0, H_dot7, H_dot2, H_dot3);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, omega);
-        load_1f(item2 + 2 * sizeof(float), step2, &omega[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, omega);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t1 = 0.25f * sin_half_phi;
@@ -611,44 +659,50 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
         const floats H_dot2 = -H_dot6;
         const floats H_dot3 = -H_dot1;
         char *const item3 = at3 + g * LANESF * step3;
+        claim(item3, LANESF * step3);
         store_4f(item3, step3, H_dot0, H_dot1, H_dot2, H_dot3);
         store_4f(item3 + 4 * sizeof(float), step3, H_dot0, H_dot5, H_dot6, H_dot7);
         store_4f(item3 + 8 * sizeof(float), step3, H_dot0, H_dot7, H_dot2, H_dot3);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, omega);
-        load_1(item2 + 2 * sizeof(double), step2, &omega[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, omega);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t1 = e[0] * omega[0] + e[1] * omega[1] + e[2] * omega[2];
@@ -671,44 +725,50 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
         const doubles N_tilde_dot7 = -((e[1] * t1 - omega[1]) * t9 + 0.5 * t6);
         const doubles N_tilde_dot11 = -((e[2] * t1 - omega[2]) * t9 + 0.5 * t7);
         char *const item3 = at3 + g * LANES * step3;
+        claim(item3, LANES * step3);
         store_4(item3, step3, N_tilde_dot0, N_tilde_dot1, N_tilde_dot2, N_tilde_dot3);
         store_4(item3 + 4 * sizeof(double), step3, N_tilde_dot4, N_tilde_dot0, N_tilde_dot6, N_tilde_dot7);
         store_4(item3 + 8 * sizeof(double), step3, N_tilde_dot8, N_tilde_dot9, N_tilde_dot0, N_tilde_dot11);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, omega);
-        load_1f(item2 + 2 * sizeof(float), step2, &omega[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, omega);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t1 = e[0] * omega[0] + e[1] * omega[1] + e[2] * omega[2];
@@ -731,44 +791,50 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
         const floats N_tilde_dot7 = -((e[1] * t1 - omega[1]) * t9 + 0.5f * t6);
         const floats N_tilde_dot11 = -((e[2] * t1 - omega[2]) * t9 + 0.5f * t7);
         char *const item3 = at3 + g * LANESF * step3;
+        claim(item3, LANESF * step3);
         store_4f(item3, step3, N_tilde_dot0, N_tilde_dot1, N_tilde_dot2, N_tilde_dot3);
         store_4f(item3 + 4 * sizeof(float), step3, N_tilde_dot4, N_tilde_dot0, N_tilde_dot6, N_tilde_dot7);
         store_4f(item3 + 8 * sizeof(float), step3, N_tilde_dot8, N_tilde_dot9, N_tilde_dot0, N_tilde_dot11);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, omega);
-        load_1(item2 + 2 * sizeof(double), step2, &omega[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, omega);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t1 = choose(equal(cos_half_phi, spread(0.0)), spread(0.0), sin_half_phi);
@@ -784,44 +850,50 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
         const doubles L_tilde_dot3 = -L_tilde_dot9;
         const doubles L_tilde_dot7 = -L_tilde_dot2;
         char *const item3 = at3 + g * LANES * step3;
+        claim(item3, LANES * step3);
         store_4(item3, step3, spread(0.0), L_tilde_dot1, L_tilde_dot2, L_tilde_dot3);
         store_4(item3 + 4 * sizeof(double), step3, L_tilde_dot4, spread(0.0), L_tilde_dot3, L_tilde_dot7);
         store_4(item3 + 8 * sizeof(double), step3, L_tilde_dot7, L_tilde_dot9, spread(0.0), L_tilde_dot1);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, omega);
-        load_1f(item2 + 2 * sizeof(float), step2, &omega[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, omega);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const truthsf t1 = equalf(cos_half_phi, spreadf(0.0f));
@@ -837,44 +909,50 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
         const floats L_tilde_dot3 = -L_tilde_dot9;
         const floats L_tilde_dot7 = -L_tilde_dot2;
         char *const item3 = at3 + g * LANESF * step3;
+        claim(item3, LANESF * step3);
         store_4f(item3, step3, spreadf(0.0f), L_tilde_dot1, L_tilde_dot2, L_tilde_dot3);
         store_4f(item3 + 4 * sizeof(float), step3, L_tilde_dot4, spreadf(0.0f), L_tilde_dot3, L_tilde_dot7);
         store_4f(item3 + 8 * sizeof(float), step3, L_tilde_dot7, L_tilde_dot9, spreadf(0.0f), L_tilde_dot1);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, omega);
-        load_1(item2 + 2 * sizeof(double), step2, &omega[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, omega);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t1 = e[0] * sin_half_phi;
@@ -888,44 +966,50 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
         const doubles H_tilde_dot3 = -H_tilde_dot9;
         const doubles H_tilde_dot7 = -H_tilde_dot2;
         char *const item3 = at3 + g * LANES * step3;
+        claim(item3, LANES * step3);
         store_4(item3, step3, H_tilde_dot0, H_tilde_dot1, H_tilde_dot2, H_tilde_dot3);
         store_4(item3 + 4 * sizeof(double), step3, H_tilde_dot4, H_tilde_dot0, H_tilde_dot3, H_tilde_dot7);
         store_4(item3 + 8 * sizeof(double), step3, H_tilde_dot7, H_tilde_dot9, H_tilde_dot0, H_tilde_dot1);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, omega);
-        load_1f(item2 + 2 * sizeof(float), step2, &omega[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, omega);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t1 = e[0] * sin_half_phi;
@@ -939,48 +1023,55 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
         const floats H_tilde_dot3 = -H_tilde_dot9;
         const floats H_tilde_dot7 = -H_tilde_dot2;
         char *const item3 = at3 + g * LANESF * step3;
+        claim(item3, LANESF * step3);
         store_4f(item3, step3, H_tilde_dot0, H_tilde_dot1, H_tilde_dot2, H_tilde_dot3);
         store_4f(item3 + 4 * sizeof(float), step3, H_tilde_dot4, H_tilde_dot0, H_tilde_dot3, H_tilde_dot7);
         store_4f(item3 + 8 * sizeof(float), step3, H_tilde_dot7, H_tilde_dot9, H_tilde_dot0, H_tilde_dot1);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, t);
-        load_1(item2 + 2 * sizeof(double), step2, &t[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, t);
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
+        fetch(item3, LANES * step3);
         load_4(item3, step3, t_dot);
         load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
         const doubles sin_half_phi = sines[0][g];
@@ -1007,48 +1098,54 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
         const doubles t14 = 0.5 * (e[0] * t_dot[1] - e[1] * t_dot[0] + (t[0] * t8 - t[1] * t7));
         const doubles s_ddot2 = t6 * (t_dot[2] - e[2] * s_ddot3 + t1 * t9) + t4 * t11 - t14;
         char *const item4 = at4 + g * LANES * step4;
+        claim(item4, LANES * step4);
         store_4(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-        store_2(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5);
-        store_1(item4 + 6 * sizeof(double), step4, s_ddot6);
+        store_3(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5, s_ddot6);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, t);
-        load_1f(item2 + 2 * sizeof(float), step2, &t[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, t);
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
+        fetch(item3, LANESF * step3);
         load_4f(item3, step3, t_dot);
         load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
         const floats sin_half_phi = sines[0][g];
@@ -1075,48 +1172,54 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
         const floats t14 = 0.5f * (e[0] * t_dot[1] - e[1] * t_dot[0] + (t[0] * t8 - t[1] * t7));
         const floats s_ddot2 = t6 * (t_dot[2] - e[2] * s_ddot3 + t1 * t9) + t4 * t11 - t14;
         char *const item4 = at4 + g * LANESF * step4;
+        claim(item4, LANESF * step4);
         store_4f(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-        store_2f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5);
-        store_1f(item4 + 6 * sizeof(float), step4, s_ddot6);
+        store_3f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5, s_ddot6);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, t);
-        load_1(item2 + 2 * sizeof(double), step2, &t[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, t);
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
+        fetch(item3, LANES * step3);
         load_4(item3, step3, t_dot);
         load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
         const doubles sin_phi = sines[0][g];
@@ -1142,48 +1245,54 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
         const doubles s_ddot2 = t6 - t[2] * t3 + (e[0] * t[1] - e[1] * t[0]) * t8 - e[2] * t11;
         const doubles s_ddot3 = t2 * t8 - sin_phi * t9 - t1 * t10;
         char *const item4 = at4 + g * LANES * step4;
+        claim(item4, LANES * step4);
         store_4(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-        store_2(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5);
-        store_1(item4 + 6 * sizeof(double), step4, s_ddot6);
+        store_3(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5, s_ddot6);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, t);
-        load_1f(item2 + 2 * sizeof(float), step2, &t[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, t);
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
+        fetch(item3, LANESF * step3);
         load_4f(item3, step3, t_dot);
         load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
         const floats sin_phi = sines[0][g];
@@ -1209,48 +1318,54 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
         const floats s_ddot2 = t6 - t[2] * t3 + (e[0] * t[1] - e[1] * t[0]) * t8 - e[2] * t11;
         const floats s_ddot3 = t2 * t8 - sin_phi * t9 - t1 * t10;
         char *const item4 = at4 + g * LANESF * step4;
+        claim(item4, LANESF * step4);
         store_4f(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-        store_2f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5);
-        store_1f(item4 + 6 * sizeof(float), step4, s_ddot6);
+        store_3f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5, s_ddot6);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, t);
-        load_1(item2 + 2 * sizeof(double), step2, &t[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, t);
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
+        fetch(item3, LANES * step3);
         load_4(item3, step3, t_dot);
         load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
         const doubles sin_half_phi = sines[0][g];
@@ -1272,48 +1387,54 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
         const doubles t9 = 0.5 * (t_dot[0] * t1 + t_dot[1] * t2 + t_dot[2] * t3);
         const doubles s_ddot3 = -(t9 + cos_half_phi * t4);
         char *const item4 = at4 + g * LANES * step4;
+        claim(item4, LANES * step4);
         store_4(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-        store_2(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5);
-        store_1(item4 + 6 * sizeof(double), step4, s_ddot6);
+        store_3(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5, s_ddot6);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, t);
-        load_1f(item2 + 2 * sizeof(float), step2, &t[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, t);
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
+        fetch(item3, LANESF * step3);
         load_4f(item3, step3, t_dot);
         load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
         const floats sin_half_phi = sines[0][g];
@@ -1335,50 +1456,56 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
         const floats t9 = 0.5f * (t_dot[0] * t1 + t_dot[1] * t2 + t_dot[2] * t3);
         const floats s_ddot3 = -(t9 + cos_half_phi * t4);
         char *const item4 = at4 + g * LANESF * step4;
+        claim(item4, LANESF * step4);
         store_4f(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-        store_2f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5);
-        store_1f(item4 + 6 * sizeof(float), step4, s_ddot6);
+        store_3f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5, s_ddot6);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
+        fetch(item2, LANES * step2);
         load_4(item2, step2, s_dot);
         doubles s_ddot[7];
         const char *const item3 = at3 + g * LANES * step3;
+        fetch(item3, LANES * step3);
         load_4(item3, step3, s_ddot);
-        load_2(item3 + 4 * sizeof(double), step3, &s_ddot[4]);
-        load_1(item3 + 6 * sizeof(double), step3, &s_ddot[6]);
+        load_3(item3 + 4 * sizeof(double), step3, &s_ddot[4]);
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
         const doubles t_dot3 = s_ddot[4];
@@ -1397,49 +1524,56 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
         const doubles t9 = s_dot[2] * t5 + (e[0] * s_dot[1] - e[1] * s_dot[0]) * t6;
         const doubles t_dot2 = t4 + e[2] * s_ddot[3] + t9;
         char *const item4 = at4 + g * LANES * step4;
+        claim(item4, LANES * step4);
         store_4(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
+        fetch(item2, LANESF * step2);
         load_4f(item2, step2, s_dot);
         floats s_ddot[7];
         const char *const item3 = at3 + g * LANESF * step3;
+        fetch(item3, LANESF * step3);
         load_4f(item3, step3, s_ddot);
-        load_2f(item3 + 4 * sizeof(float), step3, &s_ddot[4]);
-        load_1f(item3 + 6 * sizeof(float), step3, &s_ddot[6]);
+        load_3f(item3 + 4 * sizeof(float), step3, &s_ddot[4]);
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
         const floats t_dot3 = s_ddot[4];
@@ -1458,49 +1592,56 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
         const floats t9 = s_dot[2] * t5 + (e[0] * s_dot[1] - e[1] * s_dot[0]) * t6;
         const floats t_dot2 = t4 + e[2] * s_ddot[3] + t9;
         char *const item4 = at4 + g * LANESF * step4;
+        claim(item4, LANESF * step4);
         store_4f(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
+        fetch(item2, LANES * step2);
         load_4(item2, step2, s_dot);
         doubles s_ddot[7];
         const char *const item3 = at3 + g * LANES * step3;
+        fetch(item3, LANES * step3);
         load_4(item3, step3, s_ddot);
-        load_2(item3 + 4 * sizeof(double), step3, &s_ddot[4]);
-        load_1(item3 + 6 * sizeof(double), step3, &s_ddot[6]);
+        load_3(item3 + 4 * sizeof(double), step3, &s_ddot[4]);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t_dot3 = s_ddot[4];
@@ -1520,49 +1661,56 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
         const doubles t10 = (s_dot[2] + (s_dot[1] * t3 - s_dot[0] * t4) - s_dot[3] * t5) * t7;
         const doubles t_dot2 = s_ddot[2] + (s_ddot[1] * t3 - s_ddot[0] * t4) - s_ddot[3] * t5 - t10;
         char *const item4 = at4 + g * LANES * step4;
+        claim(item4, LANES * step4);
         store_4(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
+        fetch(item2, LANESF * step2);
         load_4f(item2, step2, s_dot);
         floats s_ddot[7];
         const char *const item3 = at3 + g * LANESF * step3;
+        fetch(item3, LANESF * step3);
         load_4f(item3, step3, s_ddot);
-        load_2f(item3 + 4 * sizeof(float), step3, &s_ddot[4]);
-        load_1f(item3 + 6 * sizeof(float), step3, &s_ddot[6]);
+        load_3f(item3 + 4 * sizeof(float), step3, &s_ddot[4]);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t_dot3 = s_ddot[4];
@@ -1582,44 +1730,50 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
         const floats t10 = (s_dot[2] + (s_dot[1] * t3 - s_dot[0] * t4) - s_dot[3] * t5) * t7;
         const floats t_dot2 = s_ddot[2] + (s_ddot[1] * t3 - s_ddot[0] * t4) - s_ddot[3] * t5 - t10;
         char *const item4 = at4 + g * LANESF * step4;
+        claim(item4, LANESF * step4);
         store_4f(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, e);
-        load_1(item0 + 2 * sizeof(double), step0, &e[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, e);
         doubles s_ddot[7];
         const char *const item3 = at3 + g * LANES * step3;
+        fetch(item3, LANES * step3);
         load_4(item3, step3, s_ddot);
-        load_2(item3 + 4 * sizeof(double), step3, &s_ddot[4]);
-        load_1(item3 + 6 * sizeof(double), step3, &s_ddot[6]);
+        load_3(item3 + 4 * sizeof(double), step3, &s_ddot[4]);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t_dot3 = s_ddot[4];
@@ -1634,44 +1788,50 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
         const doubles t_dot1 = s_ddot[0] * t5 + s_ddot[1] * t1 - s_ddot[2] * t3 - s_ddot[3] * t4;
         const doubles t_dot2 = s_ddot[1] * t3 - s_ddot[0] * t4 + s_ddot[2] * t1 - s_ddot[3] * t5;
         char *const item4 = at4 + g * LANES * step4;
+        claim(item4, LANES * step4);
         store_4(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
+    way.share = (way.share + 1) / 2;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, e);
-        load_1f(item0 + 2 * sizeof(float), step0, &e[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, e);
         floats s_ddot[7];
         const char *const item3 = at3 + g * LANESF * step3;
+        fetch(item3, LANESF * step3);
         load_4f(item3, step3, s_ddot);
-        load_2f(item3 + 4 * sizeof(float), step3, &s_ddot[4]);
-        load_1f(item3 + 6 * sizeof(float), step3, &s_ddot[6]);
+        load_3f(item3 + 4 * sizeof(float), step3, &s_ddot[4]);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t_dot3 = s_ddot[4];
@@ -1686,8 +1846,10 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
         const floats t_dot1 = s_ddot[0] * t5 + s_ddot[1] * t1 - s_ddot[2] * t3 - s_ddot[3] * t4;
         const floats t_dot2 = s_ddot[1] * t3 - s_ddot[0] * t4 + s_ddot[2] * t1 - s_ddot[3] * t5;
         char *const item4 = at4 + g * LANESF * step4;
+        claim(item4, LANESF * step4);
         store_4f(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
+        follow(&way);
     }
 }
 
@@ -1696,8 +1858,10 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
 void CHASLES_LEVELED(chasles_angular_acceleration_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_angular_acceleration_matrix(
             (const double *)(at[0] + i * steps[0]),
@@ -1709,8 +1873,10 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_block)(
 void CHASLES_LEVELED(chasles_angular_acceleration_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_angular_acceleration_matrixf(
             (const float *)(at[0] + i * steps[0]),
@@ -1722,8 +1888,10 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_blockf)(
 void CHASLES_LEVELED(chasles_acceleration_of_point_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_acceleration_of_point(
             (const double *)(at[0] + i * steps[0]),
@@ -1738,8 +1906,10 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_block)(
 void CHASLES_LEVELED(chasles_acceleration_of_point_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_acceleration_of_pointf(
             (const float *)(at[0] + i * steps[0]),
@@ -1754,8 +1924,10 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_blockf)(
 void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_natural_rate_matrix_dot(
             (const double *)(at[0] + i * steps[0]),
@@ -1768,8 +1940,10 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
 void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_natural_rate_matrix_dotf(
             (const float *)(at[0] + i * steps[0]),
@@ -1782,8 +1956,10 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
 void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_linear_rate_matrix_dot(
             (const double *)(at[0] + i * steps[0]),
@@ -1796,8 +1972,10 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
 void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_linear_rate_matrix_dotf(
             (const float *)(at[0] + i * steps[0]),
@@ -1810,8 +1988,10 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
 void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rodrigues_rate_matrix_dot(
             (const double *)(at[0] + i * steps[0]),
@@ -1824,8 +2004,10 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
 void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rodrigues_rate_matrix_dotf(
             (const float *)(at[0] + i * steps[0]),
@@ -1838,8 +2020,10 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
 void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_natural_velocity_matrix_dot(
             (const double *)(at[0] + i * steps[0]),
@@ -1852,8 +2036,10 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
 void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_natural_velocity_matrix_dotf(
             (const float *)(at[0] + i * steps[0]),
@@ -1866,8 +2052,10 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
 void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_linear_velocity_matrix_dot(
             (const double *)(at[0] + i * steps[0]),
@@ -1880,8 +2068,10 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
 void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_linear_velocity_matrix_dotf(
             (const float *)(at[0] + i * steps[0]),
@@ -1894,8 +2084,10 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
 void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rodrigues_velocity_matrix_dot(
             (const double *)(at[0] + i * steps[0]),
@@ -1908,8 +2100,10 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
 void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rodrigues_velocity_matrix_dotf(
             (const float *)(at[0] + i * steps[0]),
@@ -1922,8 +2116,10 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
 void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_acceleration_natural(
             (const double *)(at[0] + i * steps[0]),
@@ -1937,8 +2133,10 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
 void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_acceleration_naturalf(
             (const float *)(at[0] + i * steps[0]),
@@ -1952,8 +2150,10 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
 void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_acceleration_linear(
             (const double *)(at[0] + i * steps[0]),
@@ -1967,8 +2167,10 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
 void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_acceleration_linearf(
             (const float *)(at[0] + i * steps[0]),
@@ -1982,8 +2184,10 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
 void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_acceleration_euler_rodrigues(
             (const double *)(at[0] + i * steps[0]),
@@ -1997,8 +2201,10 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
 void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_acceleration_euler_rodriguesf(
             (const float *)(at[0] + i * steps[0]),
@@ -2012,8 +2218,10 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
 void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_rate_from_pose_natural(
             (const double *)(at[0] + i * steps[0]),
@@ -2027,8 +2235,10 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
 void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_rate_from_pose_naturalf(
             (const float *)(at[0] + i * steps[0]),
@@ -2042,8 +2252,10 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
 void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_rate_from_pose_linear(
             (const double *)(at[0] + i * steps[0]),
@@ -2057,8 +2269,10 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
 void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_rate_from_pose_linearf(
             (const float *)(at[0] + i * steps[0]),
@@ -2072,8 +2286,10 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
 void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_rate_from_pose_euler_rodrigues(
             (const double *)(at[0] + i * steps[0]),
@@ -2087,8 +2303,10 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
 void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_rate_from_pose_euler_rodriguesf(
             (const float *)(at[0] + i * steps[0]),

@@ -16,42 +16,45 @@
 void CHASLES_LEVELED(chasles_moving_frame_velocity_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(double));
     char *const at5 = at[5];
-    const ptrdiff_t step5 = steps[5];
+    const ptrdiff_t step5 = CHASLES_STEP(5, 3 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles o_dot[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, o_dot);
-        load_1(item0 + 2 * sizeof(double), step0, &o_dot[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, o_dot);
         doubles Q[9];
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_4(item1, step1, Q);
         load_4(item1 + 4 * sizeof(double), step1, &Q[4]);
         load_1(item1 + 8 * sizeof(double), step1, &Q[8]);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, omega);
-        load_1(item2 + 2 * sizeof(double), step2, &omega[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, omega);
         doubles rho[3];
         const char *const item3 = at3 + g * LANES * step3;
-        load_2(item3, step3, rho);
-        load_1(item3 + 2 * sizeof(double), step3, &rho[2]);
+        fetch(item3, LANES * step3);
+        load_3(item3, step3, rho);
         doubles rho_dot[3];
         const char *const item4 = at4 + g * LANES * step4;
-        load_2(item4, step4, rho_dot);
-        load_1(item4 + 2 * sizeof(double), step4, &rho_dot[2]);
+        fetch(item4, LANES * step4);
+        load_3(item4, step4, rho_dot);
         const doubles t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
         const doubles t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
         const doubles t3 = Q[6] * rho[0] + Q[7] * rho[1] + Q[8] * rho[2];
@@ -62,50 +65,54 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_block)(
         const doubles t6 = Q[6] * rho_dot[0] + Q[7] * rho_dot[1] + Q[8] * rho_dot[2];
         const doubles p_dot2 = o_dot[2] + (omega[0] * t2 - omega[1] * t1) + t6;
         char *const item5 = at5 + g * LANES * step5;
-        store_2(item5, step5, p_dot0, p_dot1);
-        store_1(item5 + 2 * sizeof(double), step5, p_dot2);
+        claim(item5, LANES * step5);
+        store_3(item5, step5, p_dot0, p_dot1, p_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_moving_frame_velocity_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(float));
     char *const at5 = at[5];
-    const ptrdiff_t step5 = steps[5];
+    const ptrdiff_t step5 = CHASLES_STEP(5, 3 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats o_dot[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, o_dot);
-        load_1f(item0 + 2 * sizeof(float), step0, &o_dot[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, o_dot);
         floats Q[9];
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_4f(item1, step1, Q);
         load_4f(item1 + 4 * sizeof(float), step1, &Q[4]);
         load_1f(item1 + 8 * sizeof(float), step1, &Q[8]);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, omega);
-        load_1f(item2 + 2 * sizeof(float), step2, &omega[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, omega);
         floats rho[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        load_2f(item3, step3, rho);
-        load_1f(item3 + 2 * sizeof(float), step3, &rho[2]);
+        fetch(item3, LANESF * step3);
+        load_3f(item3, step3, rho);
         floats rho_dot[3];
         const char *const item4 = at4 + g * LANESF * step4;
-        load_2f(item4, step4, rho_dot);
-        load_1f(item4 + 2 * sizeof(float), step4, &rho_dot[2]);
+        fetch(item4, LANESF * step4);
+        load_3f(item4, step4, rho_dot);
         const floats t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
         const floats t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
         const floats t3 = Q[6] * rho[0] + Q[7] * rho[1] + Q[8] * rho[2];
@@ -116,62 +123,66 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_blockf)(
         const floats t6 = Q[6] * rho_dot[0] + Q[7] * rho_dot[1] + Q[8] * rho_dot[2];
         const floats p_dot2 = o_dot[2] + (omega[0] * t2 - omega[1] * t1) + t6;
         char *const item5 = at5 + g * LANESF * step5;
-        store_2f(item5, step5, p_dot0, p_dot1);
-        store_1f(item5 + 2 * sizeof(float), step5, p_dot2);
+        claim(item5, LANESF * step5);
+        store_3f(item5, step5, p_dot0, p_dot1, p_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_moving_frame_acceleration_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(double));
     char *const at5 = at[5];
-    const ptrdiff_t step5 = steps[5];
+    const ptrdiff_t step5 = CHASLES_STEP(5, 3 * sizeof(double));
     char *const at6 = at[6];
-    const ptrdiff_t step6 = steps[6];
+    const ptrdiff_t step6 = CHASLES_STEP(6, 3 * sizeof(double));
     char *const at7 = at[7];
-    const ptrdiff_t step7 = steps[7];
+    const ptrdiff_t step7 = CHASLES_STEP(7, 3 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles o_ddot[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, o_ddot);
-        load_1(item0 + 2 * sizeof(double), step0, &o_ddot[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, o_ddot);
         doubles Q[9];
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_4(item1, step1, Q);
         load_4(item1 + 4 * sizeof(double), step1, &Q[4]);
         load_1(item1 + 8 * sizeof(double), step1, &Q[8]);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, omega);
-        load_1(item2 + 2 * sizeof(double), step2, &omega[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, omega);
         doubles omega_dot[3];
         const char *const item3 = at3 + g * LANES * step3;
-        load_2(item3, step3, omega_dot);
-        load_1(item3 + 2 * sizeof(double), step3, &omega_dot[2]);
+        fetch(item3, LANES * step3);
+        load_3(item3, step3, omega_dot);
         doubles rho[3];
         const char *const item4 = at4 + g * LANES * step4;
-        load_2(item4, step4, rho);
-        load_1(item4 + 2 * sizeof(double), step4, &rho[2]);
+        fetch(item4, LANES * step4);
+        load_3(item4, step4, rho);
         doubles rho_dot[3];
         const char *const item5 = at5 + g * LANES * step5;
-        load_2(item5, step5, rho_dot);
-        load_1(item5 + 2 * sizeof(double), step5, &rho_dot[2]);
+        fetch(item5, LANES * step5);
+        load_3(item5, step5, rho_dot);
         doubles rho_ddot[3];
         const char *const item6 = at6 + g * LANES * step6;
-        load_2(item6, step6, rho_ddot);
-        load_1(item6 + 2 * sizeof(double), step6, &rho_ddot[2]);
+        fetch(item6, LANES * step6);
+        load_3(item6, step6, rho_ddot);
         const doubles t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
         const doubles t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
         const doubles t3 = Q[6] * rho[0] + Q[7] * rho[1] + Q[8] * rho[2];
@@ -191,62 +202,66 @@ void CHASLES_LEVELED(chasles_moving_frame_acceleration_block)(
         const doubles t15 = Q[6] * rho_ddot[0] + Q[7] * rho_ddot[1] + Q[8] * rho_ddot[2];
         const doubles p_ddot2 = t12 + (omega[0] * t7 - omega[1] * t5) + t15;
         char *const item7 = at7 + g * LANES * step7;
-        store_2(item7, step7, p_ddot0, p_ddot1);
-        store_1(item7 + 2 * sizeof(double), step7, p_ddot2);
+        claim(item7, LANES * step7);
+        store_3(item7, step7, p_ddot0, p_ddot1, p_ddot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_moving_frame_acceleration_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(float));
     char *const at5 = at[5];
-    const ptrdiff_t step5 = steps[5];
+    const ptrdiff_t step5 = CHASLES_STEP(5, 3 * sizeof(float));
     char *const at6 = at[6];
-    const ptrdiff_t step6 = steps[6];
+    const ptrdiff_t step6 = CHASLES_STEP(6, 3 * sizeof(float));
     char *const at7 = at[7];
-    const ptrdiff_t step7 = steps[7];
+    const ptrdiff_t step7 = CHASLES_STEP(7, 3 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats o_ddot[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, o_ddot);
-        load_1f(item0 + 2 * sizeof(float), step0, &o_ddot[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, o_ddot);
         floats Q[9];
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_4f(item1, step1, Q);
         load_4f(item1 + 4 * sizeof(float), step1, &Q[4]);
         load_1f(item1 + 8 * sizeof(float), step1, &Q[8]);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, omega);
-        load_1f(item2 + 2 * sizeof(float), step2, &omega[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, omega);
         floats omega_dot[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        load_2f(item3, step3, omega_dot);
-        load_1f(item3 + 2 * sizeof(float), step3, &omega_dot[2]);
+        fetch(item3, LANESF * step3);
+        load_3f(item3, step3, omega_dot);
         floats rho[3];
         const char *const item4 = at4 + g * LANESF * step4;
-        load_2f(item4, step4, rho);
-        load_1f(item4 + 2 * sizeof(float), step4, &rho[2]);
+        fetch(item4, LANESF * step4);
+        load_3f(item4, step4, rho);
         floats rho_dot[3];
         const char *const item5 = at5 + g * LANESF * step5;
-        load_2f(item5, step5, rho_dot);
-        load_1f(item5 + 2 * sizeof(float), step5, &rho_dot[2]);
+        fetch(item5, LANESF * step5);
+        load_3f(item5, step5, rho_dot);
         floats rho_ddot[3];
         const char *const item6 = at6 + g * LANESF * step6;
-        load_2f(item6, step6, rho_ddot);
-        load_1f(item6 + 2 * sizeof(float), step6, &rho_ddot[2]);
+        fetch(item6, LANESF * step6);
+        load_3f(item6, step6, rho_ddot);
         const floats t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
         const floats t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
         const floats t3 = Q[6] * rho[0] + Q[7] * rho[1] + Q[8] * rho[2];
@@ -266,8 +281,9 @@ void CHASLES_LEVELED(chasles_moving_frame_acceleration_blockf)(
         const floats t15 = Q[6] * rho_ddot[0] + Q[7] * rho_ddot[1] + Q[8] * rho_ddot[2];
         const floats p_ddot2 = t12 + (omega[0] * t7 - omega[1] * t5) + t15;
         char *const item7 = at7 + g * LANESF * step7;
-        store_2f(item7, step7, p_ddot0, p_ddot1);
-        store_1f(item7 + 2 * sizeof(float), step7, p_ddot2);
+        claim(item7, LANESF * step7);
+        store_3f(item7, step7, p_ddot0, p_ddot1, p_ddot2);
+        follow(&way);
     }
 }
 
@@ -276,8 +292,10 @@ void CHASLES_LEVELED(chasles_moving_frame_acceleration_blockf)(
 void CHASLES_LEVELED(chasles_moving_frame_velocity_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_moving_frame_velocity(
             (const double *)(at[0] + i * steps[0]),
@@ -292,8 +310,10 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_block)(
 void CHASLES_LEVELED(chasles_moving_frame_velocity_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_moving_frame_velocityf(
             (const float *)(at[0] + i * steps[0]),
@@ -308,8 +328,10 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_blockf)(
 void CHASLES_LEVELED(chasles_moving_frame_acceleration_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_moving_frame_acceleration(
             (const double *)(at[0] + i * steps[0]),
@@ -326,8 +348,10 @@ void CHASLES_LEVELED(chasles_moving_frame_acceleration_block)(
 void CHASLES_LEVELED(chasles_moving_frame_acceleration_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_moving_frame_accelerationf(
             (const float *)(at[0] + i * steps[0]),

@@ -16,35 +16,39 @@
 void CHASLES_LEVELED(chasles_inertia_about_point_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 9 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
         load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles c[3];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, c);
-        load_1(item2 + 2 * sizeof(double), step2, &c[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, c);
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
-        load_2(item3, step3, a);
-        load_1(item3 + 2 * sizeof(double), step3, &a[2]);
+        fetch(item3, LANES * step3);
+        load_3(item3, step3, a);
         const doubles t1 = a[0] - c[0];
         const doubles t2 = a[1] - c[1];
         const doubles t3 = a[2] - c[2];
@@ -66,44 +70,50 @@ void CHASLES_LEVELED(chasles_inertia_about_point_block)(
         const doubles I_A7 = I_C[7] - t10;
         const doubles I_A8 = I_C[8] + (t6 + t9);
         char *const item4 = at4 + g * LANES * step4;
+        claim(item4, LANES * step4);
         store_4(item4, step4, I_A0, I_A1, I_A2, I_A3);
         store_4(item4 + 4 * sizeof(double), step4, I_A4, I_A5, I_A6, I_A7);
         store_1(item4 + 8 * sizeof(double), step4, I_A8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_inertia_about_point_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 9 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats c[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, c);
-        load_1f(item2 + 2 * sizeof(float), step2, &c[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, c);
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        load_2f(item3, step3, a);
-        load_1f(item3 + 2 * sizeof(float), step3, &a[2]);
+        fetch(item3, LANESF * step3);
+        load_3f(item3, step3, a);
         const floats t1 = a[0] - c[0];
         const floats t2 = a[1] - c[1];
         const floats t3 = a[2] - c[2];
@@ -125,43 +135,49 @@ void CHASLES_LEVELED(chasles_inertia_about_point_blockf)(
         const floats I_A7 = I_C[7] - t10;
         const floats I_A8 = I_C[8] + (t6 + t9);
         char *const item4 = at4 + g * LANESF * step4;
+        claim(item4, LANESF * step4);
         store_4f(item4, step4, I_A0, I_A1, I_A2, I_A3);
         store_4f(item4 + 4 * sizeof(float), step4, I_A4, I_A5, I_A6, I_A7);
         store_1f(item4 + 8 * sizeof(float), step4, I_A8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_inertia_about_point_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles c[3];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, c);
-        load_1(item2 + 2 * sizeof(double), step2, &c[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, c);
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
-        load_2(item3, step3, a);
-        load_1(item3 + 2 * sizeof(double), step3, &a[2]);
+        fetch(item3, LANES * step3);
+        load_3(item3, step3, a);
         const doubles t1 = a[0] - c[0];
         const doubles t2 = a[1] - c[1];
         const doubles t3 = a[2] - c[2];
@@ -177,42 +193,48 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_block)(
         const doubles I_A4 = I_C[4] - t2 * t5;
         const doubles I_A5 = I_C[5] + (t6 + t7);
         char *const item4 = at4 + g * LANES * step4;
+        claim(item4, LANES * step4);
         store_4(item4, step4, I_A0, I_A1, I_A2, I_A3);
         store_2(item4 + 4 * sizeof(double), step4, I_A4, I_A5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_inertia_about_point_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats c[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, c);
-        load_1f(item2 + 2 * sizeof(float), step2, &c[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, c);
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        load_2f(item3, step3, a);
-        load_1f(item3 + 2 * sizeof(float), step3, &a[2]);
+        fetch(item3, LANESF * step3);
+        load_3f(item3, step3, a);
         const floats t1 = a[0] - c[0];
         const floats t2 = a[1] - c[1];
         const floats t3 = a[2] - c[2];
@@ -228,35 +250,42 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_blockf)(
         const floats I_A4 = I_C[4] - t2 * t5;
         const floats I_A5 = I_C[5] + (t6 + t7);
         char *const item4 = at4 + g * LANESF * step4;
+        claim(item4, LANESF * step4);
         store_4f(item4, step4, I_A0, I_A1, I_A2, I_A3);
         store_2f(item4 + 4 * sizeof(float), step4, I_A4, I_A5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_momentum_screw_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
         load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
+        fetch(item2, LANES * step2);
         load_4(item2, step2, t);
         load_2(item2 + 4 * sizeof(double), step2, &t[4]);
         const doubles mu0 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
@@ -266,35 +295,42 @@ void CHASLES_LEVELED(chasles_momentum_screw_block)(
         const doubles mu4 = m * t[4];
         const doubles mu5 = m * t[5];
         char *const item3 = at3 + g * LANES * step3;
+        claim(item3, LANES * step3);
         store_4(item3, step3, mu0, mu1, mu2, mu3);
         store_2(item3 + 4 * sizeof(double), step3, mu4, mu5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_momentum_screw_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
+        fetch(item2, LANESF * step2);
         load_4f(item2, step2, t);
         load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
         const floats mu0 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
@@ -304,34 +340,41 @@ void CHASLES_LEVELED(chasles_momentum_screw_blockf)(
         const floats mu4 = m * t[4];
         const floats mu5 = m * t[5];
         char *const item3 = at3 + g * LANESF * step3;
+        claim(item3, LANESF * step3);
         store_4f(item3, step3, mu0, mu1, mu2, mu3);
         store_2f(item3 + 4 * sizeof(float), step3, mu4, mu5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_momentum_screw_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
+        fetch(item2, LANES * step2);
         load_4(item2, step2, t);
         load_2(item2 + 4 * sizeof(double), step2, &t[4]);
         const doubles mu0 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
@@ -341,34 +384,41 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_block)(
         const doubles mu4 = m * t[4];
         const doubles mu5 = m * t[5];
         char *const item3 = at3 + g * LANES * step3;
+        claim(item3, LANES * step3);
         store_4(item3, step3, mu0, mu1, mu2, mu3);
         store_2(item3 + 4 * sizeof(double), step3, mu4, mu5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_momentum_screw_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
+        fetch(item2, LANESF * step2);
         load_4f(item2, step2, t);
         load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
         const floats mu0 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
@@ -378,35 +428,42 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_blockf)(
         const floats mu4 = m * t[4];
         const floats mu5 = m * t[5];
         char *const item3 = at3 + g * LANESF * step3;
+        claim(item3, LANESF * step3);
         store_4f(item3, step3, mu0, mu1, mu2, mu3);
         store_2f(item3 + 4 * sizeof(float), step3, mu4, mu5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_kinetic_energy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
         load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
+        fetch(item2, LANES * step2);
         load_4(item2, step2, t);
         load_2(item2 + 4 * sizeof(double), step2, &t[4]);
         const doubles t1 = (I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2]) * (0.5 * t[0]);
@@ -415,34 +472,41 @@ void CHASLES_LEVELED(chasles_kinetic_energy_block)(
         const doubles t4 = t3 + m * t[3] * (0.5 * t[3]) + m * t[4] * (0.5 * t[4]);
         const doubles T_value = t4 + m * t[5] * (0.5 * t[5]);
         char *const item3 = at3 + g * LANES * step3;
+        claim(item3, LANES * step3);
         store_1(item3, step3, T_value);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_kinetic_energy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
+        fetch(item2, LANESF * step2);
         load_4f(item2, step2, t);
         load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
         const floats t1 = (I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2]) * (0.5f * t[0]);
@@ -451,33 +515,40 @@ void CHASLES_LEVELED(chasles_kinetic_energy_blockf)(
         const floats t4 = t3 + m * t[3] * (0.5f * t[3]) + m * t[4] * (0.5f * t[4]);
         const floats T_value = t4 + m * t[5] * (0.5f * t[5]);
         char *const item3 = at3 + g * LANESF * step3;
+        claim(item3, LANESF * step3);
         store_1f(item3, step3, T_value);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_kinetic_energy_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
+        fetch(item2, LANES * step2);
         load_4(item2, step2, t);
         load_2(item2 + 4 * sizeof(double), step2, &t[4]);
         const doubles t1 = (I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2]) * (0.5 * t[0]);
@@ -486,33 +557,40 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_block)(
         const doubles t4 = t3 + m * t[3] * (0.5 * t[3]) + m * t[4] * (0.5 * t[4]);
         const doubles T_value = t4 + m * t[5] * (0.5 * t[5]);
         char *const item3 = at3 + g * LANES * step3;
+        claim(item3, LANES * step3);
         store_1(item3, step3, T_value);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_kinetic_energy_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
+        fetch(item2, LANESF * step2);
         load_4f(item2, step2, t);
         load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
         const floats t1 = (I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2]) * (0.5f * t[0]);
@@ -521,40 +599,47 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_blockf)(
         const floats t4 = t3 + m * t[3] * (0.5f * t[3]) + m * t[4] * (0.5f * t[4]);
         const floats T_value = t4 + m * t[5] * (0.5f * t[5]);
         char *const item3 = at3 + g * LANESF * step3;
+        claim(item3, LANESF * step3);
         store_1f(item3, step3, T_value);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_newton_euler_wrench_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
         load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, t);
-        load_1(item2 + 2 * sizeof(double), step2, &t[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, t);
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
+        fetch(item3, LANES * step3);
         load_4(item3, step3, t_dot);
         load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
         const doubles w3 = m * t_dot[3];
@@ -570,41 +655,48 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_block)(
         const doubles t6 = I_C[6] * t_dot[0] + I_C[7] * t_dot[1] + I_C[8] * t_dot[2];
         const doubles w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANES * step4;
+        claim(item4, LANES * step4);
         store_4(item4, step4, w0, w1, w2, w3);
         store_2(item4 + 4 * sizeof(double), step4, w4, w5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_newton_euler_wrench_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, t);
-        load_1f(item2 + 2 * sizeof(float), step2, &t[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, t);
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
+        fetch(item3, LANESF * step3);
         load_4f(item3, step3, t_dot);
         load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
         const floats w3 = m * t_dot[3];
@@ -620,40 +712,47 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_blockf)(
         const floats t6 = I_C[6] * t_dot[0] + I_C[7] * t_dot[1] + I_C[8] * t_dot[2];
         const floats w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANESF * step4;
+        claim(item4, LANESF * step4);
         store_4f(item4, step4, w0, w1, w2, w3);
         store_2f(item4 + 4 * sizeof(float), step4, w4, w5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, t);
-        load_1(item2 + 2 * sizeof(double), step2, &t[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, t);
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
+        fetch(item3, LANES * step3);
         load_4(item3, step3, t_dot);
         load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
         const doubles w3 = m * t_dot[3];
@@ -669,40 +768,47 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_block)(
         const doubles t6 = I_C[2] * t_dot[0] + I_C[4] * t_dot[1] + I_C[5] * t_dot[2];
         const doubles w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANES * step4;
+        claim(item4, LANES * step4);
         store_4(item4, step4, w0, w1, w2, w3);
         store_2(item4 + 4 * sizeof(double), step4, w4, w5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, t);
-        load_1f(item2 + 2 * sizeof(float), step2, &t[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, t);
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
+        fetch(item3, LANESF * step3);
         load_4f(item3, step3, t_dot);
         load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
         const floats w3 = m * t_dot[3];
@@ -718,41 +824,48 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_blockf)(
         const floats t6 = I_C[2] * t_dot[0] + I_C[4] * t_dot[1] + I_C[5] * t_dot[2];
         const floats w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANESF * step4;
+        claim(item4, LANESF * step4);
         store_4f(item4, step4, w0, w1, w2, w3);
         store_2f(item4 + 4 * sizeof(float), step4, w4, w5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_newton_euler_twist_rate_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
         load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, t);
-        load_1(item2 + 2 * sizeof(double), step2, &t[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, t);
         doubles w[6];
         const char *const item3 = at3 + g * LANES * step3;
+        fetch(item3, LANES * step3);
         load_4(item3, step3, w);
         load_2(item3 + 4 * sizeof(double), step3, &w[4]);
         const doubles t1 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
@@ -777,41 +890,48 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_block)(
         const doubles t_dot4 = w[4] * t15;
         const doubles t_dot5 = w[5] * t15;
         char *const item4 = at4 + g * LANES * step4;
+        claim(item4, LANES * step4);
         store_4(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_newton_euler_twist_rate_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, t);
-        load_1f(item2 + 2 * sizeof(float), step2, &t[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, t);
         floats w[6];
         const char *const item3 = at3 + g * LANESF * step3;
+        fetch(item3, LANESF * step3);
         load_4f(item3, step3, w);
         load_2f(item3 + 4 * sizeof(float), step3, &w[4]);
         const floats t1 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
@@ -836,40 +956,47 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_blockf)(
         const floats t_dot4 = w[4] * t15;
         const floats t_dot5 = w[5] * t15;
         char *const item4 = at4 + g * LANESF * step4;
+        claim(item4, LANESF * step4);
         store_4f(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, t);
-        load_1(item2 + 2 * sizeof(double), step2, &t[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, t);
         doubles w[6];
         const char *const item3 = at3 + g * LANES * step3;
+        fetch(item3, LANES * step3);
         load_4(item3, step3, w);
         load_2(item3 + 4 * sizeof(double), step3, &w[4]);
         const doubles t1 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
@@ -892,40 +1019,47 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_block)(
         const doubles t_dot4 = w[4] * t13;
         const doubles t_dot5 = w[5] * t13;
         char *const item4 = at4 + g * LANES * step4;
+        claim(item4, LANES * step4);
         store_4(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, t);
-        load_1f(item2 + 2 * sizeof(float), step2, &t[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, t);
         floats w[6];
         const char *const item3 = at3 + g * LANESF * step3;
+        fetch(item3, LANESF * step3);
         load_4f(item3, step3, w);
         load_2f(item3 + 4 * sizeof(float), step3, &w[4]);
         const floats t1 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
@@ -948,43 +1082,49 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_blockf)(
         const floats t_dot4 = w[4] * t13;
         const floats t_dot5 = w[5] * t13;
         char *const item4 = at4 + g * LANESF * step4;
+        claim(item4, LANESF * step4);
         store_4f(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_inertia_dyad_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 36 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
         load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles c[3];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, c);
-        load_1(item2 + 2 * sizeof(double), step2, &c[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, c);
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
-        load_2(item3, step3, a);
-        load_1(item3 + 2 * sizeof(double), step3, &a[2]);
+        fetch(item3, LANES * step3);
+        load_3(item3, step3, a);
         const doubles M_A21 = m;
         const doubles t1 = a[0] - c[0];
         const doubles t2 = a[1] - c[1];
@@ -1011,6 +1151,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_block)(
         const doubles M_A13 = I_C[7] - t8;
         const doubles M_A14 = I_C[8] + (t4 + t7);
         char *const item4 = at4 + g * LANES * step4;
+        claim(item4, LANES * step4);
         store_4(item4, step4, M_A0, M_A1, M_A2, spread(0.0));
         store_4(item4 + 4 * sizeof(double), step4, M_A4, M_A5, M_A6, M_A7);
         store_4(item4 + 8 * sizeof(double), step4, M_A8, M_A9, spread(0.0), M_A11);
@@ -1020,41 +1161,46 @@ void CHASLES_LEVELED(chasles_inertia_dyad_block)(
         store_4(item4 + 24 * sizeof(double), step4, M_A4, spread(0.0), M_A16, spread(0.0));
         store_4(item4 + 28 * sizeof(double), step4, M_A21, spread(0.0), M_A5, M_A11);
         store_4(item4 + 32 * sizeof(double), step4, spread(0.0), spread(0.0), spread(0.0), M_A21);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 36 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats c[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, c);
-        load_1f(item2 + 2 * sizeof(float), step2, &c[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, c);
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        load_2f(item3, step3, a);
-        load_1f(item3 + 2 * sizeof(float), step3, &a[2]);
+        fetch(item3, LANESF * step3);
+        load_3f(item3, step3, a);
         const floats M_A21 = m;
         const floats t1 = a[0] - c[0];
         const floats t2 = a[1] - c[1];
@@ -1081,6 +1227,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
         const floats M_A13 = I_C[7] - t8;
         const floats M_A14 = I_C[8] + (t4 + t7);
         char *const item4 = at4 + g * LANESF * step4;
+        claim(item4, LANESF * step4);
         store_4f(item4, step4, M_A0, M_A1, M_A2, spreadf(0.0f));
         store_4f(item4 + 4 * sizeof(float), step4, M_A4, M_A5, M_A6, M_A7);
         store_4f(item4 + 8 * sizeof(float), step4, M_A8, M_A9, spreadf(0.0f), M_A11);
@@ -1090,40 +1237,45 @@ void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
         store_4f(item4 + 24 * sizeof(float), step4, M_A4, spreadf(0.0f), M_A16, spreadf(0.0f));
         store_4f(item4 + 28 * sizeof(float), step4, M_A21, spreadf(0.0f), M_A5, M_A11);
         store_4f(item4 + 32 * sizeof(float), step4, spreadf(0.0f), spreadf(0.0f), spreadf(0.0f), M_A21);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 36 * sizeof(double));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
+        fetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles c[3];
         const char *const item2 = at2 + g * LANES * step2;
-        load_2(item2, step2, c);
-        load_1(item2 + 2 * sizeof(double), step2, &c[2]);
+        fetch(item2, LANES * step2);
+        load_3(item2, step2, c);
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
-        load_2(item3, step3, a);
-        load_1(item3 + 2 * sizeof(double), step3, &a[2]);
+        fetch(item3, LANES * step3);
+        load_3(item3, step3, a);
         const doubles M_A21 = m;
         const doubles t1 = a[0] - c[0];
         const doubles t2 = a[1] - c[1];
@@ -1144,6 +1296,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
         const doubles M_A8 = I_C[4] - t2 * M_A4;
         const doubles M_A14 = I_C[5] + (t4 + t5);
         char *const item4 = at4 + g * LANES * step4;
+        claim(item4, LANES * step4);
         store_4(item4, step4, M_A0, M_A1, M_A2, spread(0.0));
         store_4(item4 + 4 * sizeof(double), step4, M_A4, M_A5, M_A1, M_A7);
         store_4(item4 + 8 * sizeof(double), step4, M_A8, M_A9, spread(0.0), M_A11);
@@ -1153,40 +1306,45 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
         store_4(item4 + 24 * sizeof(double), step4, M_A4, spread(0.0), M_A16, spread(0.0));
         store_4(item4 + 28 * sizeof(double), step4, M_A21, spread(0.0), M_A5, M_A11);
         store_4(item4 + 32 * sizeof(double), step4, spread(0.0), spread(0.0), spread(0.0), M_A21);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_inertia_dyad_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
-    const ptrdiff_t step3 = steps[3];
+    const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
     char *const at4 = at[4];
-    const ptrdiff_t step4 = steps[4];
+    const ptrdiff_t step4 = CHASLES_STEP(4, 36 * sizeof(float));
+    chasles_trail way = *trail;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
+        fetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats c[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        load_2f(item2, step2, c);
-        load_1f(item2 + 2 * sizeof(float), step2, &c[2]);
+        fetch(item2, LANESF * step2);
+        load_3f(item2, step2, c);
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        load_2f(item3, step3, a);
-        load_1f(item3 + 2 * sizeof(float), step3, &a[2]);
+        fetch(item3, LANESF * step3);
+        load_3f(item3, step3, a);
         const floats M_A21 = m;
         const floats t1 = a[0] - c[0];
         const floats t2 = a[1] - c[1];
@@ -1207,6 +1365,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_blockf)(
         const floats M_A8 = I_C[4] - t2 * M_A4;
         const floats M_A14 = I_C[5] + (t4 + t5);
         char *const item4 = at4 + g * LANESF * step4;
+        claim(item4, LANESF * step4);
         store_4f(item4, step4, M_A0, M_A1, M_A2, spreadf(0.0f));
         store_4f(item4 + 4 * sizeof(float), step4, M_A4, M_A5, M_A1, M_A7);
         store_4f(item4 + 8 * sizeof(float), step4, M_A8, M_A9, spreadf(0.0f), M_A11);
@@ -1216,6 +1375,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_blockf)(
         store_4f(item4 + 24 * sizeof(float), step4, M_A4, spreadf(0.0f), M_A16, spreadf(0.0f));
         store_4f(item4 + 28 * sizeof(float), step4, M_A21, spreadf(0.0f), M_A5, M_A11);
         store_4f(item4 + 32 * sizeof(float), step4, spreadf(0.0f), spreadf(0.0f), spreadf(0.0f), M_A21);
+        follow(&way);
     }
 }
 
@@ -1224,8 +1384,10 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_blockf)(
 void CHASLES_LEVELED(chasles_inertia_about_point_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_inertia_about_point(
             (const double *)(at[0] + i * steps[0]),
@@ -1239,8 +1401,10 @@ void CHASLES_LEVELED(chasles_inertia_about_point_block)(
 void CHASLES_LEVELED(chasles_inertia_about_point_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_inertia_about_pointf(
             (const float *)(at[0] + i * steps[0]),
@@ -1254,8 +1418,10 @@ void CHASLES_LEVELED(chasles_inertia_about_point_blockf)(
 void CHASLES_LEVELED(chasles_inertia_about_point_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_inertia_about_point_sym6(
             (const double *)(at[0] + i * steps[0]),
@@ -1269,8 +1435,10 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_block)(
 void CHASLES_LEVELED(chasles_inertia_about_point_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_inertia_about_point_sym6f(
             (const float *)(at[0] + i * steps[0]),
@@ -1284,8 +1452,10 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_blockf)(
 void CHASLES_LEVELED(chasles_momentum_screw_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_momentum_screw(
             (const double *)(at[0] + i * steps[0]),
@@ -1298,8 +1468,10 @@ void CHASLES_LEVELED(chasles_momentum_screw_block)(
 void CHASLES_LEVELED(chasles_momentum_screw_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_momentum_screwf(
             (const float *)(at[0] + i * steps[0]),
@@ -1312,8 +1484,10 @@ void CHASLES_LEVELED(chasles_momentum_screw_blockf)(
 void CHASLES_LEVELED(chasles_momentum_screw_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_momentum_screw_sym6(
             (const double *)(at[0] + i * steps[0]),
@@ -1326,8 +1500,10 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_block)(
 void CHASLES_LEVELED(chasles_momentum_screw_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_momentum_screw_sym6f(
             (const float *)(at[0] + i * steps[0]),
@@ -1340,8 +1516,10 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_blockf)(
 void CHASLES_LEVELED(chasles_kinetic_energy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_kinetic_energy(
             (const double *)(at[0] + i * steps[0]),
@@ -1354,8 +1532,10 @@ void CHASLES_LEVELED(chasles_kinetic_energy_block)(
 void CHASLES_LEVELED(chasles_kinetic_energy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_kinetic_energyf(
             (const float *)(at[0] + i * steps[0]),
@@ -1368,8 +1548,10 @@ void CHASLES_LEVELED(chasles_kinetic_energy_blockf)(
 void CHASLES_LEVELED(chasles_kinetic_energy_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_kinetic_energy_sym6(
             (const double *)(at[0] + i * steps[0]),
@@ -1382,8 +1564,10 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_block)(
 void CHASLES_LEVELED(chasles_kinetic_energy_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_kinetic_energy_sym6f(
             (const float *)(at[0] + i * steps[0]),
@@ -1396,8 +1580,10 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_blockf)(
 void CHASLES_LEVELED(chasles_newton_euler_wrench_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_newton_euler_wrench(
             (const double *)(at[0] + i * steps[0]),
@@ -1411,8 +1597,10 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_block)(
 void CHASLES_LEVELED(chasles_newton_euler_wrench_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_newton_euler_wrenchf(
             (const float *)(at[0] + i * steps[0]),
@@ -1426,8 +1614,10 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_blockf)(
 void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_newton_euler_wrench_sym6(
             (const double *)(at[0] + i * steps[0]),
@@ -1441,8 +1631,10 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_block)(
 void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_newton_euler_wrench_sym6f(
             (const float *)(at[0] + i * steps[0]),
@@ -1456,8 +1648,10 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_blockf)(
 void CHASLES_LEVELED(chasles_newton_euler_twist_rate_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_newton_euler_twist_rate(
             (const double *)(at[0] + i * steps[0]),
@@ -1471,8 +1665,10 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_block)(
 void CHASLES_LEVELED(chasles_newton_euler_twist_rate_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_newton_euler_twist_ratef(
             (const float *)(at[0] + i * steps[0]),
@@ -1486,8 +1682,10 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_blockf)(
 void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_newton_euler_twist_rate_sym6(
             (const double *)(at[0] + i * steps[0]),
@@ -1501,8 +1699,10 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_block)(
 void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_newton_euler_twist_rate_sym6f(
             (const float *)(at[0] + i * steps[0]),
@@ -1516,8 +1716,10 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_blockf)(
 void CHASLES_LEVELED(chasles_inertia_dyad_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_inertia_dyad(
             (const double *)(at[0] + i * steps[0]),
@@ -1531,8 +1733,10 @@ void CHASLES_LEVELED(chasles_inertia_dyad_block)(
 void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_inertia_dyadf(
             (const float *)(at[0] + i * steps[0]),
@@ -1546,8 +1750,10 @@ void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
 void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_inertia_dyad_sym6(
             (const double *)(at[0] + i * steps[0]),
@@ -1561,8 +1767,10 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
 void CHASLES_LEVELED(chasles_inertia_dyad_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_inertia_dyad_sym6f(
             (const float *)(at[0] + i * steps[0]),

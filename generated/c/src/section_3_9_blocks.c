@@ -16,27 +16,30 @@
 void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, angles_);
-        load_1(item0 + 2 * sizeof(double), step0, &angles_[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -56,36 +59,41 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_block)(
         const doubles Q7 = sin_angles_0 * cos_angles_2 + t2 * sin_angles_2;
         const doubles Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, angles_);
-        load_1f(item0 + 2 * sizeof(float), step0, &angles_[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -105,33 +113,39 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_blockf)(
         const floats Q7 = sin_angles_0 * cos_angles_2 + t2 * sin_angles_2;
         const floats Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -143,33 +157,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_block)(
         const doubles W5 = W7 * sin_angles_1;
         const doubles W8 = -(W4 * sin_angles_1);
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -181,33 +201,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_blockf)(
         const floats W5 = W7 * sin_angles_1;
         const floats W8 = -(W4 * sin_angles_1);
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -219,33 +245,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_block)(
         const doubles W_body7 = -sin_angles_2;
         const doubles W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -257,40 +289,46 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_blockf)(
         const floats W_body7 = -sin_angles_2;
         const floats W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        load_2(item1, step1, omega);
-        load_1(item1 + 2 * sizeof(double), step1, &omega[2]);
+        fetch(item1, LANES * step1);
+        load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -300,39 +338,44 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
         const doubles theta_dot0 = omega[0] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        store_2(item2, step2, theta_dot0, theta_dot1);
-        store_1(item2 + 2 * sizeof(double), step2, theta_dot2);
+        claim(item2, LANES * step2);
+        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        load_2f(item1, step1, omega);
-        load_1f(item1 + 2 * sizeof(float), step1, &omega[2]);
+        fetch(item1, LANESF * step1);
+        load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -343,35 +386,39 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
         const floats theta_dot0 = omega[0] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        store_2f(item2, step2, theta_dot0, theta_dot1);
-        store_1f(item2 + 2 * sizeof(float), step2, theta_dot2);
+        claim(item2, LANESF * step2);
+        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, angles_);
-        load_1(item0 + 2 * sizeof(double), step0, &angles_[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -391,36 +438,41 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_block)(
         const doubles Q6 = sin_angles_0 * sin_angles_2 - t2 * cos_angles_2;
         const doubles Q7 = t2 * sin_angles_2 + sin_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, angles_);
-        load_1f(item0 + 2 * sizeof(float), step0, &angles_[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -440,33 +492,39 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_blockf)(
         const floats Q6 = sin_angles_0 * sin_angles_2 - t2 * cos_angles_2;
         const floats Q7 = t2 * sin_angles_2 + sin_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -478,33 +536,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_block)(
         const doubles W5 = -(W7 * cos_angles_1);
         const doubles W8 = W4 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -516,33 +580,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_blockf)(
         const floats W5 = -(W7 * cos_angles_1);
         const floats W8 = W4 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -554,33 +624,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_block)(
         const doubles W_body1 = sin_angles_2;
         const doubles W_body3 = -(cos_angles_1 * W_body1);
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -592,40 +668,46 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_blockf)(
         const floats W_body1 = sin_angles_2;
         const floats W_body3 = -(cos_angles_1 * W_body1);
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        load_2(item1, step1, omega);
-        load_1(item1 + 2 * sizeof(double), step1, &omega[2]);
+        fetch(item1, LANES * step1);
+        load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -635,39 +717,44 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
         const doubles theta_dot0 = omega[0] - sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        store_2(item2, step2, theta_dot0, theta_dot1);
-        store_1(item2 + 2 * sizeof(double), step2, theta_dot2);
+        claim(item2, LANES * step2);
+        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        load_2f(item1, step1, omega);
-        load_1f(item1 + 2 * sizeof(float), step1, &omega[2]);
+        fetch(item1, LANESF * step1);
+        load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -678,35 +765,39 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
         const floats theta_dot0 = omega[0] - sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        store_2f(item2, step2, theta_dot0, theta_dot1);
-        store_1f(item2 + 2 * sizeof(float), step2, theta_dot2);
+        claim(item2, LANESF * step2);
+        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, angles_);
-        load_1(item0 + 2 * sizeof(double), step0, &angles_[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -726,36 +817,41 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_block)(
         const doubles Q7 = t2 * cos_angles_2 + cos_angles_0 * sin_angles_2;
         const doubles Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, angles_);
-        load_1f(item0 + 2 * sizeof(float), step0, &angles_[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -775,33 +871,39 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_blockf)(
         const floats Q7 = t2 * cos_angles_2 + cos_angles_0 * sin_angles_2;
         const floats Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -813,33 +915,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_block)(
         const doubles W5 = W7 * sin_angles_1;
         const doubles W8 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -851,33 +959,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_blockf)(
         const floats W5 = W7 * sin_angles_1;
         const floats W8 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -889,33 +1003,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_block)(
         const doubles W_body4 = sin_angles_2;
         const doubles W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -927,40 +1047,46 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_blockf)(
         const floats W_body4 = sin_angles_2;
         const floats W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        load_2(item1, step1, omega);
-        load_1(item1 + 2 * sizeof(double), step1, &omega[2]);
+        fetch(item1, LANES * step1);
+        load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -970,39 +1096,44 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
         const doubles theta_dot0 = omega[0] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        store_2(item2, step2, theta_dot0, theta_dot1);
-        store_1(item2 + 2 * sizeof(double), step2, theta_dot2);
+        claim(item2, LANES * step2);
+        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        load_2f(item1, step1, omega);
-        load_1f(item1 + 2 * sizeof(float), step1, &omega[2]);
+        fetch(item1, LANESF * step1);
+        load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -1013,35 +1144,39 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
         const floats theta_dot0 = omega[0] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        store_2f(item2, step2, theta_dot0, theta_dot1);
-        store_1f(item2 + 2 * sizeof(float), step2, theta_dot2);
+        claim(item2, LANESF * step2);
+        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, angles_);
-        load_1(item0 + 2 * sizeof(double), step0, &angles_[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -1061,36 +1196,41 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_block)(
         const doubles Q6 = t2 * cos_angles_2 - cos_angles_0 * sin_angles_2;
         const doubles Q8 = t2 * sin_angles_2 + cos_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, angles_);
-        load_1f(item0 + 2 * sizeof(float), step0, &angles_[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -1110,33 +1250,39 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_blockf)(
         const floats Q6 = t2 * cos_angles_2 - cos_angles_0 * sin_angles_2;
         const floats Q8 = t2 * sin_angles_2 + cos_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -1148,33 +1294,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_block)(
         const doubles W5 = W7 * cos_angles_1;
         const doubles W8 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -1186,33 +1338,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_blockf)(
         const floats W5 = W7 * cos_angles_1;
         const floats W8 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -1224,33 +1382,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_block)(
         const doubles W_body1 = -sin_angles_2;
         const doubles W_body6 = cos_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -1262,40 +1426,46 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_blockf)(
         const floats W_body1 = -sin_angles_2;
         const floats W_body6 = cos_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        load_2(item1, step1, omega);
-        load_1(item1 + 2 * sizeof(double), step1, &omega[2]);
+        fetch(item1, LANES * step1);
+        load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -1305,39 +1475,44 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
         const doubles theta_dot0 = omega[0] + sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        store_2(item2, step2, theta_dot0, theta_dot1);
-        store_1(item2 + 2 * sizeof(double), step2, theta_dot2);
+        claim(item2, LANES * step2);
+        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        load_2f(item1, step1, omega);
-        load_1f(item1 + 2 * sizeof(float), step1, &omega[2]);
+        fetch(item1, LANESF * step1);
+        load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -1348,35 +1523,39 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
         const floats theta_dot0 = omega[0] + sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        store_2f(item2, step2, theta_dot0, theta_dot1);
-        store_1f(item2 + 2 * sizeof(float), step2, theta_dot2);
+        claim(item2, LANESF * step2);
+        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, angles_);
-        load_1(item0 + 2 * sizeof(double), step0, &angles_[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -1396,36 +1575,41 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_block)(
         const doubles Q6 = -(sin_angles_0 * cos_angles_2 + t2 * sin_angles_2);
         const doubles Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, angles_);
-        load_1f(item0 + 2 * sizeof(float), step0, &angles_[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -1445,33 +1629,39 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_blockf)(
         const floats Q6 = -(sin_angles_0 * cos_angles_2 + t2 * sin_angles_2);
         const floats Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -1483,33 +1673,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_block)(
         const doubles W2 = sin_angles_0 * sin_angles_1;
         const doubles W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, spread(0.0), W1, W2, spread(1.0));
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -1521,33 +1717,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_blockf)(
         const floats W2 = sin_angles_0 * sin_angles_1;
         const floats W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -1559,33 +1761,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_block)(
         const doubles W_body0 = sin_angles_1 * W_body7;
         const doubles W_body6 = -(sin_angles_1 * W_body1);
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -1597,40 +1805,46 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_blockf)(
         const floats W_body0 = sin_angles_1 * W_body7;
         const floats W_body6 = -(sin_angles_1 * W_body1);
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        load_2(item1, step1, omega);
-        load_1(item1 + 2 * sizeof(double), step1, &omega[2]);
+        fetch(item1, LANES * step1);
+        load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -1640,39 +1854,44 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
         const doubles theta_dot0 = omega[1] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        store_2(item2, step2, theta_dot0, theta_dot1);
-        store_1(item2 + 2 * sizeof(double), step2, theta_dot2);
+        claim(item2, LANES * step2);
+        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        load_2f(item1, step1, omega);
-        load_1f(item1 + 2 * sizeof(float), step1, &omega[2]);
+        fetch(item1, LANESF * step1);
+        load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -1683,35 +1902,39 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
         const floats theta_dot0 = omega[1] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        store_2f(item2, step2, theta_dot0, theta_dot1);
-        store_1f(item2 + 2 * sizeof(float), step2, theta_dot2);
+        claim(item2, LANESF * step2);
+        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, angles_);
-        load_1(item0 + 2 * sizeof(double), step0, &angles_[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -1731,36 +1954,41 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_block)(
         const doubles Q6 = t2 * sin_angles_2 - sin_angles_0 * cos_angles_2;
         const doubles Q7 = sin_angles_0 * sin_angles_2 + t2 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, angles_);
-        load_1f(item0 + 2 * sizeof(float), step0, &angles_[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -1780,33 +2008,39 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_blockf)(
         const floats Q6 = t2 * sin_angles_2 - sin_angles_0 * cos_angles_2;
         const floats Q7 = sin_angles_0 * sin_angles_2 + t2 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -1818,33 +2052,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_block)(
         const doubles W2 = sin_angles_0 * cos_angles_1;
         const doubles W8 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, spread(0.0), W1, W2, spread(1.0));
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -1856,33 +2096,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_blockf)(
         const floats W2 = sin_angles_0 * cos_angles_1;
         const floats W8 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -1894,33 +2140,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_block)(
         const doubles W_body4 = -sin_angles_2;
         const doubles W_body3 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -1932,40 +2184,46 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_blockf)(
         const floats W_body4 = -sin_angles_2;
         const floats W_body3 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        load_2(item1, step1, omega);
-        load_1(item1 + 2 * sizeof(double), step1, &omega[2]);
+        fetch(item1, LANES * step1);
+        load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -1975,39 +2233,44 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
         const doubles theta_dot0 = omega[1] + sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        store_2(item2, step2, theta_dot0, theta_dot1);
-        store_1(item2 + 2 * sizeof(double), step2, theta_dot2);
+        claim(item2, LANES * step2);
+        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        load_2f(item1, step1, omega);
-        load_1f(item1 + 2 * sizeof(float), step1, &omega[2]);
+        fetch(item1, LANESF * step1);
+        load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -2018,35 +2281,39 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
         const floats theta_dot0 = omega[1] + sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        store_2f(item2, step2, theta_dot0, theta_dot1);
-        store_1f(item2 + 2 * sizeof(float), step2, theta_dot2);
+        claim(item2, LANESF * step2);
+        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, angles_);
-        load_1(item0 + 2 * sizeof(double), step0, &angles_[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -2066,36 +2333,41 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_block)(
         const doubles Q7 = t2 * cos_angles_2 + cos_angles_0 * sin_angles_2;
         const doubles Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, angles_);
-        load_1f(item0 + 2 * sizeof(float), step0, &angles_[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -2115,33 +2387,39 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_blockf)(
         const floats Q7 = t2 * cos_angles_2 + cos_angles_0 * sin_angles_2;
         const floats Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -2153,33 +2431,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_block)(
         const doubles W2 = W7 * cos_angles_1;
         const doubles W8 = -(W1 * cos_angles_1);
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, spread(0.0), W1, W2, spread(1.0));
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -2191,33 +2475,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_blockf)(
         const floats W2 = W7 * cos_angles_1;
         const floats W8 = -(W1 * cos_angles_1);
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -2229,33 +2519,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_block)(
         const doubles W_body4 = sin_angles_2;
         const doubles W_body6 = -(cos_angles_1 * W_body4);
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -2267,40 +2563,46 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_blockf)(
         const floats W_body4 = sin_angles_2;
         const floats W_body6 = -(cos_angles_1 * W_body4);
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        load_2(item1, step1, omega);
-        load_1(item1 + 2 * sizeof(double), step1, &omega[2]);
+        fetch(item1, LANES * step1);
+        load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -2310,39 +2612,44 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
         const doubles theta_dot0 = omega[1] - sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        store_2(item2, step2, theta_dot0, theta_dot1);
-        store_1(item2 + 2 * sizeof(double), step2, theta_dot2);
+        claim(item2, LANES * step2);
+        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        load_2f(item1, step1, omega);
-        load_1f(item1 + 2 * sizeof(float), step1, &omega[2]);
+        fetch(item1, LANESF * step1);
+        load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -2353,35 +2660,39 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
         const floats theta_dot0 = omega[1] - sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        store_2f(item2, step2, theta_dot0, theta_dot1);
-        store_1f(item2 + 2 * sizeof(float), step2, theta_dot2);
+        claim(item2, LANESF * step2);
+        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, angles_);
-        load_1(item0 + 2 * sizeof(double), step0, &angles_[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -2401,36 +2712,41 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_block)(
         const doubles Q6 = -(t2 * cos_angles_2 + cos_angles_0 * sin_angles_2);
         const doubles Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, angles_);
-        load_1f(item0 + 2 * sizeof(float), step0, &angles_[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -2450,33 +2766,39 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_blockf)(
         const floats Q6 = -(t2 * cos_angles_2 + cos_angles_0 * sin_angles_2);
         const floats Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -2488,33 +2810,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_block)(
         const doubles W2 = -(W7 * sin_angles_1);
         const doubles W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, spread(0.0), W1, W2, spread(1.0));
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -2526,33 +2854,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_blockf)(
         const floats W2 = -(W7 * sin_angles_1);
         const floats W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -2564,33 +2898,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_block)(
         const doubles W_body1 = -sin_angles_2;
         const doubles W_body6 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -2602,40 +2942,46 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_blockf)(
         const floats W_body1 = -sin_angles_2;
         const floats W_body6 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        load_2(item1, step1, omega);
-        load_1(item1 + 2 * sizeof(double), step1, &omega[2]);
+        fetch(item1, LANES * step1);
+        load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -2645,39 +2991,44 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
         const doubles theta_dot0 = omega[1] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        store_2(item2, step2, theta_dot0, theta_dot1);
-        store_1(item2 + 2 * sizeof(double), step2, theta_dot2);
+        claim(item2, LANES * step2);
+        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        load_2f(item1, step1, omega);
-        load_1f(item1 + 2 * sizeof(float), step1, &omega[2]);
+        fetch(item1, LANESF * step1);
+        load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -2688,35 +3039,39 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
         const floats theta_dot0 = omega[1] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        store_2f(item2, step2, theta_dot0, theta_dot1);
-        store_1f(item2 + 2 * sizeof(float), step2, theta_dot2);
+        claim(item2, LANESF * step2);
+        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, angles_);
-        load_1(item0 + 2 * sizeof(double), step0, &angles_[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -2736,36 +3091,41 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_block)(
         const doubles Q6 = -(cos_angles_1 * sin_angles_2);
         const doubles Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, angles_);
-        load_1f(item0 + 2 * sizeof(float), step0, &angles_[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -2785,33 +3145,39 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_blockf)(
         const floats Q6 = -(cos_angles_1 * sin_angles_2);
         const floats Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -2823,33 +3189,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_block)(
         const doubles W2 = -(W4 * cos_angles_1);
         const doubles W5 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, spread(0.0), W1, W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -2861,33 +3233,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_blockf)(
         const floats W2 = -(W4 * cos_angles_1);
         const floats W5 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -2899,33 +3277,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_block)(
         const doubles W_body0 = -(cos_angles_1 * W_body7);
         const doubles W_body6 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -2937,40 +3321,46 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_blockf)(
         const floats W_body0 = -(cos_angles_1 * W_body7);
         const floats W_body6 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        load_2(item1, step1, omega);
-        load_1(item1 + 2 * sizeof(double), step1, &omega[2]);
+        fetch(item1, LANES * step1);
+        load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -2980,39 +3370,44 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
         const doubles theta_dot0 = omega[2] - sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        store_2(item2, step2, theta_dot0, theta_dot1);
-        store_1(item2 + 2 * sizeof(double), step2, theta_dot2);
+        claim(item2, LANES * step2);
+        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        load_2f(item1, step1, omega);
-        load_1f(item1 + 2 * sizeof(float), step1, &omega[2]);
+        fetch(item1, LANESF * step1);
+        load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -3023,35 +3418,39 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
         const floats theta_dot0 = omega[2] - sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        store_2f(item2, step2, theta_dot0, theta_dot1);
-        store_1f(item2 + 2 * sizeof(float), step2, theta_dot2);
+        claim(item2, LANESF * step2);
+        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, angles_);
-        load_1(item0 + 2 * sizeof(double), step0, &angles_[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -3071,36 +3470,41 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_block)(
         const doubles Q6 = sin_angles_1 * sin_angles_2;
         const doubles Q7 = sin_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, angles_);
-        load_1f(item0 + 2 * sizeof(float), step0, &angles_[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -3120,33 +3524,39 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_blockf)(
         const floats Q6 = sin_angles_1 * sin_angles_2;
         const floats Q7 = sin_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -3158,33 +3568,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_block)(
         const doubles W2 = W4 * sin_angles_1;
         const doubles W5 = -(W1 * sin_angles_1);
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, spread(0.0), W1, W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -3196,33 +3612,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_blockf)(
         const floats W2 = W4 * sin_angles_1;
         const floats W5 = -(W1 * sin_angles_1);
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -3234,33 +3656,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_block)(
         const doubles W_body4 = -sin_angles_2;
         const doubles W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -3272,40 +3700,46 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_blockf)(
         const floats W_body4 = -sin_angles_2;
         const floats W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        load_2(item1, step1, omega);
-        load_1(item1 + 2 * sizeof(double), step1, &omega[2]);
+        fetch(item1, LANES * step1);
+        load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -3315,39 +3749,44 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
         const doubles theta_dot0 = omega[2] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        store_2(item2, step2, theta_dot0, theta_dot1);
-        store_1(item2 + 2 * sizeof(double), step2, theta_dot2);
+        claim(item2, LANES * step2);
+        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        load_2f(item1, step1, omega);
-        load_1f(item1 + 2 * sizeof(float), step1, &omega[2]);
+        fetch(item1, LANESF * step1);
+        load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -3358,35 +3797,39 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
         const floats theta_dot0 = omega[2] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        store_2f(item2, step2, theta_dot0, theta_dot1);
-        store_1f(item2 + 2 * sizeof(float), step2, theta_dot2);
+        claim(item2, LANESF * step2);
+        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, angles_);
-        load_1(item0 + 2 * sizeof(double), step0, &angles_[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -3406,36 +3849,41 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_block)(
         const doubles Q7 = cos_angles_1 * sin_angles_2;
         const doubles Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, angles_);
-        load_1f(item0 + 2 * sizeof(float), step0, &angles_[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -3455,33 +3903,39 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_blockf)(
         const floats Q7 = cos_angles_1 * sin_angles_2;
         const floats Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -3493,33 +3947,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_block)(
         const doubles W2 = W4 * cos_angles_1;
         const doubles W5 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, spread(0.0), W1, W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -3531,33 +3991,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_blockf)(
         const floats W2 = W4 * cos_angles_1;
         const floats W5 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -3569,33 +4035,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_block)(
         const doubles W_body7 = -sin_angles_2;
         const doubles W_body6 = cos_angles_1 * W_body4;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -3607,40 +4079,46 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_blockf)(
         const floats W_body7 = -sin_angles_2;
         const floats W_body6 = cos_angles_1 * W_body4;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        load_2(item1, step1, omega);
-        load_1(item1 + 2 * sizeof(double), step1, &omega[2]);
+        fetch(item1, LANES * step1);
+        load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -3650,39 +4128,44 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
         const doubles theta_dot0 = omega[2] + sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        store_2(item2, step2, theta_dot0, theta_dot1);
-        store_1(item2 + 2 * sizeof(double), step2, theta_dot2);
+        claim(item2, LANES * step2);
+        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        load_2f(item1, step1, omega);
-        load_1f(item1 + 2 * sizeof(float), step1, &omega[2]);
+        fetch(item1, LANESF * step1);
+        load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -3693,35 +4176,39 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
         const floats theta_dot0 = omega[2] + sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        store_2f(item2, step2, theta_dot0, theta_dot1);
-        store_1f(item2 + 2 * sizeof(float), step2, theta_dot2);
+        claim(item2, LANESF * step2);
+        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        load_2(item0, step0, angles_);
-        load_1(item0 + 2 * sizeof(double), step0, &angles_[2]);
+        fetch(item0, LANES * step0);
+        load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -3741,36 +4228,41 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_block)(
         const doubles Q6 = -(sin_angles_1 * cos_angles_2);
         const doubles Q7 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        load_2f(item0, step0, angles_);
-        load_1f(item0 + 2 * sizeof(float), step0, &angles_[2]);
+        fetch(item0, LANESF * step0);
+        load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2]);
+    way.share = (way.share + 3) / 4;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -3790,33 +4282,39 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_blockf)(
         const floats Q6 = -(sin_angles_1 * cos_angles_2);
         const floats Q7 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -3828,33 +4326,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_block)(
         const doubles W2 = W4 * sin_angles_1;
         const doubles W5 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, spread(0.0), W1, W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -3866,33 +4370,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_blockf)(
         const floats W2 = W4 * sin_angles_1;
         const floats W5 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, W8);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -3904,33 +4414,39 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_block)(
         const doubles W_body1 = sin_angles_2;
         const doubles W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
+        claim(item1, LANES * step1);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -3942,40 +4458,46 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_blockf)(
         const floats W_body1 = sin_angles_2;
         const floats W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
+        claim(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    chasles_trail way = *trail;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
+        fetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        load_2(item1, step1, omega);
-        load_1(item1 + 2 * sizeof(double), step1, &omega[2]);
+        fetch(item1, LANES * step1);
+        load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -3985,39 +4507,44 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
         const doubles theta_dot0 = omega[2] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        store_2(item2, step2, theta_dot0, theta_dot1);
-        store_1(item2 + 2 * sizeof(double), step2, theta_dot2);
+        claim(item2, LANES * step2);
+        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
     char *const at0 = at[0];
-    const ptrdiff_t step0 = steps[0];
+    const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
-    const ptrdiff_t step1 = steps[1];
+    const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
-    const ptrdiff_t step2 = steps[2];
+    const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    chasles_trail way = *trail;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
+        fetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0]);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1]);
+    way.share = (way.share + 2) / 3;
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        load_2f(item1, step1, omega);
-        load_1f(item1 + 2 * sizeof(float), step1, &omega[2]);
+        fetch(item1, LANESF * step1);
+        load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -4028,8 +4555,9 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
         const floats theta_dot0 = omega[2] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        store_2f(item2, step2, theta_dot0, theta_dot1);
-        store_1f(item2 + 2 * sizeof(float), step2, theta_dot2);
+        claim(item2, LANESF * step2);
+        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        follow(&way);
     }
 }
 
@@ -4038,8 +4566,10 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_xyx(
             (const double *)(at[0] + i * steps[0]),
@@ -4050,8 +4580,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_block)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_xyxf(
             (const float *)(at[0] + i * steps[0]),
@@ -4062,8 +4594,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_xyx(
             (const double *)(at[0] + i * steps[0]),
@@ -4074,8 +4608,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_xyxf(
             (const float *)(at[0] + i * steps[0]),
@@ -4086,8 +4622,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_xyx(
             (const double *)(at[0] + i * steps[0]),
@@ -4098,8 +4636,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_xyxf(
             (const float *)(at[0] + i * steps[0]),
@@ -4110,8 +4650,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_blockf)(
 void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_xyx(
             (const double *)(at[0] + i * steps[0]),
@@ -4123,8 +4665,10 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
 void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_xyxf(
             (const float *)(at[0] + i * steps[0]),
@@ -4136,8 +4680,10 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_xyz(
             (const double *)(at[0] + i * steps[0]),
@@ -4148,8 +4694,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_block)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_xyzf(
             (const float *)(at[0] + i * steps[0]),
@@ -4160,8 +4708,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_xyz(
             (const double *)(at[0] + i * steps[0]),
@@ -4172,8 +4722,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_xyzf(
             (const float *)(at[0] + i * steps[0]),
@@ -4184,8 +4736,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_xyz(
             (const double *)(at[0] + i * steps[0]),
@@ -4196,8 +4750,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_xyzf(
             (const float *)(at[0] + i * steps[0]),
@@ -4208,8 +4764,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_blockf)(
 void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_xyz(
             (const double *)(at[0] + i * steps[0]),
@@ -4221,8 +4779,10 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
 void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_xyzf(
             (const float *)(at[0] + i * steps[0]),
@@ -4234,8 +4794,10 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_xzx(
             (const double *)(at[0] + i * steps[0]),
@@ -4246,8 +4808,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_block)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_xzxf(
             (const float *)(at[0] + i * steps[0]),
@@ -4258,8 +4822,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_xzx(
             (const double *)(at[0] + i * steps[0]),
@@ -4270,8 +4836,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_xzxf(
             (const float *)(at[0] + i * steps[0]),
@@ -4282,8 +4850,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_xzx(
             (const double *)(at[0] + i * steps[0]),
@@ -4294,8 +4864,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_xzxf(
             (const float *)(at[0] + i * steps[0]),
@@ -4306,8 +4878,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_blockf)(
 void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_xzx(
             (const double *)(at[0] + i * steps[0]),
@@ -4319,8 +4893,10 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
 void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_xzxf(
             (const float *)(at[0] + i * steps[0]),
@@ -4332,8 +4908,10 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_xzy(
             (const double *)(at[0] + i * steps[0]),
@@ -4344,8 +4922,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_block)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_xzyf(
             (const float *)(at[0] + i * steps[0]),
@@ -4356,8 +4936,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_xzy(
             (const double *)(at[0] + i * steps[0]),
@@ -4368,8 +4950,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_xzyf(
             (const float *)(at[0] + i * steps[0]),
@@ -4380,8 +4964,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_xzy(
             (const double *)(at[0] + i * steps[0]),
@@ -4392,8 +4978,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_xzyf(
             (const float *)(at[0] + i * steps[0]),
@@ -4404,8 +4992,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_blockf)(
 void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_xzy(
             (const double *)(at[0] + i * steps[0]),
@@ -4417,8 +5007,10 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
 void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_xzyf(
             (const float *)(at[0] + i * steps[0]),
@@ -4430,8 +5022,10 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_yxy(
             (const double *)(at[0] + i * steps[0]),
@@ -4442,8 +5036,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_block)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_yxyf(
             (const float *)(at[0] + i * steps[0]),
@@ -4454,8 +5050,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_yxy(
             (const double *)(at[0] + i * steps[0]),
@@ -4466,8 +5064,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_yxyf(
             (const float *)(at[0] + i * steps[0]),
@@ -4478,8 +5078,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_yxy(
             (const double *)(at[0] + i * steps[0]),
@@ -4490,8 +5092,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_yxyf(
             (const float *)(at[0] + i * steps[0]),
@@ -4502,8 +5106,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_blockf)(
 void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_yxy(
             (const double *)(at[0] + i * steps[0]),
@@ -4515,8 +5121,10 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
 void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_yxyf(
             (const float *)(at[0] + i * steps[0]),
@@ -4528,8 +5136,10 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_yxz(
             (const double *)(at[0] + i * steps[0]),
@@ -4540,8 +5150,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_block)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_yxzf(
             (const float *)(at[0] + i * steps[0]),
@@ -4552,8 +5164,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_yxz(
             (const double *)(at[0] + i * steps[0]),
@@ -4564,8 +5178,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_yxzf(
             (const float *)(at[0] + i * steps[0]),
@@ -4576,8 +5192,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_yxz(
             (const double *)(at[0] + i * steps[0]),
@@ -4588,8 +5206,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_yxzf(
             (const float *)(at[0] + i * steps[0]),
@@ -4600,8 +5220,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_blockf)(
 void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_yxz(
             (const double *)(at[0] + i * steps[0]),
@@ -4613,8 +5235,10 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
 void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_yxzf(
             (const float *)(at[0] + i * steps[0]),
@@ -4626,8 +5250,10 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_yzx(
             (const double *)(at[0] + i * steps[0]),
@@ -4638,8 +5264,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_block)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_yzxf(
             (const float *)(at[0] + i * steps[0]),
@@ -4650,8 +5278,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_yzx(
             (const double *)(at[0] + i * steps[0]),
@@ -4662,8 +5292,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_yzxf(
             (const float *)(at[0] + i * steps[0]),
@@ -4674,8 +5306,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_yzx(
             (const double *)(at[0] + i * steps[0]),
@@ -4686,8 +5320,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_yzxf(
             (const float *)(at[0] + i * steps[0]),
@@ -4698,8 +5334,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_blockf)(
 void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_yzx(
             (const double *)(at[0] + i * steps[0]),
@@ -4711,8 +5349,10 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
 void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_yzxf(
             (const float *)(at[0] + i * steps[0]),
@@ -4724,8 +5364,10 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_yzy(
             (const double *)(at[0] + i * steps[0]),
@@ -4736,8 +5378,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_block)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_yzyf(
             (const float *)(at[0] + i * steps[0]),
@@ -4748,8 +5392,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_yzy(
             (const double *)(at[0] + i * steps[0]),
@@ -4760,8 +5406,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_yzyf(
             (const float *)(at[0] + i * steps[0]),
@@ -4772,8 +5420,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_yzy(
             (const double *)(at[0] + i * steps[0]),
@@ -4784,8 +5434,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_yzyf(
             (const float *)(at[0] + i * steps[0]),
@@ -4796,8 +5448,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_blockf)(
 void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_yzy(
             (const double *)(at[0] + i * steps[0]),
@@ -4809,8 +5463,10 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
 void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_yzyf(
             (const float *)(at[0] + i * steps[0]),
@@ -4822,8 +5478,10 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_zxy(
             (const double *)(at[0] + i * steps[0]),
@@ -4834,8 +5492,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_block)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_zxyf(
             (const float *)(at[0] + i * steps[0]),
@@ -4846,8 +5506,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_zxy(
             (const double *)(at[0] + i * steps[0]),
@@ -4858,8 +5520,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_zxyf(
             (const float *)(at[0] + i * steps[0]),
@@ -4870,8 +5534,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_zxy(
             (const double *)(at[0] + i * steps[0]),
@@ -4882,8 +5548,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_zxyf(
             (const float *)(at[0] + i * steps[0]),
@@ -4894,8 +5562,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_blockf)(
 void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_zxy(
             (const double *)(at[0] + i * steps[0]),
@@ -4907,8 +5577,10 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
 void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_zxyf(
             (const float *)(at[0] + i * steps[0]),
@@ -4920,8 +5592,10 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_zxz(
             (const double *)(at[0] + i * steps[0]),
@@ -4932,8 +5606,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_block)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_zxzf(
             (const float *)(at[0] + i * steps[0]),
@@ -4944,8 +5620,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_zxz(
             (const double *)(at[0] + i * steps[0]),
@@ -4956,8 +5634,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_zxzf(
             (const float *)(at[0] + i * steps[0]),
@@ -4968,8 +5648,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_zxz(
             (const double *)(at[0] + i * steps[0]),
@@ -4980,8 +5662,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_zxzf(
             (const float *)(at[0] + i * steps[0]),
@@ -4992,8 +5676,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_blockf)(
 void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_zxz(
             (const double *)(at[0] + i * steps[0]),
@@ -5005,8 +5691,10 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
 void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_zxzf(
             (const float *)(at[0] + i * steps[0]),
@@ -5018,8 +5706,10 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_zyx(
             (const double *)(at[0] + i * steps[0]),
@@ -5030,8 +5720,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_block)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_zyxf(
             (const float *)(at[0] + i * steps[0]),
@@ -5042,8 +5734,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_zyx(
             (const double *)(at[0] + i * steps[0]),
@@ -5054,8 +5748,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_zyxf(
             (const float *)(at[0] + i * steps[0]),
@@ -5066,8 +5762,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_zyx(
             (const double *)(at[0] + i * steps[0]),
@@ -5078,8 +5776,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_zyxf(
             (const float *)(at[0] + i * steps[0]),
@@ -5090,8 +5790,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_blockf)(
 void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_zyx(
             (const double *)(at[0] + i * steps[0]),
@@ -5103,8 +5805,10 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
 void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_zyxf(
             (const float *)(at[0] + i * steps[0]),
@@ -5116,8 +5820,10 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_zyz(
             (const double *)(at[0] + i * steps[0]),
@@ -5128,8 +5834,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_block)(
 void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_zyzf(
             (const float *)(at[0] + i * steps[0]),
@@ -5140,8 +5848,10 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_zyz(
             (const double *)(at[0] + i * steps[0]),
@@ -5152,8 +5862,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_zyzf(
             (const float *)(at[0] + i * steps[0]),
@@ -5164,8 +5876,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_blockf)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_zyz(
             (const double *)(at[0] + i * steps[0]),
@@ -5176,8 +5890,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_block)(
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_zyzf(
             (const float *)(at[0] + i * steps[0]),
@@ -5188,8 +5904,10 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_blockf)(
 void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_zyz(
             (const double *)(at[0] + i * steps[0]),
@@ -5201,8 +5919,10 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
 void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
-    const ptrdiff_t *steps)
+    const ptrdiff_t *steps,
+    const chasles_trail *trail)
 {
+    (void)trail;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_zyzf(
             (const float *)(at[0] + i * steps[0]),

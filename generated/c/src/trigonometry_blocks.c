@@ -38,11 +38,15 @@ typedef unsigned long long unsigned_bits CHASLES_VECTOR(CHASLES_REGISTER);
 
 static inline int any(truths is)
 {
+#if CHASLES_REGISTER == 64
+    return _mm512_test_epi64_mask((__m512i)is, (__m512i)is) != 0;
+#else
     long long bits = 0;
     for (int i = 0; i < LANES; i++) {
         bits |= is[i];
     }
     return bits != 0;
+#endif
 }
 
 /* Which of the two is the sine, and the signs: k odd swaps them; the sine changes sign with k's second bit, the cosine
@@ -77,12 +81,14 @@ static inline void turn(doubles x, doubles *sine, doubles *cosine)
     place((truths)shifted, of_sine, of_cosine, sine, cosine);
 }
 
-void CHASLES_LEVELED(chasles_turns)(ptrdiff_t groups, doubles *angles, doubles *sines, doubles *cosines)
+void CHASLES_LEVELED(chasles_turns)(
+    ptrdiff_t groups, doubles *angles, doubles *sines, doubles *cosines, chasles_trail *trail)
 {
     truths near = ~(truths)spread(0.0);
     for (ptrdiff_t g = 0; g < groups; g++) {
         near &= (truths)(absolute(angles[g]) <= MOST);
         turn(angles[g], &sines[g], &cosines[g]);
+        follow(trail);
     }
     if (!any(~near)) {
         return;
@@ -119,9 +125,12 @@ typedef float half_floats CHASLES_VECTOR(CHASLES_REGISTER / 2);
 #if CHASLES_REGISTER == 16
 #define FIRST_HALF 0, 1
 #define SECOND_HALF 2, 3
-#else
+#elif CHASLES_REGISTER == 32
 #define FIRST_HALF 0, 1, 2, 3
 #define SECOND_HALF 4, 5, 6, 7
+#else
+#define FIRST_HALF 0, 1, 2, 3, 4, 5, 6, 7
+#define SECOND_HALF 8, 9, 10, 11, 12, 13, 14, 15
 #endif
 
 static inline floats narrowed(doubles first, doubles second)
@@ -131,7 +140,8 @@ static inline floats narrowed(doubles first, doubles second)
     return SHUFFLE(a, b, FIRST_HALF, SECOND_HALF);
 }
 
-void CHASLES_LEVELED(chasles_turnsf)(ptrdiff_t groups, floats *angles, floats *sines, floats *cosines)
+void CHASLES_LEVELED(chasles_turnsf)(
+    ptrdiff_t groups, floats *angles, floats *sines, floats *cosines, chasles_trail *trail)
 {
     truths near = ~(truths)spread(0.0);
     for (ptrdiff_t g = 0; g < groups; g++) {
@@ -144,6 +154,7 @@ void CHASLES_LEVELED(chasles_turnsf)(ptrdiff_t groups, floats *angles, floats *s
         near &= (truths)(absolute(a) <= MOST) & (truths)(absolute(b) <= MOST);
         sines[g] = narrowed(sine_a, sine_b);
         cosines[g] = narrowed(cosine_a, cosine_b);
+        follow(trail);
     }
     if (!any(~near)) {
         return;

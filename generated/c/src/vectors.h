@@ -13,12 +13,24 @@
 #include <math.h>
 #include <stddef.h>
 
+#if CHASLES_LEVEL == 2
+#include <immintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 #if CHASLES_LEVEL == 1 && !(defined(__AVX2__) && defined(__FMA__))
 #error "level 1 is x86-64-v3: compile this file with -march=x86-64-v3"
+#endif
+#if CHASLES_LEVEL == 2 && !(defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__))
+#error "level 2 is x86-64-v4: compile this file with -march=x86-64-v4"
 #endif
 
 #define CHASLES_INLINE static inline __attribute__((always_inline, unused))
 #define CHASLES_VECTOR(bytes) __attribute__((vector_size(bytes), may_alias))
+
+/* All lanes: as a mask, since gcc takes what its header leaves open without one for used. */
+#define ALL 0xff
 
 typedef double doubles CHASLES_VECTOR(CHASLES_REGISTER);
 typedef float floats CHASLES_VECTOR(CHASLES_REGISTER);
@@ -46,25 +58,37 @@ typedef double pair __attribute__((aligned(4), may_alias));
 #define UPPERF(a, b) SHUFFLE(a, b, 2, 6, 3, 7)
 #define EVENF(a, b) SHUFFLE(a, b, 0, 2, 4, 6)
 #define ODDF(a, b) SHUFFLE(a, b, 1, 3, 5, 7)
-#else
+#elif CHASLES_REGISTER == 32
 #define LOWER(a, b) SHUFFLE(a, b, 0, 4, 2, 6)
 #define UPPER(a, b) SHUFFLE(a, b, 1, 5, 3, 7)
 #define LOWERF(a, b) SHUFFLE(a, b, 0, 8, 1, 9, 4, 12, 5, 13)
 #define UPPERF(a, b) SHUFFLE(a, b, 2, 10, 3, 11, 6, 14, 7, 15)
 #define EVENF(a, b) SHUFFLE(a, b, 0, 2, 8, 10, 4, 6, 12, 14)
 #define ODDF(a, b) SHUFFLE(a, b, 1, 3, 9, 11, 5, 7, 13, 15)
+#else
+#define LOWER(a, b) SHUFFLE(a, b, 0, 8, 2, 10, 4, 12, 6, 14)
+#define UPPER(a, b) SHUFFLE(a, b, 1, 9, 3, 11, 5, 13, 7, 15)
+#define LOWERF(a, b) SHUFFLE(a, b, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29)
+#define UPPERF(a, b) SHUFFLE(a, b, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31)
+#define EVENF(a, b) SHUFFLE(a, b, 0, 2, 16, 18, 4, 6, 20, 22, 8, 10, 24, 26, 12, 14, 28, 30)
+#define ODDF(a, b) SHUFFLE(a, b, 1, 3, 17, 19, 5, 7, 21, 23, 9, 11, 25, 27, 13, 15, 29, 31)
 #endif
 
-/* A register of one number that `at` gives for each of the first lanes: two, four or eight. */
+/* A register of one number that `at` gives for each of the first lanes: two, four, eight or sixteen. */
 #define LIST_2(at) {at(0), at(1)}
 #define LIST_4(at) {at(0), at(1), at(2), at(3)}
 #define LIST_8(at) {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)}
+#define LIST_16(at) \
+    {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8), at(9), at(10), at(11), at(12), at(13), at(14), at(15)}
 #if CHASLES_REGISTER == 16
 #define LIST LIST_2
 #define LISTF LIST_4
-#else
+#elif CHASLES_REGISTER == 32
 #define LIST LIST_4
 #define LISTF LIST_8
+#else
+#define LIST LIST_8
+#define LISTF LIST_16
 #endif
 
 CHASLES_INLINE doubles spread(double x)
@@ -83,18 +107,26 @@ CHASLES_INLINE floats spreadf(float x)
 
 CHASLES_INLINE doubles roots(doubles x)
 {
+#if CHASLES_REGISTER == 64
+    return (doubles)_mm512_maskz_sqrt_pd(ALL, (__m512d)x);
+#else
 #define AT(i) sqrt(x[i])
     const doubles all = LIST(AT);
 #undef AT
     return all;
+#endif
 }
 
 CHASLES_INLINE floats rootsf(floats x)
 {
+#if CHASLES_REGISTER == 64
+    return (floats)_mm512_maskz_sqrt_ps(0xffff, (__m512)x);
+#else
 #define AT(i) sqrtf(x[i])
     const floats all = LISTF(AT);
 #undef AT
     return all;
+#endif
 }
 
 CHASLES_INLINE truths less(doubles a, doubles b)
@@ -128,33 +160,94 @@ CHASLES_INLINE floats choosef(truthsf is, floats a, floats b)
     return (floats)((is & (truthsf)a) | (~is & (truthsf)b));
 }
 
-/* 16 bytes of the item `first`, then, where a register has room, of the item `first + apart`. */
+/* 16 bytes of the item `first`, then, while a register has room, of that `apart` items on. */
 CHASLES_INLINE doubles row(const char *at, ptrdiff_t step, int first, int apart)
 {
-#define HALF(k) (*(const double_2 *)(at + (first + (k) * apart) * step))
+#define PART(k) (*(const double_2 *)(at + (first + (k) * apart) * step))
 #if CHASLES_REGISTER == 16
     (void)apart;
-    return (doubles)HALF(0);
+    return (doubles)PART(0);
+#elif CHASLES_REGISTER == 32
+    return SHUFFLE(PART(0), PART(1), 0, 1, 2, 3);
 #else
-    return SHUFFLE(HALF(0), HALF(1), 0, 1, 2, 3);
+#define PAIR(a, b) _mm256_insertf128_pd(_mm256_castpd128_pd256((__m128d)(a)), (__m128d)(b), 1)
+    const __m256d low = PAIR(PART(0), PART(1)), high = PAIR(PART(2), PART(3));
+    return (doubles)_mm512_maskz_insertf64x4(ALL, _mm512_castpd256_pd512(low), high, 1);
+#undef PAIR
 #endif
-#undef HALF
+#undef PART
 }
 
 CHASLES_INLINE floats rowf(const char *at, ptrdiff_t step, int first)
 {
-#define HALF(k) (*(const float_4 *)(at + (first + 4 * (k)) * step))
-#if CHASLES_REGISTER == 16
-    return (floats)HALF(0);
-#else
-    return SHUFFLE(HALF(0), HALF(1), 0, 1, 2, 3, 4, 5, 6, 7);
-#endif
-#undef HALF
+    return (floats)row(at, step, first, 4);
 }
 
-/* One, two or four numbers that lie side by side in each item. */
+#if CHASLES_REGISTER == 64
+/* A register of numbers that lie one after the other in memory. */
+typedef double packed_doubles __attribute__((vector_size(64), aligned(8), may_alias));
+typedef float packed_floats __attribute__((vector_size(64), aligned(4), may_alias));
+
+#define PACKED(at, k) (*(packed_doubles *)((at) + 64 * (k)))
+#define PACKEDF(at, k) (*(packed_floats *)((at) + 64 * (k)))
+#define PACKED_IN(at, k) (*(const packed_doubles *)((at) + 64 * (k)))
+#define PACKEDF_IN(at, k) (*(const packed_floats *)((at) + 64 * (k)))
+#endif
+
+/* Where items lie one after the other: asks for `bytes` that are soon read, and for memory that is soon written. */
+CHASLES_INLINE void fetch(const char *at, ptrdiff_t bytes)
+{
+#if CHASLES_REGISTER == 64
+    for (ptrdiff_t k = 0; k < bytes; k += CHASLES_LINE) {
+        __builtin_prefetch(at + 16 * CHASLES_LINE + k);
+    }
+#else
+    (void)at, (void)bytes;
+#endif
+}
+
+CHASLES_INLINE void claim(const char *at, ptrdiff_t bytes)
+{
+#if CHASLES_REGISTER == 64
+    for (ptrdiff_t k = 0; k < bytes; k += CHASLES_LINE) {
+        __asm__ volatile("prefetchw %0" : : "m"(at[8 * CHASLES_LINE + k]));
+    }
+#else
+    (void)at, (void)bytes;
+#endif
+}
+
+/* Copies a share of what is to be copied on the way, around the cache: where the rest is computed memory would idle. */
+CHASLES_INLINE void follow(chasles_trail *trail)
+{
+#ifdef __SSE2__
+    for (ptrdiff_t i = 0; i < trail->share && trail->lines > 0; i++) {
+#if CHASLES_REGISTER == 64
+        _mm512_stream_si512((__m512i *)(void *)trail->to, _mm512_load_si512((const void *)trail->from));
+#else
+        for (int k = 0; k < CHASLES_LINE; k += 16) {
+            const __m128i part = _mm_load_si128((const __m128i *)(const void *)(trail->from + k));
+            _mm_stream_si128((__m128i *)(void *)(trail->to + k), part);
+        }
+#endif
+        trail->from += CHASLES_LINE;
+        trail->to += CHASLES_LINE;
+        trail->lines--;
+    }
+#else
+    (void)trail;
+#endif
+}
+
+/* One to four numbers that lie side by side in each item. */
 CHASLES_INLINE void load_1(const char *at, ptrdiff_t step, doubles *to)
 {
+#if CHASLES_REGISTER == 64
+    if (step == sizeof(double)) {
+        to[0] = PACKED_IN(at, 0);
+        return;
+    }
+#endif
 #define AT(i) *(const double *)(at + (i) * step)
     const doubles all = LIST(AT);
 #undef AT
@@ -163,6 +256,12 @@ CHASLES_INLINE void load_1(const char *at, ptrdiff_t step, doubles *to)
 
 CHASLES_INLINE void load_1f(const char *at, ptrdiff_t step, floats *to)
 {
+#if CHASLES_REGISTER == 64
+    if (step == sizeof(float)) {
+        to[0] = PACKEDF_IN(at, 0);
+        return;
+    }
+#endif
 #define AT(i) *(const float *)(at + (i) * step)
     const floats all = LISTF(AT);
 #undef AT
@@ -188,10 +287,56 @@ CHASLES_INLINE void load_2f(const char *at, ptrdiff_t step, floats *to)
     to[1] = ODDF((floats)first, (floats)second);
 }
 
+CHASLES_INLINE void load_3(const char *at, ptrdiff_t step, doubles *to)
+{
+#if CHASLES_REGISTER == 64
+    if (step == 3 * sizeof(double)) {
+        const doubles a = PACKED_IN(at, 0), b = PACKED_IN(at, 1), c = PACKED_IN(at, 2);
+        to[0] = SHUFFLE(SHUFFLE(a, b, 0, 3, 6, 9, 12, 15, 0, 0), c, 0, 1, 2, 3, 4, 5, 10, 13);
+        to[1] = SHUFFLE(SHUFFLE(a, b, 1, 4, 7, 10, 13, 0, 0, 0), c, 0, 1, 2, 3, 4, 8, 11, 14);
+        to[2] = SHUFFLE(SHUFFLE(a, b, 2, 5, 8, 11, 14, 0, 0, 0), c, 0, 1, 2, 3, 4, 9, 12, 15);
+        return;
+    }
+#endif
+    load_2(at, step, to);
+    load_1(at + 2 * sizeof(double), step, to + 2);
+}
+
+CHASLES_INLINE void load_3f(const char *at, ptrdiff_t step, floats *to)
+{
+#if CHASLES_REGISTER == 64
+    if (step == 3 * sizeof(float)) {
+        const floats a = PACKEDF_IN(at, 0), b = PACKEDF_IN(at, 1), c = PACKEDF_IN(at, 2);
+        const floats first = SHUFFLE(a, b, 0, 3, 6, 9, 12, 15, 18, 21, 24, 27, 30, 0, 0, 0, 0, 0);
+        const floats second = SHUFFLE(a, b, 1, 4, 7, 10, 13, 16, 19, 22, 25, 28, 31, 0, 0, 0, 0, 0);
+        const floats third = SHUFFLE(a, b, 2, 5, 8, 11, 14, 17, 20, 23, 26, 29, 0, 0, 0, 0, 0, 0);
+        to[0] = SHUFFLE(first, c, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 17, 20, 23, 26, 29);
+        to[1] = SHUFFLE(second, c, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 18, 21, 24, 27, 30);
+        to[2] = SHUFFLE(third, c, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 16, 19, 22, 25, 28, 31);
+        return;
+    }
+#endif
+    load_2f(at, step, to);
+    load_1f(at + 2 * sizeof(float), step, to + 2);
+}
+
 CHASLES_INLINE void load_4(const char *at, ptrdiff_t step, doubles *to)
 {
+#if CHASLES_REGISTER == 64
+#define ROW(i) ((__m256d) * (const double_4 *)(at + (i) * step))
+#define ROWS(i, j) (doubles)_mm512_maskz_insertf64x4(ALL, _mm512_castpd256_pd512(ROW(i)), ROW(j), 1)
+    const doubles a = ROWS(0, 2), b = ROWS(1, 3), c = ROWS(4, 6), d = ROWS(5, 7);
+#undef ROWS
+#undef ROW
+    const doubles ab = LOWER(a, b), cd = LOWER(c, d), ab_ = UPPER(a, b), cd_ = UPPER(c, d);
+    to[0] = SHUFFLE(ab, cd, 0, 1, 4, 5, 8, 9, 12, 13);
+    to[1] = SHUFFLE(ab_, cd_, 0, 1, 4, 5, 8, 9, 12, 13);
+    to[2] = SHUFFLE(ab, cd, 2, 3, 6, 7, 10, 11, 14, 15);
+    to[3] = SHUFFLE(ab_, cd_, 2, 3, 6, 7, 10, 11, 14, 15);
+#else
     load_2(at, step, to);
     load_2(at + 2 * sizeof(double), step, to + 2);
+#endif
 }
 
 CHASLES_INLINE void load_4f(const char *at, ptrdiff_t step, floats *to)
@@ -212,13 +357,28 @@ CHASLES_INLINE void put_row(char *at, ptrdiff_t step, int first, int apart, doub
     (void)apart;
     *(double_2 *)(at + first * step) = (double_2)x;
 #else
-    *(double_2 *)(at + first * step) = SHUFFLE(x, x, 0, 1);
-    *(double_2 *)(at + (first + apart) * step) = SHUFFLE(x, x, 2, 3);
+#define PART(k) *(double_2 *)(at + (first + (k) * apart) * step)
+#if CHASLES_REGISTER == 32
+    PART(0) = SHUFFLE(x, x, 0, 1);
+    PART(1) = SHUFFLE(x, x, 2, 3);
+#else
+    PART(0) = (double_2)SHUFFLE(x, x, 0, 1);
+    PART(1) = (double_2)_mm512_maskz_extractf64x2_pd(ALL, (__m512d)x, 1);
+    PART(2) = (double_2)_mm512_maskz_extractf64x2_pd(ALL, (__m512d)x, 2);
+    PART(3) = (double_2)_mm512_maskz_extractf64x2_pd(ALL, (__m512d)x, 3);
+#endif
+#undef PART
 #endif
 }
 
 CHASLES_INLINE void store_1(char *at, ptrdiff_t step, doubles x)
 {
+#if CHASLES_REGISTER == 64
+    if (step == sizeof(double)) {
+        PACKED(at, 0) = x;
+        return;
+    }
+#endif
     for (int i = 0; i < LANES; i++) {
         *(double *)(at + i * step) = x[i];
     }
@@ -226,6 +386,12 @@ CHASLES_INLINE void store_1(char *at, ptrdiff_t step, doubles x)
 
 CHASLES_INLINE void store_1f(char *at, ptrdiff_t step, floats x)
 {
+#if CHASLES_REGISTER == 64
+    if (step == sizeof(float)) {
+        PACKEDF(at, 0) = x;
+        return;
+    }
+#endif
     for (int i = 0; i < LANESF; i++) {
         *(float *)(at + i * step) = x[i];
     }
@@ -246,20 +412,64 @@ CHASLES_INLINE void store_2f(char *at, ptrdiff_t step, floats x, floats y)
     }
 }
 
+CHASLES_INLINE void store_3(char *at, ptrdiff_t step, doubles x, doubles y, doubles z)
+{
+#if CHASLES_REGISTER == 64
+    if (step == 3 * sizeof(double)) {
+        PACKED(at, 0) = SHUFFLE(SHUFFLE(x, y, 0, 8, 0, 1, 9, 0, 2, 10), z, 0, 1, 8, 3, 4, 9, 6, 7);
+        PACKED(at, 1) = SHUFFLE(SHUFFLE(x, y, 0, 3, 11, 0, 4, 12, 0, 5), z, 10, 1, 2, 11, 4, 5, 12, 7);
+        PACKED(at, 2) = SHUFFLE(SHUFFLE(x, y, 13, 0, 6, 14, 0, 7, 15, 0), z, 0, 13, 2, 3, 14, 5, 6, 15);
+        return;
+    }
+#endif
+    store_2(at, step, x, y);
+    store_1(at + 2 * sizeof(double), step, z);
+}
+
+CHASLES_INLINE void store_3f(char *at, ptrdiff_t step, floats x, floats y, floats z)
+{
+#if CHASLES_REGISTER == 64
+    if (step == 3 * sizeof(float)) {
+        const floats a = SHUFFLE(x, y, 0, 16, 0, 1, 17, 0, 2, 18, 0, 3, 19, 0, 4, 20, 0, 5);
+        const floats b = SHUFFLE(x, y, 21, 0, 6, 22, 0, 7, 23, 0, 8, 24, 0, 9, 25, 0, 10, 26);
+        const floats c = SHUFFLE(x, y, 0, 11, 27, 0, 12, 28, 0, 13, 29, 0, 14, 30, 0, 15, 31, 0);
+        PACKEDF(at, 0) = SHUFFLE(a, z, 0, 1, 16, 3, 4, 17, 6, 7, 18, 9, 10, 19, 12, 13, 20, 15);
+        PACKEDF(at, 1) = SHUFFLE(b, z, 0, 21, 2, 3, 22, 5, 6, 23, 8, 9, 24, 11, 12, 25, 14, 15);
+        PACKEDF(at, 2) = SHUFFLE(c, z, 26, 1, 2, 27, 4, 5, 28, 7, 8, 29, 10, 11, 30, 13, 14, 31);
+        return;
+    }
+#endif
+    store_2f(at, step, x, y);
+    store_1f(at + 2 * sizeof(float), step, z);
+}
+
 CHASLES_INLINE void store_4(char *at, ptrdiff_t step, doubles x, doubles y, doubles z, doubles w)
 {
+#define FOUR(i) *(double_4 *)(at + (i) * step)
 #if CHASLES_REGISTER == 16
     store_2(at, step, x, y);
     store_2(at + 2 * sizeof(double), step, z, w);
-#else
+#elif CHASLES_REGISTER == 32
     const doubles even = LOWER(x, y), odd = UPPER(x, y), even_ = LOWER(z, w), odd_ = UPPER(z, w);
-#define FOUR(i) *(double_4 *)(at + (i) * step)
     FOUR(0) = (double_4)SHUFFLE(even, even_, 0, 1, 4, 5);
     FOUR(1) = (double_4)SHUFFLE(odd, odd_, 0, 1, 4, 5);
     FOUR(2) = (double_4)SHUFFLE(even, even_, 2, 3, 6, 7);
     FOUR(3) = (double_4)SHUFFLE(odd, odd_, 2, 3, 6, 7);
-#undef FOUR
+#else
+    const doubles even = LOWER(x, y), odd = UPPER(x, y), even_ = LOWER(z, w), odd_ = UPPER(z, w);
+    const doubles a = SHUFFLE(even, even_, 0, 1, 8, 9, 4, 5, 12, 13), b = SHUFFLE(odd, odd_, 0, 1, 8, 9, 4, 5, 12, 13);
+    const doubles c = SHUFFLE(even, even_, 2, 3, 10, 11, 6, 7, 14, 15);
+    const doubles d = SHUFFLE(odd, odd_, 2, 3, 10, 11, 6, 7, 14, 15);
+    FOUR(0) = (double_4)SHUFFLE(a, a, 0, 1, 2, 3);
+    FOUR(1) = (double_4)SHUFFLE(b, b, 0, 1, 2, 3);
+    FOUR(2) = (double_4)SHUFFLE(c, c, 0, 1, 2, 3);
+    FOUR(3) = (double_4)SHUFFLE(d, d, 0, 1, 2, 3);
+    FOUR(4) = (double_4)_mm512_maskz_extractf64x4_pd(ALL, (__m512d)a, 1);
+    FOUR(5) = (double_4)_mm512_maskz_extractf64x4_pd(ALL, (__m512d)b, 1);
+    FOUR(6) = (double_4)_mm512_maskz_extractf64x4_pd(ALL, (__m512d)c, 1);
+    FOUR(7) = (double_4)_mm512_maskz_extractf64x4_pd(ALL, (__m512d)d, 1);
 #endif
+#undef FOUR
 }
 
 CHASLES_INLINE void store_4f(char *at, ptrdiff_t step, floats x, floats y, floats z, floats w)
@@ -276,9 +486,12 @@ CHASLES_INLINE void store_4f(char *at, ptrdiff_t step, floats x, floats y, float
 extern "C" {
 #endif
 
-/* The sine and cosine of each angle of some groups, within 0.8 units in the last place below 1.6e6, libm's beyond. */
-void CHASLES_LEVELED(chasles_turns)(ptrdiff_t groups, doubles *angles, doubles *sines, doubles *cosines);
-void CHASLES_LEVELED(chasles_turnsf)(ptrdiff_t groups, floats *angles, floats *sines, floats *cosines);
+/* The sine and cosine of each angle of some groups, within 0.8 units in the last place below 1.6e6, libm's beyond; with
+ * each group a share of the trail. */
+void CHASLES_LEVELED(chasles_turns)(
+    ptrdiff_t groups, doubles *angles, doubles *sines, doubles *cosines, chasles_trail *trail);
+void CHASLES_LEVELED(chasles_turnsf)(
+    ptrdiff_t groups, floats *angles, floats *sines, floats *cosines, chasles_trail *trail);
 
 /* libm's angle of the point (x, y), lane by lane. */
 void CHASLES_LEVELED(chasles_directions)(doubles *y, const doubles *x);
@@ -290,29 +503,33 @@ void CHASLES_LEVELED(chasles_directionsf)(floats *y, const floats *x);
 
 CHASLES_INLINE doubles sine_of(doubles x)
 {
+    chasles_trail none = {0, 0, 0, 0};
     doubles sine, cosine;
-    CHASLES_LEVELED(chasles_turns)(1, &x, &sine, &cosine);
+    CHASLES_LEVELED(chasles_turns)(1, &x, &sine, &cosine, &none);
     return sine;
 }
 
 CHASLES_INLINE floats sine_off(floats x)
 {
+    chasles_trail none = {0, 0, 0, 0};
     floats sine, cosine;
-    CHASLES_LEVELED(chasles_turnsf)(1, &x, &sine, &cosine);
+    CHASLES_LEVELED(chasles_turnsf)(1, &x, &sine, &cosine, &none);
     return sine;
 }
 
 CHASLES_INLINE doubles cosine_of(doubles x)
 {
+    chasles_trail none = {0, 0, 0, 0};
     doubles sine, cosine;
-    CHASLES_LEVELED(chasles_turns)(1, &x, &sine, &cosine);
+    CHASLES_LEVELED(chasles_turns)(1, &x, &sine, &cosine, &none);
     return cosine;
 }
 
 CHASLES_INLINE floats cosine_off(floats x)
 {
+    chasles_trail none = {0, 0, 0, 0};
     floats sine, cosine;
-    CHASLES_LEVELED(chasles_turnsf)(1, &x, &sine, &cosine);
+    CHASLES_LEVELED(chasles_turnsf)(1, &x, &sine, &cosine, &none);
     return cosine;
 }
 

@@ -24,7 +24,8 @@ _ALWAYS = ("-std=c99", "-fPIC", "-fvisibility=hidden", "-fno-math-errno", "-ffp-
 _ONCE = ("-O2",)
 _BLOCK = ("-O3", "-fno-trapping-math")
 _CONTRACTED = "trigonometry_blocks"
-_V3 = "x86-64-v3"
+_LEVELS = ("x86-64-v3", "x86-64-v4")
+"""Beyond the compiler's own target, in the order of `batches.h`."""
 _PATIENCE = 300.0
 """Seconds after which a compiler is given up."""
 
@@ -83,11 +84,12 @@ def _found(command: tuple[str, ...], instructions: str) -> Compiler | None:
         version = _run((*command, "--version"))
     except CompilerFailed:
         return None
-    levels = ("", f"-march={_V3}") if instructions == _V3 and _offers_v3(version) else ("",)
-    return Compiler(command, version, levels)
+    known = instructions in _LEVELS and _offers_vectors(version)
+    more = _LEVELS[: _LEVELS.index(instructions) + 1] if known else ()
+    return Compiler(command, version, ("", *(f"-march={level}" for level in more)))
 
 
-def _offers_v3(version: str) -> bool:
+def _offers_vectors(version: str) -> bool:
     """Whether the compiler has vector types with shuffles, as `batches.h` asks: gcc from 12 on, or clang."""
     if "clang" in version:
         return True

@@ -10,8 +10,8 @@ every other library of the array API and gives such arrays.
 ``chasles.kernels.backend`` is ``"c"`` or ``"numpy"``. The environment variable ``CHASLES_BACKEND``, read once at
 import, chooses: ``numpy`` takes the NumPy kernels, ``c`` insists on the compiled ones; unset or empty takes the
 compiled ones where they load. ``chasles.kernels.instructions`` says for which instructions the compiled loops that run
-were built; ``CHASLES_INSTRUCTIONS``, read once at import too, insists on ``baseline`` or ``x86-64-v3``. Where no angle
-comes in all builds give the same bits.
+were built; ``CHASLES_INSTRUCTIONS``, read once at import too, insists on ``baseline``, ``x86-64-v3`` or ``x86-64-v4``.
+Where no angle comes in all builds give the same bits.
 
 Raises:
     ImportError: ``CHASLES_BACKEND`` holds another word, asks for compiled kernels that are not there, or no kernels

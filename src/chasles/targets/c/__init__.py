@@ -15,10 +15,13 @@ of instructions (a level) and one of the results is taken when the program runs;
 - Nothing in a block branches, so both sides of every choice are computed, in lanes for which they mean nothing too. The
   flags that this raises are dropped: `batches.c` masks and clears the floating-point state around a batch, looks after
   each block whether `invalid` came up, and only then at the numbers: it is raised if a result is NaN and no input was.
-- Results too many for the cache go around it, from the store: up to 1.7 times quicker for 10^6 wide items.
-
-Measured and left out: registers of 64 bytes and x86-64-v4 (a tenth quicker for sines, up to a half slower for wide
-kernels).
+- The blocks of x86-64-v4 take items that lie one after the other and nothing else, whatever else comes goes to those of
+  x86-64-v3, which give the same bits. So their strides are constants: with others the addresses of 8 items fill more
+  registers than there are, and half of what registers of 64 bytes win is lost. They ask for memory ahead of time, also
+  for what they will write: a third is won by that as soon as a batch is not in the innermost cache.
+- Results too many for the cache go around it. A block writes them to one half of the store; with each group of the next
+  block, in both its loops, a few lines go to their place. So memory is never idle while something is computed, nor the
+  other way round.
 """
 
 from __future__ import annotations

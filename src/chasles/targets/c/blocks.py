@@ -22,7 +22,7 @@ __all__ = ["MOST_OPERANDS", "Block", "block", "block_name", "loop_name"]
 MOST_OPERANDS = 16
 _MOST_ENTRIES = 512
 """So that a group of items of every level fits into the store where items are gathered."""
-_WIDTHS = (4, 2, 1)
+_WIDTHS = (4, 3, 2, 1)
 """How many numbers that lie side by side in an item are loaded or stored at a time."""
 
 
@@ -54,7 +54,7 @@ def block(kernel: Kernel, precision: Precision) -> Block:
             f"{kernel.name} has {len(operands)} operands with {entries} entries; a batch takes at most "
             f"{MOST_OPERANDS} with {_MOST_ENTRIES}: split the kernel"
         )
-    parameters = ("ptrdiff_t groups", "char *const *at", "const ptrdiff_t *steps")
+    parameters = ("ptrdiff_t groups", "char *const *at", "const ptrdiff_t *steps", "const chasles_trail *trail")
     prototype = "\n".join(listed(f"void CHASLES_LEVELED({block_name(kernel, precision)})(", parameters, ")"))
     return Block(prototype, tuple(_on_registers(kernel, precision)), _one_by_one(kernel, precision))
 
@@ -66,7 +66,9 @@ def _on_registers(kernel: Kernel, precision: Precision) -> Iterator[str]:
         if place < inputs and place not in read:
             continue
         yield f"char *const at{place} = at[{place}];"
-        yield f"const ptrdiff_t step{place} = steps[{place}];"
+        size = math.prod(kernel.program.parameters[place].shape)
+        yield f"const ptrdiff_t step{place} = CHASLES_STEP({place}, {size} * sizeof({precision.name}));"
+    yield "chasles_trail way = *trail;"
     if turns.angles is not None:
         yield from _turned(turns.angles, precision)
     text = spelled(turns.rest, ON_REGISTERS[precision])
@@ -78,6 +80,7 @@ def _on_registers(kernel: Kernel, precision: Precision) -> Iterator[str]:
             yield f"    const {register(precision)} {name} = {room}[{place // 2}][g];"
     yield from _indented(text.lines)
     yield from _indented(_stores(turns.rest, text, inputs, precision))
+    yield "    follow(&way);"
     yield "}"
 
 
@@ -93,8 +96,10 @@ def _turned(angles: Program, precision: Precision) -> Iterator[str]:
     for place, (entry,) in enumerate(text.entries):
         yield f"    angles[{place}][g] = {spread(entry, precision)};"
     yield "}"
+    yield f"way.share = (way.share + {count}) / {count + 1};"
     for place in range(count):
-        yield f"CHASLES_LEVELED(chasles_turns{suffix})(groups, angles[{place}], sines[{place}], cosines[{place}]);"
+        rooms = ", ".join(f"{name}[{place}]" for name in ("angles", "sines", "cosines"))
+        yield f"CHASLES_LEVELED(chasles_turns{suffix})(groups, {rooms}, &way);"
 
 
 def _loads(program: Program, text: Spelled, inputs: int, precision: Precision) -> Iterator[str]:
@@ -107,6 +112,7 @@ def _loads(program: Program, text: Spelled, inputs: int, precision: Precision) -
             continue
         yield f"{register(precision)} {name}{f'[{size}]' if item.shape else ''};"
         yield _item(place, "const char", precision)
+        yield f"fetch(item{place}, LANES{precision.suffix.upper()} * step{place});"
         for entry, width in _runs(wanted):
             target = name if item.shape and not entry else f"&{name}[{entry}]" if item.shape else f"&{name}"
             yield f"load_{width}{precision.suffix}({_place(place, entry, precision)}, step{place}, {target});"
@@ -116,6 +122,7 @@ def _stores(program: Program, text: Spelled, inputs: int, precision: Precision) 
     """The results, once all of them are known."""
     for place, entries in enumerate(text.entries, start=inputs):
         yield _item(place, "char", precision)
+        yield f"claim(item{place}, LANES{precision.suffix.upper()} * step{place});"
         for entry, width in _runs([True] * len(entries)):
             values = [spread(value, precision) for value in entries[entry : entry + width]]
             start = f"store_{width}{precision.suffix}("

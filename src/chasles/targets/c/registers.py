@@ -14,11 +14,12 @@ __all__ = ["ON_REGISTERS", "register", "spread"]
 
 _USED = """
     LANES LANESF GROUPS GROUPSF LIST LISTF SHUFFLE LOWER UPPER LOWERF UPPERF EVENF ODDF
-    doubles floats truths truthsf double_2 double_4 float_4 pair groups at steps angles sines cosines g i
+    doubles floats truths truthsf double_2 double_4 float_4 pair groups at steps trail way angles sines cosines g i
+    follow fetch claim
 """
 _CALLED = """
     spread roots less equal choose row put_row sine_of cosine_of directions
-    load_1 load_2 load_4 store_1 store_2 store_4
+    load_1 load_2 load_3 load_4 store_1 store_2 store_3 store_4
 """
 _MOST_OPERANDS = 64
 _NUMBERED = {f"{stem}{place}" for stem in ("at", "step", "item") for place in range(_MOST_OPERANDS)}
