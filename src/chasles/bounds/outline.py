@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from chasles.lowering.program import Op, Program, Step
+from chasles.lowering.scales import is_scale
 
 __all__ = ["NoBound", "Outline", "outlined"]
 
@@ -19,13 +20,15 @@ class Outline:
     """The steps that results need, in order, by number; `angles` are the inputs' multiples whose sine is taken.
 
     `sources` says of which step a number is the value, where a guard passes it on; `angles[k]` is the argument, its
-    entry and the factor of the angle of which step k is the sine or cosine.
+    entry and the factor of the angle of which step k is the sine or cosine. The `scales` are positive numbers on which no
+    result depends: whatever they are in the machine, the exact value is the same with that number.
     """
 
     program: Program
     needed: tuple[int, ...]
     sources: dict[int, int]
     angles: dict[int, tuple[int, int, Fraction]]
+    scales: frozenset[int] = frozenset()
 
     def operands(self, number: int) -> tuple[int, ...]:
         """The operands of a step, looked up through guards."""
@@ -40,6 +43,7 @@ def outlined(program: Program) -> Outline:
     """The program's outline. Raises NoBound for a choice between cases and for an angle that is rounded."""
     steps = program.steps
     sources = {k: step.operands[2] for k, step in enumerate(steps) if _is_guard(k, step, program)}
+    scales = frozenset(k for k in range(len(steps)) if is_scale(steps, k))
     needed: set[int] = set()
     angles: dict[int, tuple[int, int, Fraction]] = {}
     ahead = [sources.get(k, k) for result in program.results for k in result.entries]
@@ -49,13 +53,15 @@ def outlined(program: Program) -> Outline:
             continue
         needed.add(number)
         step = steps[number]
+        if number in scales:
+            continue
         if step.op in (Op.SELECT, Op.NOT_A_NUMBER):
             raise NoBound("it chooses between cases by values that are rounded")
         if step.op in (Op.SINE, Op.COSINE):
             angles[number] = _angle(step.operands[0], program)
             continue
         ahead += [sources.get(k, k) for k in step.operands]
-    return Outline(program, tuple(sorted(needed)), sources, angles)
+    return Outline(program, tuple(sorted(needed)), sources, angles, scales)
 
 
 def _is_guard(number: int, step: Step, program: Program) -> bool:

@@ -36,6 +36,9 @@ def shares(outline: Outline, model: Model) -> dict[int, Share]:
         if number in outline.angles:
             found[number] = Share(model.loss(step.op))
             continue
+        if number in outline.scales:
+            found[number] = Share(nonnegative=True)
+            continue
         operands = outline.operands(number)
         found[number] = _share(step, [found[k] for k in operands], operands, outline, model)
     return found
