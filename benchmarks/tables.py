@@ -42,6 +42,8 @@ INTRODUCTION = """# Benchmarks
 - `kernels.py`: the kernels beside what one would use instead; its figures follow.
 - `against_sympy.py`: the same equations, asked of the prover and of SymPy.
 - `deciding.py`: how long the whole book takes to decide.
+- `errors.py`: the largest errors found beside what is proved (`ERRORS.md`), and over the angle; run by itself.
+- `adversarial/`: a million inputs that are apt to break a kernel, every result of every build decided; run by itself.
 
 Every peer is given the formula as the book prints it (`formulas.py`; `peers/` says how). Generated C and C++ is
 compiled with `-O3 -march=native` and bound as a generalised ufunc, as chasles' own loops are. Times are medians of
