@@ -347,8 +347,8 @@ def plucker_line(p_1: Any, p_2: Any, /, *, out: Any = None) -> Any:
     returns     kappa (6): Pluecker array: direction and moment
     verdict     defined
     assumes     p_1 != p_2
-    operations  21: 2 add, 6 subtract, 9 multiply, 3 divide, 1 square root
-    error bound 7.51 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+    operations  24: 2 add, 6 subtract, 9 multiply, 6 divide, 1 square root
+    error bound 9.51 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
                   2^-24
                 supposed: every operation rounded to nearest, with or without FMA
     derivation  sha256 32c3975b5a0a9106d94e083a43fadc2be5fbb7bda4c600d797436f2a818ba4e5
@@ -359,20 +359,29 @@ def plucker_line(p_1: Any, p_2: Any, /, *, out: Any = None) -> Any:
     t1 = p_2[0] - p_1[0]
     t2 = p_2[1] - p_1[1]
     t3 = p_2[2] - p_1[2]
-    t4 = t1 * t1 + t2 * t2 + t3 * t3
-    t5 = xp.sqrt(t4)
-    t6 = t4 == 0.0
-    t7 = xp.where(t6, batch.number(0.0), t1) / t5
-    t8 = xp.where(t6, batch.number(0.0), t2) / t5
-    t9 = xp.where(t6, batch.number(0.0), t3) / t5
+    t4 = xp.where(t1 < 0.0, -t1, t1)
+    t5 = xp.where(t2 < 0.0, -t2, t2)
+    t6 = xp.where(t4 < t5, t5, t4)
+    t7 = xp.where(t3 < 0.0, -t3, t3)
+    t8 = xp.where(t6 < t7, t7, t6)
+    t9 = xp.where(0.0 == t8, batch.number(1.0), t8)
+    t10 = t1 / t9
+    t11 = t2 / t9
+    t12 = t3 / t9
+    t13 = t10 * t10 + t11 * t11 + t12 * t12
+    t14 = xp.sqrt(t13)
+    t15 = t13 == 0.0
+    t16 = xp.where(t15, batch.number(0.0), t10) / t14
+    t17 = xp.where(t15, batch.number(0.0), t11) / t14
+    t18 = xp.where(t15, batch.number(0.0), t12) / t14
     kappa = batch.array(
         (6,),
-        t7,
-        t8,
-        t9,
-        p_1[1] * t9 - p_1[2] * t8,
-        p_1[2] * t7 - p_1[0] * t9,
-        p_1[0] * t8 - p_1[1] * t7,
+        t16,
+        t17,
+        t18,
+        p_1[1] * t18 - p_1[2] * t17,
+        p_1[2] * t16 - p_1[0] * t18,
+        p_1[0] * t17 - p_1[1] * t16,
     )
     return delivered(out, kappa)
 
@@ -568,8 +577,8 @@ def instant_screw_point(omega: Any, a_dot: Any, a: Any, /, *, out: Any = None) -
     returns     p_0_prime (3): position of the point of the instant screw axis nearest the origin
     verdict     holds under
     assumes     omega != 0
-    operations  29: 2 add, 9 subtract, 15 multiply, 3 divide
-    error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+    operations  35: 2 add, 9 subtract, 15 multiply, 9 divide
+    error bound 13.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
                   2^-24
                 supposed: every operation rounded to nearest, with or without FMA
     derivation  sha256 8add5ae098bd1648bf2231d712391a8ce89357247f8df1a150855707c8b25192
@@ -582,16 +591,25 @@ def instant_screw_point(omega: Any, a_dot: Any, a: Any, /, *, out: Any = None) -
         ("a", a, (3,)),
     )
     xp = batch.xp
-    t1 = omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2]
-    t2 = a_dot[0] - (omega[1] * a[2] - omega[2] * a[1])
-    t3 = a_dot[1] - (omega[2] * a[0] - omega[0] * a[2])
-    t4 = a_dot[2] - (omega[0] * a[1] - omega[1] * a[0])
-    t5 = t1 == 0.0
+    t1 = xp.where(omega[0] < 0.0, -omega[0], omega[0])
+    t2 = xp.where(omega[1] < 0.0, -omega[1], omega[1])
+    t3 = xp.where(t1 < t2, t2, t1)
+    t4 = xp.where(omega[2] < 0.0, -omega[2], omega[2])
+    t5 = xp.where(t3 < t4, t4, t3)
+    t6 = xp.where(0.0 == t5, batch.number(1.0), t5)
+    t7 = omega[0] / t6
+    t8 = omega[1] / t6
+    t9 = omega[2] / t6
+    t10 = t7 * t7 + t8 * t8 + t9 * t9
+    t11 = a_dot[0] - (omega[1] * a[2] - omega[2] * a[1])
+    t12 = a_dot[1] - (omega[2] * a[0] - omega[0] * a[2])
+    t13 = a_dot[2] - (omega[0] * a[1] - omega[1] * a[0])
+    t14 = t10 == 0.0
     p_0_prime = batch.array(
         (3,),
-        xp.where(t5, batch.number(0.0), omega[1] * t4 - omega[2] * t3) / t1,
-        xp.where(t5, batch.number(0.0), omega[2] * t2 - omega[0] * t4) / t1,
-        xp.where(t5, batch.number(0.0), omega[0] * t3 - omega[1] * t2) / t1,
+        xp.where(t14, batch.number(0.0), t8 * t13 - t9 * t12) / t10 / t6,
+        xp.where(t14, batch.number(0.0), t9 * t11 - t7 * t13) / t10 / t6,
+        xp.where(t14, batch.number(0.0), t7 * t12 - t8 * t11) / t10 / t6,
     )
     return delivered(out, p_0_prime)
 
@@ -837,12 +855,8 @@ def natural_invariants(Q: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     Q is a rotation
                 phi != 0
-    operations  53: 21 add, 6 subtract, 18 multiply, 5 divide, 2 square root, 1 arctangent2
-    error bound e: 11.16 u of itself, for every rotation Q, beside the case that is taken
-                phi: 24.99 u of itself, for every rotation Q, beside the case that is taken; u =
-                  2^-53, in single precision 2^-24
-                supposed: every operation rounded to nearest, with or without FMA, arctangent within 1
-                  ulp
+    operations  63: 23 add, 7 subtract, 22 multiply, 8 divide, 2 square root, 1 arctangent2
+    error bound not proved: it chooses between cases by values that are rounded
     derivation  sha256 167078e6ba9dff78870c0f0ddc85370ad11a1b0b824ddf316c3c9f19bd756081
     signature   (3,3)->(3),()
     """
@@ -854,66 +868,73 @@ def natural_invariants(Q: Any, /, *, out: Any = None) -> Any:
     t4 = 1.0 + 2.0 * Q[2][2] - t3
     t5 = t1 * t1
     t6 = t2 * t2
-    t7 = t5 + t6 + t4 * t4
-    t8 = Q[0][1] + Q[1][0]
-    t9 = 1.0 + 2.0 * Q[1][1] - t3
-    t10 = t8 * t8
-    t11 = t6 + (t10 + t9 * t9)
-    t12 = Q[2][1] - Q[1][2]
-    t13 = Q[0][2] - Q[2][0]
-    t14 = Q[1][0] - Q[0][1]
-    t15 = t13 * t13
-    t16 = t11 + t15
-    t17 = t14 * t14
-    t18 = t7 + t17
-    t19 = t16 < t18
-    t20 = xp.where(t19, t1, t8)
-    t21 = xp.where(t19, t7, t11)
-    t22 = xp.where(t19, t2, t9)
-    t23 = xp.where(t19, t4, t2)
-    t24 = 1.0 + 2.0 * Q[0][0] - t3
-    t25 = t5 + (t10 + t24 * t24)
-    t26 = t12 * t12
-    t27 = t25 + t26
-    t28 = t27 < t18
-    t29 = t27 < t16
-    t30 = xp.where(t29, t20, xp.where(t28, t20, t24))
-    t31 = xp.where(t29, t21, xp.where(t28, t21, t25))
-    t32 = xp.where(t29, t22, xp.where(t28, t22, t8))
-    t33 = xp.where(t29, t23, xp.where(t28, t23, t1))
-    t34 = t17 + (t15 + t26)
-    t35 = 1.0 + t3
-    t36 = t34 + t35 * t35
-    t37 = t36 < t18
-    t38 = t36 < t16
-    t39 = t36 < t27
-    t40 = xp.where(t39, t31, xp.where(t38, t31, xp.where(t37, t31, t34)))
-    t41 = xp.sqrt(t40)
-    t42 = t40 == 0.0
-    t43 = xp.where(t39, t30, xp.where(t38, t30, xp.where(t37, t30, t12)))
-    t44 = xp.where(t42, batch.number(0.0), t43) / t41
-    t45 = xp.where(t39, t32, xp.where(t38, t32, xp.where(t37, t32, t13)))
-    t46 = xp.where(t42, batch.number(0.0), t45) / t41
-    t47 = xp.where(t39, t33, xp.where(t38, t33, xp.where(t37, t33, t14)))
-    t48 = xp.where(t42, batch.number(0.0), t47) / t41
-    t49 = xp.where(t19, t14, t13)
-    t50 = xp.where(t19, t18, t16)
-    t51 = xp.where(t29, t49, xp.where(t28, t49, t12))
-    t52 = xp.where(t29, t50, xp.where(t28, t50, t27))
-    t53 = xp.where(t39, t52, xp.where(t38, t52, xp.where(t37, t52, t36)))
-    t54 = xp.sqrt(t53)
-    t55 = t53 == 0.0
-    t56 = xp.where(t39, t51, xp.where(t38, t51, xp.where(t37, t51, t35)))
-    t57 = xp.where(t55, batch.number(0.0), t56) / t54
-    t58 = xp.where(t48 < 0.0, batch.number(-1.0), batch.number(1.0))
-    t59 = xp.where(0.0 < t46, batch.number(1.0), t58)
-    t60 = xp.where(t46 < 0.0, batch.number(-1.0), t59)
-    t61 = xp.where(0.0 < t44, batch.number(1.0), t60)
-    t62 = xp.where(t44 < 0.0, batch.number(-1.0), t61)
-    t63 = xp.where(0.0 < t57, batch.number(1.0), t62)
-    t64 = xp.where(t57 < 0.0, batch.number(-1.0), t63)
-    e = batch.array((3,), t44 * t64, t46 * t64, t48 * t64)
-    phi = batch.array((), 2.0 * xp.atan2(xp.where(t55, batch.number(0.0), t41) / t54, t57 * t64))
+    t7 = Q[0][1] + Q[1][0]
+    t8 = 1.0 + 2.0 * Q[1][1] - t3
+    t9 = t7 * t7
+    t10 = Q[2][1] - Q[1][2]
+    t11 = Q[0][2] - Q[2][0]
+    t12 = Q[1][0] - Q[0][1]
+    t13 = t11 * t11
+    t14 = t6 + (t9 + t8 * t8) + t13
+    t15 = t12 * t12
+    t16 = t5 + t6 + t4 * t4 + t15
+    t17 = t14 < t16
+    t18 = xp.where(t17, t1, t7)
+    t19 = xp.where(t17, t2, t8)
+    t20 = xp.where(t17, t4, t2)
+    t21 = 1.0 + 2.0 * Q[0][0] - t3
+    t22 = t10 * t10
+    t23 = t5 + (t9 + t21 * t21) + t22
+    t24 = t23 < t16
+    t25 = t23 < t14
+    t26 = xp.where(t25, t18, xp.where(t24, t18, t21))
+    t27 = xp.where(t25, t19, xp.where(t24, t19, t7))
+    t28 = xp.where(t25, t20, xp.where(t24, t20, t1))
+    t29 = 1.0 + t3
+    t30 = t15 + (t13 + t22) + t29 * t29
+    t31 = t30 < t16
+    t32 = t30 < t14
+    t33 = t30 < t23
+    t34 = xp.where(t33, t26, xp.where(t32, t26, xp.where(t31, t26, t10)))
+    t35 = xp.where(t33, t27, xp.where(t32, t27, xp.where(t31, t27, t11)))
+    t36 = xp.where(t33, t28, xp.where(t32, t28, xp.where(t31, t28, t12)))
+    t37 = xp.where(t34 < 0.0, -t34, t34)
+    t38 = xp.where(t35 < 0.0, -t35, t35)
+    t39 = xp.where(t37 < t38, t38, t37)
+    t40 = xp.where(t36 < 0.0, -t36, t36)
+    t41 = xp.where(t39 < t40, t40, t39)
+    t42 = xp.where(0.0 == t41, batch.number(1.0), t41)
+    t43 = t34 / t42
+    t44 = t35 / t42
+    t45 = t36 / t42
+    t46 = t43 * t43 + t44 * t44 + t45 * t45
+    t47 = xp.sqrt(t46)
+    t48 = t46 == 0.0
+    t49 = xp.where(t48, batch.number(0.0), t43) / t47
+    t50 = xp.where(t48, batch.number(0.0), t44) / t47
+    t51 = xp.where(t48, batch.number(0.0), t45) / t47
+    t52 = xp.where(t17, t12, t11)
+    t53 = xp.where(t17, t16, t14)
+    t54 = xp.where(t25, t52, xp.where(t24, t52, t10))
+    t55 = xp.where(t25, t53, xp.where(t24, t53, t23))
+    t56 = xp.where(t33, t55, xp.where(t32, t55, xp.where(t31, t55, t30)))
+    t57 = xp.sqrt(t56)
+    t58 = t56 == 0.0
+    t59 = xp.where(t33, t54, xp.where(t32, t54, xp.where(t31, t54, t29)))
+    t60 = xp.where(t58, batch.number(0.0), t59) / t57
+    t61 = xp.where(t51 < 0.0, batch.number(-1.0), batch.number(1.0))
+    t62 = xp.where(0.0 < t50, batch.number(1.0), t61)
+    t63 = xp.where(t50 < 0.0, batch.number(-1.0), t62)
+    t64 = xp.where(0.0 < t49, batch.number(1.0), t63)
+    t65 = xp.where(t49 < 0.0, batch.number(-1.0), t64)
+    t66 = xp.where(0.0 < t60, batch.number(1.0), t65)
+    t67 = xp.where(t60 < 0.0, batch.number(-1.0), t66)
+    t68 = xp.where(0.0 == t30 - t30, t67, batch.number(xp.nan))
+    e = batch.array((3,), t49 * t68, t50 * t68, t51 * t68)
+    phi = batch.array(
+        (),
+        2.0 * xp.atan2(t42 * (xp.where(t58, batch.number(0.0), t47) / t57), t60 * t68),
+    )
     return delivered(out, e, phi)
 
 
@@ -924,11 +945,8 @@ def euler_rodrigues_parameters(Q: Any, /, *, out: Any = None) -> Any:
                 q_0: scalar part of four invariants of the rotation
     verdict     holds under
     assumes     Q is a rotation
-    operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root
-    error bound q: 11.66 u of itself, for every rotation Q, beside the case that is taken
-                q_0: 9.34 u of itself, for every rotation Q, beside the case that is taken; u = 2^-53,
-                  in single precision 2^-24
-                supposed: every operation rounded to nearest, with or without FMA
+    operations  50: 21 add, 7 subtract, 17 multiply, 4 divide, 1 square root
+    error bound not proved: it chooses between cases by values that are rounded
     derivation  sha256 acb16a335b8480158c7d6e339e4c3de8c51cf3bffd9594c8aa4b639840b77580
     signature   (3,3)->(3),()
     """
@@ -989,8 +1007,9 @@ def euler_rodrigues_parameters(Q: Any, /, *, out: Any = None) -> Any:
     t53 = xp.where(t40 < 0.0, batch.number(-1.0), t52)
     t54 = xp.where(0.0 < t48, batch.number(1.0), t53)
     t55 = xp.where(t48 < 0.0, batch.number(-1.0), t54)
-    q = batch.array((3,), t40 * t55, t42 * t55, t44 * t55)
-    q_0 = batch.array((), t48 * t55)
+    t56 = xp.where(0.0 == t32 - t32, t55, batch.number(xp.nan))
+    q = batch.array((3,), t40 * t56, t42 * t56, t44 * t56)
+    q_0 = batch.array((), t48 * t56)
     return delivered(out, q, q_0)
 
 
@@ -1006,15 +1025,8 @@ def screw_of_motion(Q: Any, a: Any, a_prime: Any, /, *, out: Any = None) -> Any:
     assumes     Q is a rotation
                 phi != 0
     made of     an offered form, proved equal to the statement
-    operations  101: 29 add, 18 subtract, 45 multiply, 6 divide, 2 square root, 1 arctangent2
-    error bound axis: 53.30 u of the sum of its terms' sizes, for every rotation Q, beside the case
-                  that is taken
-                d_0: 15.16 u of the sum of its terms' sizes, for every rotation Q, beside the case
-                  that is taken
-                phi: 24.99 u of itself, for every rotation Q, beside the case that is taken; u =
-                  2^-53, in single precision 2^-24
-                supposed: every operation rounded to nearest, with or without FMA, arctangent within 1
-                  ulp
+    operations  114: 31 add, 19 subtract, 49 multiply, 12 divide, 2 square root, 1 arctangent2
+    error bound not proved: it chooses between cases by values that are rounded
     derivation  sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
     signature   (3,3),(3),(3)->(6),(),()
     """
@@ -1031,90 +1043,94 @@ def screw_of_motion(Q: Any, a: Any, a_prime: Any, /, *, out: Any = None) -> Any:
     t4 = 1.0 + 2.0 * Q[2][2] - t3
     t5 = t1 * t1
     t6 = t2 * t2
-    t7 = t5 + t6 + t4 * t4
-    t8 = Q[0][1] + Q[1][0]
-    t9 = 1.0 + 2.0 * Q[1][1] - t3
-    t10 = t8 * t8
-    t11 = t6 + (t10 + t9 * t9)
-    t12 = Q[2][1] - Q[1][2]
-    t13 = Q[0][2] - Q[2][0]
-    t14 = Q[1][0] - Q[0][1]
-    t15 = t13 * t13
-    t16 = t11 + t15
-    t17 = t14 * t14
-    t18 = t7 + t17
-    t19 = t16 < t18
-    t20 = xp.where(t19, t1, t8)
-    t21 = xp.where(t19, t7, t11)
-    t22 = xp.where(t19, t2, t9)
-    t23 = xp.where(t19, t4, t2)
-    t24 = 1.0 + 2.0 * Q[0][0] - t3
-    t25 = t5 + (t10 + t24 * t24)
-    t26 = t12 * t12
-    t27 = t25 + t26
-    t28 = t27 < t18
-    t29 = t27 < t16
-    t30 = xp.where(t29, t20, xp.where(t28, t20, t24))
-    t31 = xp.where(t29, t21, xp.where(t28, t21, t25))
-    t32 = xp.where(t29, t22, xp.where(t28, t22, t8))
-    t33 = xp.where(t29, t23, xp.where(t28, t23, t1))
-    t34 = t17 + (t15 + t26)
-    t35 = 1.0 + t3
-    t36 = t34 + t35 * t35
-    t37 = t36 < t18
-    t38 = t36 < t16
-    t39 = t36 < t27
-    t40 = xp.where(t39, t31, xp.where(t38, t31, xp.where(t37, t31, t34)))
-    t41 = xp.sqrt(t40)
-    t42 = t40 == 0.0
-    t43 = xp.where(t39, t30, xp.where(t38, t30, xp.where(t37, t30, t12)))
-    t44 = xp.where(t42, batch.number(0.0), t43) / t41
-    t45 = xp.where(t39, t32, xp.where(t38, t32, xp.where(t37, t32, t13)))
-    t46 = xp.where(t42, batch.number(0.0), t45) / t41
-    t47 = xp.where(t39, t33, xp.where(t38, t33, xp.where(t37, t33, t14)))
-    t48 = xp.where(t42, batch.number(0.0), t47) / t41
-    t49 = xp.where(t19, t14, t13)
-    t50 = xp.where(t19, t18, t16)
-    t51 = xp.where(t29, t49, xp.where(t28, t49, t12))
-    t52 = xp.where(t29, t50, xp.where(t28, t50, t27))
-    t53 = xp.where(t39, t52, xp.where(t38, t52, xp.where(t37, t52, t36)))
-    t54 = xp.sqrt(t53)
-    t55 = t53 == 0.0
-    t56 = xp.where(t39, t51, xp.where(t38, t51, xp.where(t37, t51, t35)))
-    t57 = xp.where(t55, batch.number(0.0), t56) / t54
-    t58 = xp.where(t55, batch.number(0.0), t41) / t54
-    t59 = xp.where(t48 < 0.0, batch.number(-1.0), batch.number(1.0))
-    t60 = xp.where(0.0 < t46, batch.number(1.0), t59)
-    t61 = xp.where(t46 < 0.0, batch.number(-1.0), t60)
-    t62 = xp.where(0.0 < t44, batch.number(1.0), t61)
-    t63 = xp.where(t44 < 0.0, batch.number(-1.0), t62)
-    t64 = xp.where(0.0 < t57, batch.number(1.0), t63)
-    t65 = xp.where(t57 < 0.0, batch.number(-1.0), t64)
-    t66 = t44 * t65
-    t67 = t46 * t65
-    t68 = t48 * t65
-    t69 = a[0] + a_prime[0]
-    t70 = a[1] + a_prime[1]
-    t71 = a[2] + a_prime[2]
-    t72 = a_prime[0] - a[0]
-    t73 = a_prime[1] - a[1]
-    t74 = a_prime[2] - a[2]
-    t75 = t67 * t74 - t68 * t73
-    t76 = t68 * t72 - t66 * t74
-    t77 = t66 * t73 - t67 * t72
-    t78 = t57 * t65
-    t79 = xp.where(t58 == 0.0, batch.number(0.0), t78) / t58
+    t7 = Q[0][1] + Q[1][0]
+    t8 = 1.0 + 2.0 * Q[1][1] - t3
+    t9 = t7 * t7
+    t10 = Q[2][1] - Q[1][2]
+    t11 = Q[0][2] - Q[2][0]
+    t12 = Q[1][0] - Q[0][1]
+    t13 = t11 * t11
+    t14 = t6 + (t9 + t8 * t8) + t13
+    t15 = t12 * t12
+    t16 = t5 + t6 + t4 * t4 + t15
+    t17 = t14 < t16
+    t18 = xp.where(t17, t1, t7)
+    t19 = xp.where(t17, t2, t8)
+    t20 = xp.where(t17, t4, t2)
+    t21 = 1.0 + 2.0 * Q[0][0] - t3
+    t22 = t10 * t10
+    t23 = t5 + (t9 + t21 * t21) + t22
+    t24 = t23 < t16
+    t25 = t23 < t14
+    t26 = xp.where(t25, t18, xp.where(t24, t18, t21))
+    t27 = xp.where(t25, t19, xp.where(t24, t19, t7))
+    t28 = xp.where(t25, t20, xp.where(t24, t20, t1))
+    t29 = 1.0 + t3
+    t30 = t15 + (t13 + t22) + t29 * t29
+    t31 = t30 < t16
+    t32 = t30 < t14
+    t33 = t30 < t23
+    t34 = xp.where(t33, t26, xp.where(t32, t26, xp.where(t31, t26, t10)))
+    t35 = xp.where(t33, t27, xp.where(t32, t27, xp.where(t31, t27, t11)))
+    t36 = xp.where(t33, t28, xp.where(t32, t28, xp.where(t31, t28, t12)))
+    t37 = xp.where(t34 < 0.0, -t34, t34)
+    t38 = xp.where(t35 < 0.0, -t35, t35)
+    t39 = xp.where(t37 < t38, t38, t37)
+    t40 = xp.where(t36 < 0.0, -t36, t36)
+    t41 = xp.where(t39 < t40, t40, t39)
+    t42 = xp.where(0.0 == t41, batch.number(1.0), t41)
+    t43 = t34 / t42
+    t44 = t35 / t42
+    t45 = t36 / t42
+    t46 = t43 * t43 + t44 * t44 + t45 * t45
+    t47 = xp.sqrt(t46)
+    t48 = t46 == 0.0
+    t49 = xp.where(t48, batch.number(0.0), t43) / t47
+    t50 = xp.where(t48, batch.number(0.0), t44) / t47
+    t51 = xp.where(t48, batch.number(0.0), t45) / t47
+    t52 = xp.where(t17, t12, t11)
+    t53 = xp.where(t17, t16, t14)
+    t54 = xp.where(t25, t52, xp.where(t24, t52, t10))
+    t55 = xp.where(t25, t53, xp.where(t24, t53, t23))
+    t56 = xp.where(t33, t55, xp.where(t32, t55, xp.where(t31, t55, t30)))
+    t57 = xp.sqrt(t56)
+    t58 = t56 == 0.0
+    t59 = xp.where(t33, t54, xp.where(t32, t54, xp.where(t31, t54, t29)))
+    t60 = xp.where(t58, batch.number(0.0), t59) / t57
+    t61 = xp.where(t58, batch.number(0.0), t47) / t57
+    t62 = xp.where(t51 < 0.0, batch.number(-1.0), batch.number(1.0))
+    t63 = xp.where(0.0 < t50, batch.number(1.0), t62)
+    t64 = xp.where(t50 < 0.0, batch.number(-1.0), t63)
+    t65 = xp.where(0.0 < t49, batch.number(1.0), t64)
+    t66 = xp.where(t49 < 0.0, batch.number(-1.0), t65)
+    t67 = xp.where(0.0 < t60, batch.number(1.0), t66)
+    t68 = xp.where(t60 < 0.0, batch.number(-1.0), t67)
+    t69 = xp.where(0.0 == t30 - t30, t68, batch.number(xp.nan))
+    t70 = t49 * t69
+    t71 = t50 * t69
+    t72 = t51 * t69
+    t73 = a[0] + a_prime[0]
+    t74 = a[1] + a_prime[1]
+    t75 = a[2] + a_prime[2]
+    t76 = a_prime[0] - a[0]
+    t77 = a_prime[1] - a[1]
+    t78 = a_prime[2] - a[2]
+    t79 = t71 * t78 - t72 * t77
+    t80 = t72 * t76 - t70 * t78
+    t81 = t70 * t77 - t71 * t76
+    t82 = t60 * t69
+    t83 = xp.where(t61 == 0.0, batch.number(0.0), t82) / t61
     axis = batch.array(
         (6,),
-        t66,
-        t67,
-        t68,
-        0.5 * (t68 * t70 - t67 * t71 + (t68 * t76 - t67 * t77) * t79),
-        0.5 * (t66 * t71 - t68 * t69 + (t66 * t77 - t68 * t75) * t79),
-        0.5 * (t67 * t69 - t66 * t70 + (t67 * t75 - t66 * t76) * t79),
+        t70,
+        t71,
+        t72,
+        0.5 * (t72 * t74 - t71 * t75 + (t72 * t80 - t71 * t81) * t83 / t42),
+        0.5 * (t70 * t75 - t72 * t73 + (t70 * t81 - t72 * t79) * t83 / t42),
+        0.5 * (t71 * t73 - t70 * t74 + (t71 * t79 - t70 * t80) * t83 / t42),
     )
-    d_0 = batch.array((), t66 * t72 + t67 * t73 + t68 * t74)
-    phi = batch.array((), 2.0 * xp.atan2(t58, t78))
+    d_0 = batch.array((), t70 * t76 + t71 * t77 + t72 * t78)
+    phi = batch.array((), 2.0 * xp.atan2(t42 * t61, t82))
     return delivered(out, axis, d_0, phi)
 
 
@@ -1128,9 +1144,9 @@ def instant_screw(omega: Any, a_dot: Any, a: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     omega != 0
     made of     an offered form, proved equal to the statement
-    operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root
-    error bound axis: 15.51 u of the sum of its terms' sizes, for all inputs
-                pitch: 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single
+    operations  45: 7 add, 6 subtract, 18 multiply, 13 divide, 1 square root
+    error bound axis: 21.51 u of the sum of its terms' sizes, for all inputs
+                pitch: 14.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single
                   precision 2^-24
                 supposed: every operation rounded to nearest, with or without FMA
     derivation  sha256 08f61d1364f32cd980675c2c982387b0404b3c2069f72429195ad15600cd8055
@@ -1143,20 +1159,37 @@ def instant_screw(omega: Any, a_dot: Any, a: Any, /, *, out: Any = None) -> Any:
         ("a", a, (3,)),
     )
     xp = batch.xp
-    t1 = omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2]
-    t2 = xp.sqrt(t1)
-    t3 = t1 == 0.0
-    t4 = xp.where(t3, batch.number(0.0), omega[0]) / t2
-    t5 = xp.where(t3, batch.number(0.0), omega[1]) / t2
-    t6 = xp.where(t3, batch.number(0.0), omega[2]) / t2
-    t7 = xp.where(t3, batch.number(0.0), a_dot[0]) / t2
-    t8 = xp.where(t3, batch.number(0.0), a_dot[1]) / t2
-    t9 = xp.where(t3, batch.number(0.0), a_dot[2]) / t2
-    t10 = a[0] + (t5 * t9 - t6 * t8)
-    t11 = a[1] + (t6 * t7 - t4 * t9)
-    t12 = a[2] + (t4 * t8 - t5 * t7)
-    axis = batch.array((6,), t4, t5, t6, t6 * t11 - t5 * t12, t4 * t12 - t6 * t10, t5 * t10 - t4 * t11)
-    pitch = batch.array((), t4 * t7 + t5 * t8 + t6 * t9)
+    t1 = xp.where(omega[0] < 0.0, -omega[0], omega[0])
+    t2 = xp.where(omega[1] < 0.0, -omega[1], omega[1])
+    t3 = xp.where(t1 < t2, t2, t1)
+    t4 = xp.where(omega[2] < 0.0, -omega[2], omega[2])
+    t5 = xp.where(t3 < t4, t4, t3)
+    t6 = xp.where(0.0 == t5, batch.number(1.0), t5)
+    t7 = omega[0] / t6
+    t8 = omega[1] / t6
+    t9 = omega[2] / t6
+    t10 = t7 * t7 + t8 * t8 + t9 * t9
+    t11 = xp.sqrt(t10)
+    t12 = t10 == 0.0
+    t13 = xp.where(t12, batch.number(0.0), t7) / t11
+    t14 = xp.where(t12, batch.number(0.0), t8) / t11
+    t15 = xp.where(t12, batch.number(0.0), t9) / t11
+    t16 = xp.where(t12, batch.number(0.0), a_dot[0]) / t11
+    t17 = xp.where(t12, batch.number(0.0), a_dot[1]) / t11
+    t18 = xp.where(t12, batch.number(0.0), a_dot[2]) / t11
+    t19 = a[0] + (t14 * t18 - t15 * t17) / t6
+    t20 = a[1] + (t15 * t16 - t13 * t18) / t6
+    t21 = a[2] + (t13 * t17 - t14 * t16) / t6
+    axis = batch.array(
+        (6,),
+        t13,
+        t14,
+        t15,
+        t15 * t20 - t14 * t21,
+        t13 * t21 - t15 * t19,
+        t14 * t19 - t13 * t20,
+    )
+    pitch = batch.array((), (t13 * t16 + t14 * t17 + t15 * t18) / t6)
     return delivered(out, axis, pitch)
 
 
@@ -2321,9 +2354,9 @@ def wrench_axis(f: Any, n_A: Any, a: Any, /, *, out: Any = None) -> Any:
     verdict     holds under
     assumes     f != 0
     made of     an offered form, proved equal to the statement
-    operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root
-    error bound axis: 15.51 u of the sum of its terms' sizes, for all inputs
-                pitch: 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single
+    operations  45: 7 add, 6 subtract, 18 multiply, 13 divide, 1 square root
+    error bound axis: 21.51 u of the sum of its terms' sizes, for all inputs
+                pitch: 14.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single
                   precision 2^-24
                 supposed: every operation rounded to nearest, with or without FMA
     derivation  sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
@@ -2331,20 +2364,37 @@ def wrench_axis(f: Any, n_A: Any, a: Any, /, *, out: Any = None) -> Any:
     """
     batch, f, n_A, a = prepared("wrench_axis", ("f", f, (3,)), ("n_A", n_A, (3,)), ("a", a, (3,)))
     xp = batch.xp
-    t1 = f[0] * f[0] + f[1] * f[1] + f[2] * f[2]
-    t2 = xp.sqrt(t1)
-    t3 = t1 == 0.0
-    t4 = xp.where(t3, batch.number(0.0), f[0]) / t2
-    t5 = xp.where(t3, batch.number(0.0), f[1]) / t2
-    t6 = xp.where(t3, batch.number(0.0), f[2]) / t2
-    t7 = xp.where(t3, batch.number(0.0), n_A[0]) / t2
-    t8 = xp.where(t3, batch.number(0.0), n_A[1]) / t2
-    t9 = xp.where(t3, batch.number(0.0), n_A[2]) / t2
-    t10 = a[0] + (t5 * t9 - t6 * t8)
-    t11 = a[1] + (t6 * t7 - t4 * t9)
-    t12 = a[2] + (t4 * t8 - t5 * t7)
-    axis = batch.array((6,), t4, t5, t6, t6 * t11 - t5 * t12, t4 * t12 - t6 * t10, t5 * t10 - t4 * t11)
-    pitch = batch.array((), t4 * t7 + t5 * t8 + t6 * t9)
+    t1 = xp.where(f[0] < 0.0, -f[0], f[0])
+    t2 = xp.where(f[1] < 0.0, -f[1], f[1])
+    t3 = xp.where(t1 < t2, t2, t1)
+    t4 = xp.where(f[2] < 0.0, -f[2], f[2])
+    t5 = xp.where(t3 < t4, t4, t3)
+    t6 = xp.where(0.0 == t5, batch.number(1.0), t5)
+    t7 = f[0] / t6
+    t8 = f[1] / t6
+    t9 = f[2] / t6
+    t10 = t7 * t7 + t8 * t8 + t9 * t9
+    t11 = xp.sqrt(t10)
+    t12 = t10 == 0.0
+    t13 = xp.where(t12, batch.number(0.0), t7) / t11
+    t14 = xp.where(t12, batch.number(0.0), t8) / t11
+    t15 = xp.where(t12, batch.number(0.0), t9) / t11
+    t16 = xp.where(t12, batch.number(0.0), n_A[0]) / t11
+    t17 = xp.where(t12, batch.number(0.0), n_A[1]) / t11
+    t18 = xp.where(t12, batch.number(0.0), n_A[2]) / t11
+    t19 = a[0] + (t14 * t18 - t15 * t17) / t6
+    t20 = a[1] + (t15 * t16 - t13 * t18) / t6
+    t21 = a[2] + (t13 * t17 - t14 * t16) / t6
+    axis = batch.array(
+        (6,),
+        t13,
+        t14,
+        t15,
+        t15 * t20 - t14 * t21,
+        t13 * t21 - t15 * t19,
+        t14 * t19 - t13 * t20,
+    )
+    pitch = batch.array((), (t13 * t16 + t14 * t17 + t15 * t18) / t6)
     return delivered(out, axis, pitch)
 
 
@@ -2731,10 +2781,8 @@ def newton_euler_twist_rate(I_C: Any, m: Any, t: Any, w: Any, /, *, out: Any = N
     assumes     det(I_C) != 0
                 m > 0
     expects     I_C is positive-definite
-    operations  82: 14 add, 15 subtract, 51 multiply, 2 divide
-    error bound 18.05 u of the sum of its terms' sizes, times the condition of its divisor, for all
-                  inputs of which that is at most 4096; u = 2^-53, in single precision 2^-24
-                supposed: every operation rounded to nearest, with or without FMA
+    operations  108: 16 add, 18 subtract, 60 multiply, 14 divide
+    error bound not proved: it chooses between cases by values that are rounded
     derivation  sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
     signature   (3,3),(),(6),(6)->(6)
     """
@@ -2746,29 +2794,59 @@ def newton_euler_twist_rate(I_C: Any, m: Any, t: Any, w: Any, /, *, out: Any = N
         ("w", w, (6,)),
     )
     xp = batch.xp
-    t1 = I_C[0][0] * t[0] + I_C[0][1] * t[1] + I_C[0][2] * t[2]
-    t2 = I_C[1][0] * t[0] + I_C[1][1] * t[1] + I_C[1][2] * t[2]
-    t3 = I_C[2][0] * t[0] + I_C[2][1] * t[1] + I_C[2][2] * t[2]
-    t4 = w[0] - (t[1] * t3 - t[2] * t2)
-    t5 = w[1] - (t[2] * t1 - t[0] * t3)
-    t6 = w[2] - (t[0] * t2 - t[1] * t1)
-    t7 = I_C[1][1] * I_C[2][2] - I_C[1][2] * I_C[2][1]
-    t8 = I_C[1][2] * I_C[2][0] - I_C[1][0] * I_C[2][2]
-    t9 = I_C[1][0] * I_C[2][1] - I_C[1][1] * I_C[2][0]
-    t10 = I_C[0][0] * t7 + I_C[0][1] * t8 + I_C[0][2] * t9
-    t11 = xp.where(t10 == 0.0, batch.number(0.0), batch.number(1.0)) / t10
-    t12 = t4 * t7 + t5 * (I_C[0][2] * I_C[2][1] - I_C[0][1] * I_C[2][2])
-    t13 = t4 * t8 + t5 * (I_C[0][0] * I_C[2][2] - I_C[0][2] * I_C[2][0])
-    t14 = t4 * t9 + t5 * (I_C[0][1] * I_C[2][0] - I_C[0][0] * I_C[2][1])
-    t15 = xp.where(m == 0.0, batch.number(0.0), batch.number(1.0)) / m
+    t1 = xp.where(I_C[0][0] < 0.0, -I_C[0][0], I_C[0][0])
+    t2 = xp.where(I_C[0][1] < 0.0, -I_C[0][1], I_C[0][1])
+    t3 = xp.where(t1 < t2, t2, t1)
+    t4 = xp.where(I_C[0][2] < 0.0, -I_C[0][2], I_C[0][2])
+    t5 = xp.where(t3 < t4, t4, t3)
+    t6 = xp.where(I_C[1][0] < 0.0, -I_C[1][0], I_C[1][0])
+    t7 = xp.where(t5 < t6, t6, t5)
+    t8 = xp.where(I_C[1][1] < 0.0, -I_C[1][1], I_C[1][1])
+    t9 = xp.where(t7 < t8, t8, t7)
+    t10 = xp.where(I_C[1][2] < 0.0, -I_C[1][2], I_C[1][2])
+    t11 = xp.where(t9 < t10, t10, t9)
+    t12 = xp.where(I_C[2][0] < 0.0, -I_C[2][0], I_C[2][0])
+    t13 = xp.where(t11 < t12, t12, t11)
+    t14 = xp.where(I_C[2][1] < 0.0, -I_C[2][1], I_C[2][1])
+    t15 = xp.where(t13 < t14, t14, t13)
+    t16 = xp.where(I_C[2][2] < 0.0, -I_C[2][2], I_C[2][2])
+    t17 = xp.where(t15 < t16, t16, t15)
+    t18 = xp.where(0.0 == t17, batch.number(1.0), t17)
+    t19 = I_C[0][0] / t18
+    t20 = I_C[0][1] / t18
+    t21 = I_C[0][2] / t18
+    t22 = I_C[1][0] / t18
+    t23 = I_C[1][1] / t18
+    t24 = I_C[1][2] / t18
+    t25 = I_C[2][0] / t18
+    t26 = I_C[2][1] / t18
+    t27 = I_C[2][2] / t18
+    t28 = I_C[0][0] * t[0] + I_C[0][1] * t[1] + I_C[0][2] * t[2]
+    t29 = I_C[1][0] * t[0] + I_C[1][1] * t[1] + I_C[1][2] * t[2]
+    t30 = I_C[2][0] * t[0] + I_C[2][1] * t[1] + I_C[2][2] * t[2]
+    t31 = w[0] - (t[1] * t30 - t[2] * t29)
+    t32 = w[1] - (t[2] * t28 - t[0] * t30)
+    t33 = w[2] - (t[0] * t29 - t[1] * t28)
+    t34 = t23 * t27 - t24 * t26
+    t35 = t24 * t25 - t22 * t27
+    t36 = t22 * t26 - t23 * t25
+    t37 = I_C[0][0] * (I_C[1][1] * I_C[2][2] - I_C[1][2] * I_C[2][1])
+    t38 = t37 + I_C[0][1] * (I_C[1][2] * I_C[2][0] - I_C[1][0] * I_C[2][2])
+    t39 = 0.0 == t38 + I_C[0][2] * (I_C[1][0] * I_C[2][1] - I_C[1][1] * I_C[2][0])
+    t40 = xp.where(t39, batch.number(0.0), t19 * t34 + t20 * t35 + t21 * t36)
+    t41 = xp.where(t40 == 0.0, batch.number(0.0), batch.number(1.0)) / t40
+    t42 = t31 * t34 + t32 * (t21 * t26 - t20 * t27) + t33 * (t20 * t24 - t21 * t23)
+    t43 = t31 * t35 + t32 * (t19 * t27 - t21 * t25) + t33 * (t21 * t22 - t19 * t24)
+    t44 = t31 * t36 + t32 * (t20 * t25 - t19 * t26) + t33 * (t19 * t23 - t20 * t22)
+    t45 = xp.where(m == 0.0, batch.number(0.0), batch.number(1.0)) / m
     t_dot = batch.array(
         (6,),
-        t11 * (t12 + t6 * (I_C[0][1] * I_C[1][2] - I_C[0][2] * I_C[1][1])),
-        t11 * (t13 + t6 * (I_C[0][2] * I_C[1][0] - I_C[0][0] * I_C[1][2])),
-        t11 * (t14 + t6 * (I_C[0][0] * I_C[1][1] - I_C[0][1] * I_C[1][0])),
-        w[3] * t15,
-        w[4] * t15,
-        w[5] * t15,
+        t41 * t42 / t18,
+        t41 * t43 / t18,
+        t41 * t44 / t18,
+        w[3] * t45,
+        w[4] * t45,
+        w[5] * t45,
     )
     return delivered(out, t_dot)
 
@@ -2786,10 +2864,8 @@ def newton_euler_twist_rate_sym6(I_C: Any, m: Any, t: Any, w: Any, /, *, out: An
     assumes     det(I_C) != 0
                 m > 0
     expects     I_C is positive-definite
-    operations  73: 14 add, 12 subtract, 45 multiply, 2 divide
-    error bound 18.05 u of the sum of its terms' sizes, times the condition of its divisor, for all
-                  inputs of which that is at most 4096; u = 2^-53, in single precision 2^-24
-                supposed: every operation rounded to nearest, with or without FMA
+    operations  96: 16 add, 15 subtract, 54 multiply, 11 divide
+    error bound not proved: it chooses between cases by values that are rounded
     derivation  sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
     signature   (6),(),(6),(6)->(6)
     """
@@ -2801,27 +2877,48 @@ def newton_euler_twist_rate_sym6(I_C: Any, m: Any, t: Any, w: Any, /, *, out: An
         ("w", w, (6,)),
     )
     xp = batch.xp
-    t1 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2]
-    t2 = I_C[1] * t[0] + I_C[3] * t[1] + I_C[4] * t[2]
-    t3 = I_C[2] * t[0] + I_C[4] * t[1] + I_C[5] * t[2]
-    t4 = w[0] - (t[1] * t3 - t[2] * t2)
-    t5 = w[1] - (t[2] * t1 - t[0] * t3)
-    t6 = w[2] - (t[0] * t2 - t[1] * t1)
-    t7 = I_C[3] * I_C[5] - I_C[4] * I_C[4]
-    t8 = I_C[2] * I_C[4] - I_C[1] * I_C[5]
-    t9 = I_C[1] * I_C[4] - I_C[2] * I_C[3]
-    t10 = I_C[1] * I_C[2] - I_C[0] * I_C[4]
-    t11 = I_C[0] * t7 + I_C[1] * t8 + I_C[2] * t9
-    t12 = xp.where(t11 == 0.0, batch.number(0.0), batch.number(1.0)) / t11
-    t13 = xp.where(m == 0.0, batch.number(0.0), batch.number(1.0)) / m
+    t1 = xp.where(I_C[0] < 0.0, -I_C[0], I_C[0])
+    t2 = xp.where(I_C[1] < 0.0, -I_C[1], I_C[1])
+    t3 = xp.where(t1 < t2, t2, t1)
+    t4 = xp.where(I_C[2] < 0.0, -I_C[2], I_C[2])
+    t5 = xp.where(t3 < t4, t4, t3)
+    t6 = xp.where(I_C[3] < 0.0, -I_C[3], I_C[3])
+    t7 = xp.where(t5 < t6, t6, t5)
+    t8 = xp.where(I_C[4] < 0.0, -I_C[4], I_C[4])
+    t9 = xp.where(t7 < t8, t8, t7)
+    t10 = xp.where(I_C[5] < 0.0, -I_C[5], I_C[5])
+    t11 = xp.where(t9 < t10, t10, t9)
+    t12 = xp.where(0.0 == t11, batch.number(1.0), t11)
+    t13 = I_C[0] / t12
+    t14 = I_C[1] / t12
+    t15 = I_C[2] / t12
+    t16 = I_C[3] / t12
+    t17 = I_C[4] / t12
+    t18 = I_C[5] / t12
+    t19 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2]
+    t20 = I_C[1] * t[0] + I_C[3] * t[1] + I_C[4] * t[2]
+    t21 = I_C[2] * t[0] + I_C[4] * t[1] + I_C[5] * t[2]
+    t22 = w[0] - (t[1] * t21 - t[2] * t20)
+    t23 = w[1] - (t[2] * t19 - t[0] * t21)
+    t24 = w[2] - (t[0] * t20 - t[1] * t19)
+    t25 = t16 * t18 - t17 * t17
+    t26 = t15 * t17 - t14 * t18
+    t27 = t14 * t17 - t15 * t16
+    t28 = t14 * t15 - t13 * t17
+    t29 = I_C[0] * (I_C[3] * I_C[5] - I_C[4] * I_C[4])
+    t30 = t29 + I_C[1] * (I_C[2] * I_C[4] - I_C[1] * I_C[5])
+    t31 = 0.0 == t30 + I_C[2] * (I_C[1] * I_C[4] - I_C[2] * I_C[3])
+    t32 = xp.where(t31, batch.number(0.0), t13 * t25 + t14 * t26 + t15 * t27)
+    t33 = xp.where(t32 == 0.0, batch.number(0.0), batch.number(1.0)) / t32
+    t34 = xp.where(m == 0.0, batch.number(0.0), batch.number(1.0)) / m
     t_dot = batch.array(
         (6,),
-        t12 * (t4 * t7 + t5 * t8 + t6 * t9),
-        t12 * (t4 * t8 + t5 * (I_C[0] * I_C[5] - I_C[2] * I_C[2]) + t6 * t10),
-        t12 * (t4 * t9 + t5 * t10 + t6 * (I_C[0] * I_C[3] - I_C[1] * I_C[1])),
-        w[3] * t13,
-        w[4] * t13,
-        w[5] * t13,
+        t33 * (t22 * t25 + t23 * t26 + t24 * t27) / t12,
+        t33 * (t22 * t26 + t23 * (t13 * t18 - t15 * t15) + t24 * t28) / t12,
+        t33 * (t22 * t27 + t23 * t28 + t24 * (t13 * t16 - t14 * t14)) / t12,
+        w[3] * t34,
+        w[4] * t34,
+        w[5] * t34,
     )
     return delivered(out, t_dot)
 

@@ -237,8 +237,8 @@ given       p_1 (3): position of point P_1
 returns     kappa (6): Pluecker array: direction and moment
 verdict     defined
 assumes     p_1 != p_2
-operations  21: 2 add, 6 subtract, 9 multiply, 3 divide, 1 square root
-error bound 7.51 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+operations  24: 2 add, 6 subtract, 9 multiply, 6 divide, 1 square root
+error bound 9.51 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
             supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 32c3975b5a0a9106d94e083a43fadc2be5fbb7bda4c600d797436f2a818ba4e5
@@ -333,8 +333,8 @@ given       omega (3): angular velocity
 returns     p_0_prime (3): position of the point of the instant screw axis nearest the origin
 verdict     holds under
 assumes     omega != 0
-operations  29: 2 add, 9 subtract, 15 multiply, 3 divide
-error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+operations  35: 2 add, 9 subtract, 15 multiply, 9 divide
+error bound 13.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
               2^-24
             supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 8add5ae098bd1648bf2231d712391a8ce89357247f8df1a150855707c8b25192
@@ -447,12 +447,8 @@ returns     e (3): unit vector along the axis of rotation, or along a line
 verdict     holds under
 assumes     Q is a rotation
             phi != 0
-operations  53: 21 add, 6 subtract, 18 multiply, 5 divide, 2 square root, 1 arctangent2
-error bound e: 11.16 u of itself, for every rotation Q, beside the case that is taken
-            phi: 24.99 u of itself, for every rotation Q, beside the case that is taken; u =
-              2^-53, in single precision 2^-24
-            supposed: every operation rounded to nearest, with or without FMA, arctangent within 1
-              ulp
+operations  63: 23 add, 7 subtract, 22 multiply, 8 divide, 2 square root, 1 arctangent2
+error bound not proved: it chooses between cases by values that are rounded
 derivation  sha256 167078e6ba9dff78870c0f0ddc85370ad11a1b0b824ddf316c3c9f19bd756081
 signature   (3,3)->(3),()
 """
@@ -464,11 +460,8 @@ returns     q (3): vector part of four invariants of the rotation
             q_0: scalar part of four invariants of the rotation
 verdict     holds under
 assumes     Q is a rotation
-operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root
-error bound q: 11.66 u of itself, for every rotation Q, beside the case that is taken
-            q_0: 9.34 u of itself, for every rotation Q, beside the case that is taken; u = 2^-53,
-              in single precision 2^-24
-            supposed: every operation rounded to nearest, with or without FMA
+operations  50: 21 add, 7 subtract, 17 multiply, 4 divide, 1 square root
+error bound not proved: it chooses between cases by values that are rounded
 derivation  sha256 acb16a335b8480158c7d6e339e4c3de8c51cf3bffd9594c8aa4b639840b77580
 signature   (3,3)->(3),()
 """
@@ -485,15 +478,8 @@ verdict     holds under
 assumes     Q is a rotation
             phi != 0
 made of     an offered form, proved equal to the statement
-operations  101: 29 add, 18 subtract, 45 multiply, 6 divide, 2 square root, 1 arctangent2
-error bound axis: 53.30 u of the sum of its terms' sizes, for every rotation Q, beside the case
-              that is taken
-            d_0: 15.16 u of the sum of its terms' sizes, for every rotation Q, beside the case
-              that is taken
-            phi: 24.99 u of itself, for every rotation Q, beside the case that is taken; u =
-              2^-53, in single precision 2^-24
-            supposed: every operation rounded to nearest, with or without FMA, arctangent within 1
-              ulp
+operations  114: 31 add, 19 subtract, 49 multiply, 12 divide, 2 square root, 1 arctangent2
+error bound not proved: it chooses between cases by values that are rounded
 derivation  sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
 signature   (3,3),(3),(3)->(6),(),()
 """
@@ -508,9 +494,9 @@ returns     axis (6): [e'; n']
 verdict     holds under
 assumes     omega != 0
 made of     an offered form, proved equal to the statement
-operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root
-error bound axis: 15.51 u of the sum of its terms' sizes, for all inputs
-            pitch: 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single
+operations  45: 7 add, 6 subtract, 18 multiply, 13 divide, 1 square root
+error bound axis: 21.51 u of the sum of its terms' sizes, for all inputs
+            pitch: 14.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single
               precision 2^-24
             supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 08f61d1364f32cd980675c2c982387b0404b3c2069f72429195ad15600cd8055
@@ -998,9 +984,9 @@ returns     axis (6): [e''; n'']
 verdict     holds under
 assumes     f != 0
 made of     an offered form, proved equal to the statement
-operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root
-error bound axis: 15.51 u of the sum of its terms' sizes, for all inputs
-            pitch: 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single
+operations  45: 7 add, 6 subtract, 18 multiply, 13 divide, 1 square root
+error bound axis: 21.51 u of the sum of its terms' sizes, for all inputs
+            pitch: 14.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single
               precision 2^-24
             supposed: every operation rounded to nearest, with or without FMA
 derivation  sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
@@ -1215,10 +1201,8 @@ verdict     holds under
 assumes     det(I_C) != 0
             m > 0
 expects     I_C is positive-definite
-operations  82: 14 add, 15 subtract, 51 multiply, 2 divide
-error bound 18.05 u of the sum of its terms' sizes, times the condition of its divisor, for all
-              inputs of which that is at most 4096; u = 2^-53, in single precision 2^-24
-            supposed: every operation rounded to nearest, with or without FMA
+operations  108: 16 add, 18 subtract, 60 multiply, 14 divide
+error bound not proved: it chooses between cases by values that are rounded
 derivation  sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
 signature   (3,3),(),(6),(6)->(6)
 """
@@ -1236,10 +1220,8 @@ verdict     holds under
 assumes     det(I_C) != 0
             m > 0
 expects     I_C is positive-definite
-operations  73: 14 add, 12 subtract, 45 multiply, 2 divide
-error bound 18.05 u of the sum of its terms' sizes, times the condition of its divisor, for all
-              inputs of which that is at most 4096; u = 2^-53, in single precision 2^-24
-            supposed: every operation rounded to nearest, with or without FMA
+operations  96: 16 add, 15 subtract, 54 multiply, 11 divide
+error bound not proved: it chooses between cases by values that are rounded
 derivation  sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
 signature   (6),(),(6),(6)->(6)
 """

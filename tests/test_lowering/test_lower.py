@@ -43,7 +43,7 @@ MOST = {
     "screw_axis_point": 37,
     "plucker_transfer": 15,
     "velocity_of_point": 15,
-    "instant_screw_point": 29,
+    "instant_screw_point": 35,
     "instant_screw": 48,
     "natural_rate_matrix": 24,
     "linear_rate_matrix": 28,

@@ -51,8 +51,8 @@ const chasles_loop chasles_plucker_transfer_loopf = {
  *   returns     kappa[6]: Pluecker array: direction and moment
  *   verdict     defined
  *   assumes     p_1 != p_2
- *   operations  21: 2 add, 6 subtract, 9 multiply, 3 divide, 1 square root
- *   error bound 7.51 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   operations  24: 2 add, 6 subtract, 9 multiply, 6 divide, 1 square root
+ *   error bound 9.51 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 32c3975b5a0a9106d94e083a43fadc2be5fbb7bda4c600d797436f2a818ba4e5
@@ -62,12 +62,21 @@ void chasles_plucker_line(const double p_1[3], const double p_2[3], double kappa
     const double t1 = p_2[0] - p_1[0];
     const double t2 = p_2[1] - p_1[1];
     const double t3 = p_2[2] - p_1[2];
-    const double t4 = t1 * t1 + t2 * t2 + t3 * t3;
-    const double t5 = sqrt(t4);
-    const int t6 = t4 == 0.0;
-    const double kappa0 = (t6 ? 0.0 : t1) / t5;
-    const double kappa1 = (t6 ? 0.0 : t2) / t5;
-    const double kappa2 = (t6 ? 0.0 : t3) / t5;
+    const double t4 = t1 < 0.0 ? -t1 : t1;
+    const double t5 = t2 < 0.0 ? -t2 : t2;
+    const double t6 = t4 < t5 ? t5 : t4;
+    const double t7 = t3 < 0.0 ? -t3 : t3;
+    const double t8 = t6 < t7 ? t7 : t6;
+    const double t9 = 0.0 == t8 ? 1.0 : t8;
+    const double t10 = t1 / t9;
+    const double t11 = t2 / t9;
+    const double t12 = t3 / t9;
+    const double t13 = t10 * t10 + t11 * t11 + t12 * t12;
+    const double t14 = sqrt(t13);
+    const int t15 = t13 == 0.0;
+    const double kappa0 = (t15 ? 0.0 : t10) / t14;
+    const double kappa1 = (t15 ? 0.0 : t11) / t14;
+    const double kappa2 = (t15 ? 0.0 : t12) / t14;
     const double kappa3 = p_1[1] * kappa2 - p_1[2] * kappa1;
     const double kappa4 = p_1[2] * kappa0 - p_1[0] * kappa2;
     const double kappa5 = p_1[0] * kappa1 - p_1[1] * kappa0;
@@ -82,19 +91,28 @@ void chasles_plucker_line(const double p_1[3], const double p_2[3], double kappa
 /*
  * (3.23) chasles_plucker_line in single precision.
  *   verdict: defined; assumes p_1 != p_2
- *   21 operations; derivation sha256 32c3975b5a0a9106d94e083a43fadc2be5fbb7bda4c600d797436f2a818ba4e5
+ *   24 operations; derivation sha256 32c3975b5a0a9106d94e083a43fadc2be5fbb7bda4c600d797436f2a818ba4e5
  */
 void chasles_plucker_linef(const float p_1[3], const float p_2[3], float kappa[6])
 {
     const float t1 = p_2[0] - p_1[0];
     const float t2 = p_2[1] - p_1[1];
     const float t3 = p_2[2] - p_1[2];
-    const float t4 = t1 * t1 + t2 * t2 + t3 * t3;
-    const float t5 = sqrtf(t4);
-    const int t6 = t4 == 0.0f;
-    const float kappa0 = (t6 ? 0.0f : t1) / t5;
-    const float kappa1 = (t6 ? 0.0f : t2) / t5;
-    const float kappa2 = (t6 ? 0.0f : t3) / t5;
+    const float t4 = t1 < 0.0f ? -t1 : t1;
+    const float t5 = t2 < 0.0f ? -t2 : t2;
+    const float t6 = t4 < t5 ? t5 : t4;
+    const float t7 = t3 < 0.0f ? -t3 : t3;
+    const float t8 = t6 < t7 ? t7 : t6;
+    const float t9 = 0.0f == t8 ? 1.0f : t8;
+    const float t10 = t1 / t9;
+    const float t11 = t2 / t9;
+    const float t12 = t3 / t9;
+    const float t13 = t10 * t10 + t11 * t11 + t12 * t12;
+    const float t14 = sqrtf(t13);
+    const int t15 = t13 == 0.0f;
+    const float kappa0 = (t15 ? 0.0f : t10) / t14;
+    const float kappa1 = (t15 ? 0.0f : t11) / t14;
+    const float kappa2 = (t15 ? 0.0f : t12) / t14;
     const float kappa3 = p_1[1] * kappa2 - p_1[2] * kappa1;
     const float kappa4 = p_1[2] * kappa0 - p_1[0] * kappa2;
     const float kappa5 = p_1[0] * kappa1 - p_1[1] * kappa0;
@@ -109,7 +127,7 @@ void chasles_plucker_linef(const float p_1[3], const float p_2[3], float kappa[6
 /*
  * (3.23) chasles_plucker_line for a batch.
  *   verdict: defined; assumes p_1 != p_2
- *   21 operations; derivation sha256 32c3975b5a0a9106d94e083a43fadc2be5fbb7bda4c600d797436f2a818ba4e5
+ *   24 operations; derivation sha256 32c3975b5a0a9106d94e083a43fadc2be5fbb7bda4c600d797436f2a818ba4e5
  */
 void chasles_plucker_line_batch(
     size_t count,
@@ -127,7 +145,7 @@ void chasles_plucker_line_batch(
 /*
  * (3.23) chasles_plucker_linef for a batch.
  *   verdict: defined; assumes p_1 != p_2
- *   21 operations; derivation sha256 32c3975b5a0a9106d94e083a43fadc2be5fbb7bda4c600d797436f2a818ba4e5
+ *   24 operations; derivation sha256 32c3975b5a0a9106d94e083a43fadc2be5fbb7bda4c600d797436f2a818ba4e5
  */
 void chasles_plucker_line_batchf(
     size_t count,

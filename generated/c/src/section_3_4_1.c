@@ -38,8 +38,8 @@ const chasles_loop chasles_instant_screw_point_loopf = {
  *   returns     p_0_prime[3]: position of the point of the instant screw axis nearest the origin
  *   verdict     holds under
  *   assumes     omega != 0
- *   operations  29: 2 add, 9 subtract, 15 multiply, 3 divide
- *   error bound 9.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
+ *   operations  35: 2 add, 9 subtract, 15 multiply, 9 divide
+ *   error bound 13.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single precision
  *                 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 8add5ae098bd1648bf2231d712391a8ce89357247f8df1a150855707c8b25192
@@ -50,14 +50,23 @@ void chasles_instant_screw_point(
     const double a[3],
     double p_0_prime[3])
 {
-    const double t1 = omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2];
-    const double t2 = a_dot[0] - (omega[1] * a[2] - omega[2] * a[1]);
-    const double t3 = a_dot[1] - (omega[2] * a[0] - omega[0] * a[2]);
-    const double t4 = a_dot[2] - (omega[0] * a[1] - omega[1] * a[0]);
-    const int t5 = t1 == 0.0;
-    const double p_0_prime0 = (t5 ? 0.0 : omega[1] * t4 - omega[2] * t3) / t1;
-    const double p_0_prime1 = (t5 ? 0.0 : omega[2] * t2 - omega[0] * t4) / t1;
-    const double p_0_prime2 = (t5 ? 0.0 : omega[0] * t3 - omega[1] * t2) / t1;
+    const double t1 = omega[0] < 0.0 ? -omega[0] : omega[0];
+    const double t2 = omega[1] < 0.0 ? -omega[1] : omega[1];
+    const double t3 = t1 < t2 ? t2 : t1;
+    const double t4 = omega[2] < 0.0 ? -omega[2] : omega[2];
+    const double t5 = t3 < t4 ? t4 : t3;
+    const double t6 = 0.0 == t5 ? 1.0 : t5;
+    const double t7 = omega[0] / t6;
+    const double t8 = omega[1] / t6;
+    const double t9 = omega[2] / t6;
+    const double t10 = t7 * t7 + t8 * t8 + t9 * t9;
+    const double t11 = a_dot[0] - (omega[1] * a[2] - omega[2] * a[1]);
+    const double t12 = a_dot[1] - (omega[2] * a[0] - omega[0] * a[2]);
+    const double t13 = a_dot[2] - (omega[0] * a[1] - omega[1] * a[0]);
+    const int t14 = t10 == 0.0;
+    const double p_0_prime0 = (t14 ? 0.0 : t8 * t13 - t9 * t12) / t10 / t6;
+    const double p_0_prime1 = (t14 ? 0.0 : t9 * t11 - t7 * t13) / t10 / t6;
+    const double p_0_prime2 = (t14 ? 0.0 : t7 * t12 - t8 * t11) / t10 / t6;
     p_0_prime[0] = p_0_prime0;
     p_0_prime[1] = p_0_prime1;
     p_0_prime[2] = p_0_prime2;
@@ -66,7 +75,7 @@ void chasles_instant_screw_point(
 /*
  * (3.70) chasles_instant_screw_point in single precision.
  *   verdict: holds under; assumes omega != 0
- *   29 operations; derivation sha256 8add5ae098bd1648bf2231d712391a8ce89357247f8df1a150855707c8b25192
+ *   35 operations; derivation sha256 8add5ae098bd1648bf2231d712391a8ce89357247f8df1a150855707c8b25192
  */
 void chasles_instant_screw_pointf(
     const float omega[3],
@@ -74,14 +83,23 @@ void chasles_instant_screw_pointf(
     const float a[3],
     float p_0_prime[3])
 {
-    const float t1 = omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2];
-    const float t2 = a_dot[0] - (omega[1] * a[2] - omega[2] * a[1]);
-    const float t3 = a_dot[1] - (omega[2] * a[0] - omega[0] * a[2]);
-    const float t4 = a_dot[2] - (omega[0] * a[1] - omega[1] * a[0]);
-    const int t5 = t1 == 0.0f;
-    const float p_0_prime0 = (t5 ? 0.0f : omega[1] * t4 - omega[2] * t3) / t1;
-    const float p_0_prime1 = (t5 ? 0.0f : omega[2] * t2 - omega[0] * t4) / t1;
-    const float p_0_prime2 = (t5 ? 0.0f : omega[0] * t3 - omega[1] * t2) / t1;
+    const float t1 = omega[0] < 0.0f ? -omega[0] : omega[0];
+    const float t2 = omega[1] < 0.0f ? -omega[1] : omega[1];
+    const float t3 = t1 < t2 ? t2 : t1;
+    const float t4 = omega[2] < 0.0f ? -omega[2] : omega[2];
+    const float t5 = t3 < t4 ? t4 : t3;
+    const float t6 = 0.0f == t5 ? 1.0f : t5;
+    const float t7 = omega[0] / t6;
+    const float t8 = omega[1] / t6;
+    const float t9 = omega[2] / t6;
+    const float t10 = t7 * t7 + t8 * t8 + t9 * t9;
+    const float t11 = a_dot[0] - (omega[1] * a[2] - omega[2] * a[1]);
+    const float t12 = a_dot[1] - (omega[2] * a[0] - omega[0] * a[2]);
+    const float t13 = a_dot[2] - (omega[0] * a[1] - omega[1] * a[0]);
+    const int t14 = t10 == 0.0f;
+    const float p_0_prime0 = (t14 ? 0.0f : t8 * t13 - t9 * t12) / t10 / t6;
+    const float p_0_prime1 = (t14 ? 0.0f : t9 * t11 - t7 * t13) / t10 / t6;
+    const float p_0_prime2 = (t14 ? 0.0f : t7 * t12 - t8 * t11) / t10 / t6;
     p_0_prime[0] = p_0_prime0;
     p_0_prime[1] = p_0_prime1;
     p_0_prime[2] = p_0_prime2;
@@ -90,7 +108,7 @@ void chasles_instant_screw_pointf(
 /*
  * (3.70) chasles_instant_screw_point for a batch.
  *   verdict: holds under; assumes omega != 0
- *   29 operations; derivation sha256 8add5ae098bd1648bf2231d712391a8ce89357247f8df1a150855707c8b25192
+ *   35 operations; derivation sha256 8add5ae098bd1648bf2231d712391a8ce89357247f8df1a150855707c8b25192
  */
 void chasles_instant_screw_point_batch(
     size_t count,
@@ -113,7 +131,7 @@ void chasles_instant_screw_point_batch(
 /*
  * (3.70) chasles_instant_screw_pointf for a batch.
  *   verdict: holds under; assumes omega != 0
- *   29 operations; derivation sha256 8add5ae098bd1648bf2231d712391a8ce89357247f8df1a150855707c8b25192
+ *   35 operations; derivation sha256 8add5ae098bd1648bf2231d712391a8ce89357247f8df1a150855707c8b25192
  */
 void chasles_instant_screw_point_batchf(
     size_t count,

@@ -144,7 +144,7 @@ static const chasles_shape chasles_natural_invariants_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_natural_invariants_loop = {
-    sizeof(double), 0, 1, 3,
+    sizeof(double), 1, 1, 3,
     chasles_natural_invariants_loop_shapes,
     CHASLES_BLOCKS(chasles_natural_invariants_block),
 };
@@ -155,7 +155,7 @@ static const chasles_shape chasles_natural_invariants_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_natural_invariants_loopf = {
-    sizeof(float), 0, 1, 3,
+    sizeof(float), 1, 1, 3,
     chasles_natural_invariants_loopf_shapes,
     CHASLES_BLOCKS(chasles_natural_invariants_blockf),
 };
@@ -166,7 +166,7 @@ static const chasles_shape chasles_euler_rodrigues_parameters_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_euler_rodrigues_parameters_loop = {
-    sizeof(double), 0, 1, 3,
+    sizeof(double), 1, 1, 3,
     chasles_euler_rodrigues_parameters_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_parameters_block),
 };
@@ -177,7 +177,7 @@ static const chasles_shape chasles_euler_rodrigues_parameters_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_euler_rodrigues_parameters_loopf = {
-    sizeof(float), 0, 1, 3,
+    sizeof(float), 1, 1, 3,
     chasles_euler_rodrigues_parameters_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_parameters_blockf),
 };
@@ -191,7 +191,7 @@ static const chasles_shape chasles_screw_of_motion_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_screw_of_motion_loop = {
-    sizeof(double), 0, 3, 6,
+    sizeof(double), 1, 3, 6,
     chasles_screw_of_motion_loop_shapes,
     CHASLES_BLOCKS(chasles_screw_of_motion_block),
 };
@@ -205,7 +205,7 @@ static const chasles_shape chasles_screw_of_motion_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_screw_of_motion_loopf = {
-    sizeof(float), 0, 3, 6,
+    sizeof(float), 1, 3, 6,
     chasles_screw_of_motion_loopf_shapes,
     CHASLES_BLOCKS(chasles_screw_of_motion_blockf),
 };
@@ -1172,12 +1172,8 @@ void chasles_linear_invariants_batchf(
  *   verdict     holds under
  *   assumes     Q is a rotation
  *               phi != 0
- *   operations  53: 21 add, 6 subtract, 18 multiply, 5 divide, 2 square root, 1 arctangent2
- *   error bound e: 11.16 u of itself, for every rotation Q, beside the case that is taken
- *               phi: 24.99 u of itself, for every rotation Q, beside the case that is taken; u =
- *                 2^-53, in single precision 2^-24
- *               supposed: every operation rounded to nearest, with or without FMA, arctangent within 1
- *                 ulp
+ *   operations  63: 23 add, 7 subtract, 22 multiply, 8 divide, 2 square root, 1 arctangent2
+ *   error bound not proved: it chooses between cases by values that are rounded
  *   derivation  sha256 167078e6ba9dff78870c0f0ddc85370ad11a1b0b824ddf316c3c9f19bd756081
  */
 void chasles_natural_invariants(const double Q[9], double e[3], double *phi)
@@ -1188,60 +1184,66 @@ void chasles_natural_invariants(const double Q[9], double e[3], double *phi)
     const double t4 = 1.0 + 2.0 * Q[8] - t3;
     const double t5 = t1 * t1;
     const double t6 = t2 * t2;
-    const double t7 = t5 + t6 + t4 * t4;
-    const double t8 = Q[1] + Q[3];
-    const double t9 = 1.0 + 2.0 * Q[4] - t3;
-    const double t10 = t8 * t8;
-    const double t11 = t6 + (t10 + t9 * t9);
-    const double t12 = Q[7] - Q[5];
-    const double t13 = Q[2] - Q[6];
-    const double t14 = Q[3] - Q[1];
-    const double t15 = t13 * t13;
-    const double t16 = t11 + t15;
-    const double t17 = t14 * t14;
-    const double t18 = t7 + t17;
-    const int t19 = t16 < t18;
-    const double t20 = t19 ? t1 : t8;
-    const double t21 = t19 ? t7 : t11;
-    const double t22 = t19 ? t2 : t9;
-    const double t23 = t19 ? t4 : t2;
-    const double t24 = 1.0 + 2.0 * Q[0] - t3;
-    const double t25 = t5 + (t10 + t24 * t24);
-    const double t26 = t12 * t12;
-    const double t27 = t25 + t26;
-    const int t28 = t27 < t18;
-    const int t29 = t27 < t16;
-    const double t30 = t29 ? t20 : (t28 ? t20 : t24);
-    const double t31 = t29 ? t21 : (t28 ? t21 : t25);
-    const double t32 = t29 ? t22 : (t28 ? t22 : t8);
-    const double t33 = t29 ? t23 : (t28 ? t23 : t1);
-    const double t34 = t17 + (t15 + t26);
-    const double t35 = 1.0 + t3;
-    const double t36 = t34 + t35 * t35;
-    const int t37 = t36 < t18;
-    const int t38 = t36 < t16;
-    const int t39 = t36 < t27;
-    const double t40 = t39 ? t31 : (t38 ? t31 : (t37 ? t31 : t34));
-    const double t41 = sqrt(t40);
-    const int t42 = t40 == 0.0;
-    const double t43 = (t42 ? 0.0 : (t39 ? t30 : (t38 ? t30 : (t37 ? t30 : t12)))) / t41;
-    const double t44 = (t42 ? 0.0 : (t39 ? t32 : (t38 ? t32 : (t37 ? t32 : t13)))) / t41;
-    const double t45 = (t42 ? 0.0 : (t39 ? t33 : (t38 ? t33 : (t37 ? t33 : t14)))) / t41;
-    const double t46 = t19 ? t14 : t13;
-    const double t47 = t19 ? t18 : t16;
-    const double t48 = t29 ? t46 : (t28 ? t46 : t12);
-    const double t49 = t29 ? t47 : (t28 ? t47 : t27);
-    const double t50 = t39 ? t49 : (t38 ? t49 : (t37 ? t49 : t36));
-    const double t51 = sqrt(t50);
-    const int t52 = t50 == 0.0;
-    const double t53 = (t52 ? 0.0 : (t39 ? t48 : (t38 ? t48 : (t37 ? t48 : t35)))) / t51;
-    const double t54 = t44 < 0.0 ? -1.0 : (0.0 < t44 ? 1.0 : (t45 < 0.0 ? -1.0 : 1.0));
-    const double t55 = 0.0 < t53 ? 1.0 : (t43 < 0.0 ? -1.0 : (0.0 < t43 ? 1.0 : t54));
-    const double t56 = t53 < 0.0 ? -1.0 : t55;
-    const double e0 = t43 * t56;
-    const double e1 = t44 * t56;
-    const double e2 = t45 * t56;
-    const double phi_value = 2.0 * atan2((t52 ? 0.0 : t41) / t51, t53 * t56);
+    const double t7 = Q[1] + Q[3];
+    const double t8 = 1.0 + 2.0 * Q[4] - t3;
+    const double t9 = t7 * t7;
+    const double t10 = Q[7] - Q[5];
+    const double t11 = Q[2] - Q[6];
+    const double t12 = Q[3] - Q[1];
+    const double t13 = t11 * t11;
+    const double t14 = t6 + (t9 + t8 * t8) + t13;
+    const double t15 = t12 * t12;
+    const double t16 = t5 + t6 + t4 * t4 + t15;
+    const int t17 = t14 < t16;
+    const double t18 = t17 ? t1 : t7;
+    const double t19 = t17 ? t2 : t8;
+    const double t20 = t17 ? t4 : t2;
+    const double t21 = 1.0 + 2.0 * Q[0] - t3;
+    const double t22 = t10 * t10;
+    const double t23 = t5 + (t9 + t21 * t21) + t22;
+    const int t24 = t23 < t16;
+    const int t25 = t23 < t14;
+    const double t26 = t25 ? t18 : (t24 ? t18 : t21);
+    const double t27 = t25 ? t19 : (t24 ? t19 : t7);
+    const double t28 = t25 ? t20 : (t24 ? t20 : t1);
+    const double t29 = 1.0 + t3;
+    const double t30 = t15 + (t13 + t22) + t29 * t29;
+    const int t31 = t30 < t16;
+    const int t32 = t30 < t14;
+    const int t33 = t30 < t23;
+    const double t34 = t33 ? t26 : (t32 ? t26 : (t31 ? t26 : t10));
+    const double t35 = t33 ? t27 : (t32 ? t27 : (t31 ? t27 : t11));
+    const double t36 = t33 ? t28 : (t32 ? t28 : (t31 ? t28 : t12));
+    const double t37 = t34 < 0.0 ? -t34 : t34;
+    const double t38 = t35 < 0.0 ? -t35 : t35;
+    const double t39 = t37 < t38 ? t38 : t37;
+    const double t40 = t36 < 0.0 ? -t36 : t36;
+    const double t41 = t39 < t40 ? t40 : t39;
+    const double t42 = 0.0 == t41 ? 1.0 : t41;
+    const double t43 = t34 / t42;
+    const double t44 = t35 / t42;
+    const double t45 = t36 / t42;
+    const double t46 = t43 * t43 + t44 * t44 + t45 * t45;
+    const double t47 = sqrt(t46);
+    const int t48 = t46 == 0.0;
+    const double t49 = (t48 ? 0.0 : t43) / t47;
+    const double t50 = (t48 ? 0.0 : t44) / t47;
+    const double t51 = (t48 ? 0.0 : t45) / t47;
+    const double t52 = t17 ? t12 : t11;
+    const double t53 = t17 ? t16 : t14;
+    const double t54 = t25 ? t52 : (t24 ? t52 : t10);
+    const double t55 = t25 ? t53 : (t24 ? t53 : t23);
+    const double t56 = t33 ? t55 : (t32 ? t55 : (t31 ? t55 : t30));
+    const double t57 = sqrt(t56);
+    const int t58 = t56 == 0.0;
+    const double t59 = (t58 ? 0.0 : (t33 ? t54 : (t32 ? t54 : (t31 ? t54 : t29)))) / t57;
+    const double t60 = t50 < 0.0 ? -1.0 : (0.0 < t50 ? 1.0 : (t51 < 0.0 ? -1.0 : 1.0));
+    const double t61 = 0.0 < t59 ? 1.0 : (t49 < 0.0 ? -1.0 : (0.0 < t49 ? 1.0 : t60));
+    const double t62 = 0.0 == t30 - t30 ? (t59 < 0.0 ? -1.0 : t61) : NAN;
+    const double e0 = t49 * t62;
+    const double e1 = t50 * t62;
+    const double e2 = t51 * t62;
+    const double phi_value = 2.0 * atan2(t42 * ((t58 ? 0.0 : t47) / t57), t59 * t62);
     e[0] = e0;
     e[1] = e1;
     e[2] = e2;
@@ -1251,7 +1253,7 @@ void chasles_natural_invariants(const double Q[9], double e[3], double *phi)
 /*
  * text 3.4.2 h chasles_natural_invariants in single precision.
  *   verdict: holds under; assumes Q is a rotation, phi != 0
- *   53 operations; derivation sha256 167078e6ba9dff78870c0f0ddc85370ad11a1b0b824ddf316c3c9f19bd756081
+ *   63 operations; derivation sha256 167078e6ba9dff78870c0f0ddc85370ad11a1b0b824ddf316c3c9f19bd756081
  */
 void chasles_natural_invariantsf(const float Q[9], float e[3], float *phi)
 {
@@ -1261,60 +1263,66 @@ void chasles_natural_invariantsf(const float Q[9], float e[3], float *phi)
     const float t4 = 1.0f + 2.0f * Q[8] - t3;
     const float t5 = t1 * t1;
     const float t6 = t2 * t2;
-    const float t7 = t5 + t6 + t4 * t4;
-    const float t8 = Q[1] + Q[3];
-    const float t9 = 1.0f + 2.0f * Q[4] - t3;
-    const float t10 = t8 * t8;
-    const float t11 = t6 + (t10 + t9 * t9);
-    const float t12 = Q[7] - Q[5];
-    const float t13 = Q[2] - Q[6];
-    const float t14 = Q[3] - Q[1];
-    const float t15 = t13 * t13;
-    const float t16 = t11 + t15;
-    const float t17 = t14 * t14;
-    const float t18 = t7 + t17;
-    const int t19 = t16 < t18;
-    const float t20 = t19 ? t1 : t8;
-    const float t21 = t19 ? t7 : t11;
-    const float t22 = t19 ? t2 : t9;
-    const float t23 = t19 ? t4 : t2;
-    const float t24 = 1.0f + 2.0f * Q[0] - t3;
-    const float t25 = t5 + (t10 + t24 * t24);
-    const float t26 = t12 * t12;
-    const float t27 = t25 + t26;
-    const int t28 = t27 < t18;
-    const int t29 = t27 < t16;
-    const float t30 = t29 ? t20 : (t28 ? t20 : t24);
-    const float t31 = t29 ? t21 : (t28 ? t21 : t25);
-    const float t32 = t29 ? t22 : (t28 ? t22 : t8);
-    const float t33 = t29 ? t23 : (t28 ? t23 : t1);
-    const float t34 = t17 + (t15 + t26);
-    const float t35 = 1.0f + t3;
-    const float t36 = t34 + t35 * t35;
-    const int t37 = t36 < t18;
-    const int t38 = t36 < t16;
-    const int t39 = t36 < t27;
-    const float t40 = t39 ? t31 : (t38 ? t31 : (t37 ? t31 : t34));
-    const float t41 = sqrtf(t40);
-    const int t42 = t40 == 0.0f;
-    const float t43 = (t42 ? 0.0f : (t39 ? t30 : (t38 ? t30 : (t37 ? t30 : t12)))) / t41;
-    const float t44 = (t42 ? 0.0f : (t39 ? t32 : (t38 ? t32 : (t37 ? t32 : t13)))) / t41;
-    const float t45 = (t42 ? 0.0f : (t39 ? t33 : (t38 ? t33 : (t37 ? t33 : t14)))) / t41;
-    const float t46 = t19 ? t14 : t13;
-    const float t47 = t19 ? t18 : t16;
-    const float t48 = t29 ? t46 : (t28 ? t46 : t12);
-    const float t49 = t29 ? t47 : (t28 ? t47 : t27);
-    const float t50 = t39 ? t49 : (t38 ? t49 : (t37 ? t49 : t36));
-    const float t51 = sqrtf(t50);
-    const int t52 = t50 == 0.0f;
-    const float t53 = (t52 ? 0.0f : (t39 ? t48 : (t38 ? t48 : (t37 ? t48 : t35)))) / t51;
-    const float t54 = t44 < 0.0f ? -1.0f : (0.0f < t44 ? 1.0f : (t45 < 0.0f ? -1.0f : 1.0f));
-    const float t55 = 0.0f < t53 ? 1.0f : (t43 < 0.0f ? -1.0f : (0.0f < t43 ? 1.0f : t54));
-    const float t56 = t53 < 0.0f ? -1.0f : t55;
-    const float e0 = t43 * t56;
-    const float e1 = t44 * t56;
-    const float e2 = t45 * t56;
-    const float phi_value = 2.0f * atan2f((t52 ? 0.0f : t41) / t51, t53 * t56);
+    const float t7 = Q[1] + Q[3];
+    const float t8 = 1.0f + 2.0f * Q[4] - t3;
+    const float t9 = t7 * t7;
+    const float t10 = Q[7] - Q[5];
+    const float t11 = Q[2] - Q[6];
+    const float t12 = Q[3] - Q[1];
+    const float t13 = t11 * t11;
+    const float t14 = t6 + (t9 + t8 * t8) + t13;
+    const float t15 = t12 * t12;
+    const float t16 = t5 + t6 + t4 * t4 + t15;
+    const int t17 = t14 < t16;
+    const float t18 = t17 ? t1 : t7;
+    const float t19 = t17 ? t2 : t8;
+    const float t20 = t17 ? t4 : t2;
+    const float t21 = 1.0f + 2.0f * Q[0] - t3;
+    const float t22 = t10 * t10;
+    const float t23 = t5 + (t9 + t21 * t21) + t22;
+    const int t24 = t23 < t16;
+    const int t25 = t23 < t14;
+    const float t26 = t25 ? t18 : (t24 ? t18 : t21);
+    const float t27 = t25 ? t19 : (t24 ? t19 : t7);
+    const float t28 = t25 ? t20 : (t24 ? t20 : t1);
+    const float t29 = 1.0f + t3;
+    const float t30 = t15 + (t13 + t22) + t29 * t29;
+    const int t31 = t30 < t16;
+    const int t32 = t30 < t14;
+    const int t33 = t30 < t23;
+    const float t34 = t33 ? t26 : (t32 ? t26 : (t31 ? t26 : t10));
+    const float t35 = t33 ? t27 : (t32 ? t27 : (t31 ? t27 : t11));
+    const float t36 = t33 ? t28 : (t32 ? t28 : (t31 ? t28 : t12));
+    const float t37 = t34 < 0.0f ? -t34 : t34;
+    const float t38 = t35 < 0.0f ? -t35 : t35;
+    const float t39 = t37 < t38 ? t38 : t37;
+    const float t40 = t36 < 0.0f ? -t36 : t36;
+    const float t41 = t39 < t40 ? t40 : t39;
+    const float t42 = 0.0f == t41 ? 1.0f : t41;
+    const float t43 = t34 / t42;
+    const float t44 = t35 / t42;
+    const float t45 = t36 / t42;
+    const float t46 = t43 * t43 + t44 * t44 + t45 * t45;
+    const float t47 = sqrtf(t46);
+    const int t48 = t46 == 0.0f;
+    const float t49 = (t48 ? 0.0f : t43) / t47;
+    const float t50 = (t48 ? 0.0f : t44) / t47;
+    const float t51 = (t48 ? 0.0f : t45) / t47;
+    const float t52 = t17 ? t12 : t11;
+    const float t53 = t17 ? t16 : t14;
+    const float t54 = t25 ? t52 : (t24 ? t52 : t10);
+    const float t55 = t25 ? t53 : (t24 ? t53 : t23);
+    const float t56 = t33 ? t55 : (t32 ? t55 : (t31 ? t55 : t30));
+    const float t57 = sqrtf(t56);
+    const int t58 = t56 == 0.0f;
+    const float t59 = (t58 ? 0.0f : (t33 ? t54 : (t32 ? t54 : (t31 ? t54 : t29)))) / t57;
+    const float t60 = t50 < 0.0f ? -1.0f : (0.0f < t50 ? 1.0f : (t51 < 0.0f ? -1.0f : 1.0f));
+    const float t61 = 0.0f < t59 ? 1.0f : (t49 < 0.0f ? -1.0f : (0.0f < t49 ? 1.0f : t60));
+    const float t62 = 0.0f == t30 - t30 ? (t59 < 0.0f ? -1.0f : t61) : NAN;
+    const float e0 = t49 * t62;
+    const float e1 = t50 * t62;
+    const float e2 = t51 * t62;
+    const float phi_value = 2.0f * atan2f(t42 * ((t58 ? 0.0f : t47) / t57), t59 * t62);
     e[0] = e0;
     e[1] = e1;
     e[2] = e2;
@@ -1324,7 +1332,7 @@ void chasles_natural_invariantsf(const float Q[9], float e[3], float *phi)
 /*
  * text 3.4.2 h chasles_natural_invariants for a batch.
  *   verdict: holds under; assumes Q is a rotation, phi != 0
- *   53 operations; derivation sha256 167078e6ba9dff78870c0f0ddc85370ad11a1b0b824ddf316c3c9f19bd756081
+ *   63 operations; derivation sha256 167078e6ba9dff78870c0f0ddc85370ad11a1b0b824ddf316c3c9f19bd756081
  */
 void chasles_natural_invariants_batch(
     size_t count,
@@ -1342,7 +1350,7 @@ void chasles_natural_invariants_batch(
 /*
  * text 3.4.2 h chasles_natural_invariantsf for a batch.
  *   verdict: holds under; assumes Q is a rotation, phi != 0
- *   53 operations; derivation sha256 167078e6ba9dff78870c0f0ddc85370ad11a1b0b824ddf316c3c9f19bd756081
+ *   63 operations; derivation sha256 167078e6ba9dff78870c0f0ddc85370ad11a1b0b824ddf316c3c9f19bd756081
  */
 void chasles_natural_invariants_batchf(
     size_t count,
@@ -1364,11 +1372,8 @@ void chasles_natural_invariants_batchf(
  *               q_0: scalar part of four invariants of the rotation
  *   verdict     holds under
  *   assumes     Q is a rotation
- *   operations  49: 21 add, 6 subtract, 17 multiply, 4 divide, 1 square root
- *   error bound q: 11.66 u of itself, for every rotation Q, beside the case that is taken
- *               q_0: 9.34 u of itself, for every rotation Q, beside the case that is taken; u = 2^-53,
- *                 in single precision 2^-24
- *               supposed: every operation rounded to nearest, with or without FMA
+ *   operations  50: 21 add, 7 subtract, 17 multiply, 4 divide, 1 square root
+ *   error bound not proved: it chooses between cases by values that are rounded
  *   derivation  sha256 acb16a335b8480158c7d6e339e4c3de8c51cf3bffd9594c8aa4b639840b77580
  */
 void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *q_0)
@@ -1419,7 +1424,7 @@ void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *
     const double t44 = (t38 ? 0.0 : (t35 ? t43 : (t34 ? t43 : (t33 ? t43 : t31)))) / t37;
     const double t45 = t40 < 0.0 ? -1.0 : (0.0 < t40 ? 1.0 : (t41 < 0.0 ? -1.0 : 1.0));
     const double t46 = 0.0 < t44 ? 1.0 : (t39 < 0.0 ? -1.0 : (0.0 < t39 ? 1.0 : t45));
-    const double t47 = t44 < 0.0 ? -1.0 : t46;
+    const double t47 = 0.0 == t32 - t32 ? (t44 < 0.0 ? -1.0 : t46) : NAN;
     const double q0 = t39 * t47;
     const double q1 = t40 * t47;
     const double q2 = t41 * t47;
@@ -1433,7 +1438,7 @@ void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parameters in single precision.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 acb16a335b8480158c7d6e339e4c3de8c51cf3bffd9594c8aa4b639840b77580
+ *   50 operations; derivation sha256 acb16a335b8480158c7d6e339e4c3de8c51cf3bffd9594c8aa4b639840b77580
  */
 void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_0)
 {
@@ -1483,7 +1488,7 @@ void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_
     const float t44 = (t38 ? 0.0f : (t35 ? t43 : (t34 ? t43 : (t33 ? t43 : t31)))) / t37;
     const float t45 = t40 < 0.0f ? -1.0f : (0.0f < t40 ? 1.0f : (t41 < 0.0f ? -1.0f : 1.0f));
     const float t46 = 0.0f < t44 ? 1.0f : (t39 < 0.0f ? -1.0f : (0.0f < t39 ? 1.0f : t45));
-    const float t47 = t44 < 0.0f ? -1.0f : t46;
+    const float t47 = 0.0f == t32 - t32 ? (t44 < 0.0f ? -1.0f : t46) : NAN;
     const float q0 = t39 * t47;
     const float q1 = t40 * t47;
     const float q2 = t41 * t47;
@@ -1497,7 +1502,7 @@ void chasles_euler_rodrigues_parametersf(const float Q[9], float q[3], float *q_
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parameters for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 acb16a335b8480158c7d6e339e4c3de8c51cf3bffd9594c8aa4b639840b77580
+ *   50 operations; derivation sha256 acb16a335b8480158c7d6e339e4c3de8c51cf3bffd9594c8aa4b639840b77580
  */
 void chasles_euler_rodrigues_parameters_batch(
     size_t count,
@@ -1515,7 +1520,7 @@ void chasles_euler_rodrigues_parameters_batch(
 /*
  * text 3.4.2 i chasles_euler_rodrigues_parametersf for a batch.
  *   verdict: holds under; assumes Q is a rotation
- *   49 operations; derivation sha256 acb16a335b8480158c7d6e339e4c3de8c51cf3bffd9594c8aa4b639840b77580
+ *   50 operations; derivation sha256 acb16a335b8480158c7d6e339e4c3de8c51cf3bffd9594c8aa4b639840b77580
  */
 void chasles_euler_rodrigues_parameters_batchf(
     size_t count,
@@ -1542,15 +1547,8 @@ void chasles_euler_rodrigues_parameters_batchf(
  *   assumes     Q is a rotation
  *               phi != 0
  *   made of     an offered form, proved equal to the statement
- *   operations  101: 29 add, 18 subtract, 45 multiply, 6 divide, 2 square root, 1 arctangent2
- *   error bound axis: 53.30 u of the sum of its terms' sizes, for every rotation Q, beside the case
- *                 that is taken
- *               d_0: 15.16 u of the sum of its terms' sizes, for every rotation Q, beside the case
- *                 that is taken
- *               phi: 24.99 u of itself, for every rotation Q, beside the case that is taken; u =
- *                 2^-53, in single precision 2^-24
- *               supposed: every operation rounded to nearest, with or without FMA, arctangent within 1
- *                 ulp
+ *   operations  114: 31 add, 19 subtract, 49 multiply, 12 divide, 2 square root, 1 arctangent2
+ *   error bound not proved: it chooses between cases by values that are rounded
  *   derivation  sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
  */
 void chasles_screw_of_motion(
@@ -1567,76 +1565,85 @@ void chasles_screw_of_motion(
     const double t4 = 1.0 + 2.0 * Q[8] - t3;
     const double t5 = t1 * t1;
     const double t6 = t2 * t2;
-    const double t7 = t5 + t6 + t4 * t4;
-    const double t8 = Q[1] + Q[3];
-    const double t9 = 1.0 + 2.0 * Q[4] - t3;
-    const double t10 = t8 * t8;
-    const double t11 = t6 + (t10 + t9 * t9);
-    const double t12 = Q[7] - Q[5];
-    const double t13 = Q[2] - Q[6];
-    const double t14 = Q[3] - Q[1];
-    const double t15 = t13 * t13;
-    const double t16 = t11 + t15;
-    const double t17 = t14 * t14;
-    const double t18 = t7 + t17;
-    const int t19 = t16 < t18;
-    const double t20 = t19 ? t1 : t8;
-    const double t21 = t19 ? t7 : t11;
-    const double t22 = t19 ? t2 : t9;
-    const double t23 = t19 ? t4 : t2;
-    const double t24 = 1.0 + 2.0 * Q[0] - t3;
-    const double t25 = t5 + (t10 + t24 * t24);
-    const double t26 = t12 * t12;
-    const double t27 = t25 + t26;
-    const int t28 = t27 < t18;
-    const int t29 = t27 < t16;
-    const double t30 = t29 ? t20 : (t28 ? t20 : t24);
-    const double t31 = t29 ? t21 : (t28 ? t21 : t25);
-    const double t32 = t29 ? t22 : (t28 ? t22 : t8);
-    const double t33 = t29 ? t23 : (t28 ? t23 : t1);
-    const double t34 = t17 + (t15 + t26);
-    const double t35 = 1.0 + t3;
-    const double t36 = t34 + t35 * t35;
-    const int t37 = t36 < t18;
-    const int t38 = t36 < t16;
-    const int t39 = t36 < t27;
-    const double t40 = t39 ? t31 : (t38 ? t31 : (t37 ? t31 : t34));
-    const double t41 = sqrt(t40);
-    const int t42 = t40 == 0.0;
-    const double t43 = (t42 ? 0.0 : (t39 ? t30 : (t38 ? t30 : (t37 ? t30 : t12)))) / t41;
-    const double t44 = (t42 ? 0.0 : (t39 ? t32 : (t38 ? t32 : (t37 ? t32 : t13)))) / t41;
-    const double t45 = (t42 ? 0.0 : (t39 ? t33 : (t38 ? t33 : (t37 ? t33 : t14)))) / t41;
-    const double t46 = t19 ? t14 : t13;
-    const double t47 = t19 ? t18 : t16;
-    const double t48 = t29 ? t46 : (t28 ? t46 : t12);
-    const double t49 = t29 ? t47 : (t28 ? t47 : t27);
-    const double t50 = t39 ? t49 : (t38 ? t49 : (t37 ? t49 : t36));
-    const double t51 = sqrt(t50);
-    const int t52 = t50 == 0.0;
-    const double t53 = (t52 ? 0.0 : (t39 ? t48 : (t38 ? t48 : (t37 ? t48 : t35)))) / t51;
-    const double t54 = (t52 ? 0.0 : t41) / t51;
-    const double t55 = t44 < 0.0 ? -1.0 : (0.0 < t44 ? 1.0 : (t45 < 0.0 ? -1.0 : 1.0));
-    const double t56 = 0.0 < t53 ? 1.0 : (t43 < 0.0 ? -1.0 : (0.0 < t43 ? 1.0 : t55));
-    const double t57 = t53 < 0.0 ? -1.0 : t56;
-    const double axis0 = t43 * t57;
-    const double axis1 = t44 * t57;
-    const double axis2 = t45 * t57;
-    const double t58 = a[0] + a_prime[0];
-    const double t59 = a[1] + a_prime[1];
-    const double t60 = a[2] + a_prime[2];
-    const double t61 = a_prime[0] - a[0];
-    const double t62 = a_prime[1] - a[1];
-    const double t63 = a_prime[2] - a[2];
-    const double t64 = axis1 * t63 - axis2 * t62;
-    const double t65 = axis2 * t61 - axis0 * t63;
-    const double t66 = axis0 * t62 - axis1 * t61;
-    const double t67 = t53 * t57;
-    const double t68 = (t54 == 0.0 ? 0.0 : t67) / t54;
-    const double axis3 = 0.5 * (axis2 * t59 - axis1 * t60 + (axis2 * t65 - axis1 * t66) * t68);
-    const double axis4 = 0.5 * (axis0 * t60 - axis2 * t58 + (axis0 * t66 - axis2 * t64) * t68);
-    const double axis5 = 0.5 * (axis1 * t58 - axis0 * t59 + (axis1 * t64 - axis0 * t65) * t68);
-    const double d_0_value = axis0 * t61 + axis1 * t62 + axis2 * t63;
-    const double phi_value = 2.0 * atan2(t54, t67);
+    const double t7 = Q[1] + Q[3];
+    const double t8 = 1.0 + 2.0 * Q[4] - t3;
+    const double t9 = t7 * t7;
+    const double t10 = Q[7] - Q[5];
+    const double t11 = Q[2] - Q[6];
+    const double t12 = Q[3] - Q[1];
+    const double t13 = t11 * t11;
+    const double t14 = t6 + (t9 + t8 * t8) + t13;
+    const double t15 = t12 * t12;
+    const double t16 = t5 + t6 + t4 * t4 + t15;
+    const int t17 = t14 < t16;
+    const double t18 = t17 ? t1 : t7;
+    const double t19 = t17 ? t2 : t8;
+    const double t20 = t17 ? t4 : t2;
+    const double t21 = 1.0 + 2.0 * Q[0] - t3;
+    const double t22 = t10 * t10;
+    const double t23 = t5 + (t9 + t21 * t21) + t22;
+    const int t24 = t23 < t16;
+    const int t25 = t23 < t14;
+    const double t26 = t25 ? t18 : (t24 ? t18 : t21);
+    const double t27 = t25 ? t19 : (t24 ? t19 : t7);
+    const double t28 = t25 ? t20 : (t24 ? t20 : t1);
+    const double t29 = 1.0 + t3;
+    const double t30 = t15 + (t13 + t22) + t29 * t29;
+    const int t31 = t30 < t16;
+    const int t32 = t30 < t14;
+    const int t33 = t30 < t23;
+    const double t34 = t33 ? t26 : (t32 ? t26 : (t31 ? t26 : t10));
+    const double t35 = t33 ? t27 : (t32 ? t27 : (t31 ? t27 : t11));
+    const double t36 = t33 ? t28 : (t32 ? t28 : (t31 ? t28 : t12));
+    const double t37 = t34 < 0.0 ? -t34 : t34;
+    const double t38 = t35 < 0.0 ? -t35 : t35;
+    const double t39 = t37 < t38 ? t38 : t37;
+    const double t40 = t36 < 0.0 ? -t36 : t36;
+    const double t41 = t39 < t40 ? t40 : t39;
+    const double t42 = 0.0 == t41 ? 1.0 : t41;
+    const double t43 = t34 / t42;
+    const double t44 = t35 / t42;
+    const double t45 = t36 / t42;
+    const double t46 = t43 * t43 + t44 * t44 + t45 * t45;
+    const double t47 = sqrt(t46);
+    const int t48 = t46 == 0.0;
+    const double t49 = (t48 ? 0.0 : t43) / t47;
+    const double t50 = (t48 ? 0.0 : t44) / t47;
+    const double t51 = (t48 ? 0.0 : t45) / t47;
+    const double t52 = t17 ? t12 : t11;
+    const double t53 = t17 ? t16 : t14;
+    const double t54 = t25 ? t52 : (t24 ? t52 : t10);
+    const double t55 = t25 ? t53 : (t24 ? t53 : t23);
+    const double t56 = t33 ? t55 : (t32 ? t55 : (t31 ? t55 : t30));
+    const double t57 = sqrt(t56);
+    const int t58 = t56 == 0.0;
+    const double t59 = (t58 ? 0.0 : (t33 ? t54 : (t32 ? t54 : (t31 ? t54 : t29)))) / t57;
+    const double t60 = (t58 ? 0.0 : t47) / t57;
+    const double t61 = t50 < 0.0 ? -1.0 : (0.0 < t50 ? 1.0 : (t51 < 0.0 ? -1.0 : 1.0));
+    const double t62 = 0.0 < t59 ? 1.0 : (t49 < 0.0 ? -1.0 : (0.0 < t49 ? 1.0 : t61));
+    const double t63 = 0.0 == t30 - t30 ? (t59 < 0.0 ? -1.0 : t62) : NAN;
+    const double axis0 = t49 * t63;
+    const double axis1 = t50 * t63;
+    const double axis2 = t51 * t63;
+    const double t64 = a[0] + a_prime[0];
+    const double t65 = a[1] + a_prime[1];
+    const double t66 = a[2] + a_prime[2];
+    const double t67 = a_prime[0] - a[0];
+    const double t68 = a_prime[1] - a[1];
+    const double t69 = a_prime[2] - a[2];
+    const double t70 = axis1 * t69 - axis2 * t68;
+    const double t71 = axis2 * t67 - axis0 * t69;
+    const double t72 = axis0 * t68 - axis1 * t67;
+    const double t73 = t59 * t63;
+    const double t74 = (t60 == 0.0 ? 0.0 : t73) / t60;
+    const double t75 = axis2 * t65 - axis1 * t66 + (axis2 * t71 - axis1 * t72) * t74 / t42;
+    const double axis3 = 0.5 * t75;
+    const double t76 = axis0 * t66 - axis2 * t64 + (axis0 * t72 - axis2 * t70) * t74 / t42;
+    const double axis4 = 0.5 * t76;
+    const double t77 = axis1 * t64 - axis0 * t65 + (axis1 * t70 - axis0 * t71) * t74 / t42;
+    const double axis5 = 0.5 * t77;
+    const double d_0_value = axis0 * t67 + axis1 * t68 + axis2 * t69;
+    const double phi_value = 2.0 * atan2(t42 * t60, t73);
     axis[0] = axis0;
     axis[1] = axis1;
     axis[2] = axis2;
@@ -1650,7 +1657,7 @@ void chasles_screw_of_motion(
 /*
  * text 3.4.2 j chasles_screw_of_motion in single precision.
  *   verdict: holds under; assumes Q is a rotation, phi != 0
- *   101 operations; derivation sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
+ *   114 operations; derivation sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
  */
 void chasles_screw_of_motionf(
     const float Q[9],
@@ -1666,76 +1673,85 @@ void chasles_screw_of_motionf(
     const float t4 = 1.0f + 2.0f * Q[8] - t3;
     const float t5 = t1 * t1;
     const float t6 = t2 * t2;
-    const float t7 = t5 + t6 + t4 * t4;
-    const float t8 = Q[1] + Q[3];
-    const float t9 = 1.0f + 2.0f * Q[4] - t3;
-    const float t10 = t8 * t8;
-    const float t11 = t6 + (t10 + t9 * t9);
-    const float t12 = Q[7] - Q[5];
-    const float t13 = Q[2] - Q[6];
-    const float t14 = Q[3] - Q[1];
-    const float t15 = t13 * t13;
-    const float t16 = t11 + t15;
-    const float t17 = t14 * t14;
-    const float t18 = t7 + t17;
-    const int t19 = t16 < t18;
-    const float t20 = t19 ? t1 : t8;
-    const float t21 = t19 ? t7 : t11;
-    const float t22 = t19 ? t2 : t9;
-    const float t23 = t19 ? t4 : t2;
-    const float t24 = 1.0f + 2.0f * Q[0] - t3;
-    const float t25 = t5 + (t10 + t24 * t24);
-    const float t26 = t12 * t12;
-    const float t27 = t25 + t26;
-    const int t28 = t27 < t18;
-    const int t29 = t27 < t16;
-    const float t30 = t29 ? t20 : (t28 ? t20 : t24);
-    const float t31 = t29 ? t21 : (t28 ? t21 : t25);
-    const float t32 = t29 ? t22 : (t28 ? t22 : t8);
-    const float t33 = t29 ? t23 : (t28 ? t23 : t1);
-    const float t34 = t17 + (t15 + t26);
-    const float t35 = 1.0f + t3;
-    const float t36 = t34 + t35 * t35;
-    const int t37 = t36 < t18;
-    const int t38 = t36 < t16;
-    const int t39 = t36 < t27;
-    const float t40 = t39 ? t31 : (t38 ? t31 : (t37 ? t31 : t34));
-    const float t41 = sqrtf(t40);
-    const int t42 = t40 == 0.0f;
-    const float t43 = (t42 ? 0.0f : (t39 ? t30 : (t38 ? t30 : (t37 ? t30 : t12)))) / t41;
-    const float t44 = (t42 ? 0.0f : (t39 ? t32 : (t38 ? t32 : (t37 ? t32 : t13)))) / t41;
-    const float t45 = (t42 ? 0.0f : (t39 ? t33 : (t38 ? t33 : (t37 ? t33 : t14)))) / t41;
-    const float t46 = t19 ? t14 : t13;
-    const float t47 = t19 ? t18 : t16;
-    const float t48 = t29 ? t46 : (t28 ? t46 : t12);
-    const float t49 = t29 ? t47 : (t28 ? t47 : t27);
-    const float t50 = t39 ? t49 : (t38 ? t49 : (t37 ? t49 : t36));
-    const float t51 = sqrtf(t50);
-    const int t52 = t50 == 0.0f;
-    const float t53 = (t52 ? 0.0f : (t39 ? t48 : (t38 ? t48 : (t37 ? t48 : t35)))) / t51;
-    const float t54 = (t52 ? 0.0f : t41) / t51;
-    const float t55 = t44 < 0.0f ? -1.0f : (0.0f < t44 ? 1.0f : (t45 < 0.0f ? -1.0f : 1.0f));
-    const float t56 = 0.0f < t53 ? 1.0f : (t43 < 0.0f ? -1.0f : (0.0f < t43 ? 1.0f : t55));
-    const float t57 = t53 < 0.0f ? -1.0f : t56;
-    const float axis0 = t43 * t57;
-    const float axis1 = t44 * t57;
-    const float axis2 = t45 * t57;
-    const float t58 = a[0] + a_prime[0];
-    const float t59 = a[1] + a_prime[1];
-    const float t60 = a[2] + a_prime[2];
-    const float t61 = a_prime[0] - a[0];
-    const float t62 = a_prime[1] - a[1];
-    const float t63 = a_prime[2] - a[2];
-    const float t64 = axis1 * t63 - axis2 * t62;
-    const float t65 = axis2 * t61 - axis0 * t63;
-    const float t66 = axis0 * t62 - axis1 * t61;
-    const float t67 = t53 * t57;
-    const float t68 = (t54 == 0.0f ? 0.0f : t67) / t54;
-    const float axis3 = 0.5f * (axis2 * t59 - axis1 * t60 + (axis2 * t65 - axis1 * t66) * t68);
-    const float axis4 = 0.5f * (axis0 * t60 - axis2 * t58 + (axis0 * t66 - axis2 * t64) * t68);
-    const float axis5 = 0.5f * (axis1 * t58 - axis0 * t59 + (axis1 * t64 - axis0 * t65) * t68);
-    const float d_0_value = axis0 * t61 + axis1 * t62 + axis2 * t63;
-    const float phi_value = 2.0f * atan2f(t54, t67);
+    const float t7 = Q[1] + Q[3];
+    const float t8 = 1.0f + 2.0f * Q[4] - t3;
+    const float t9 = t7 * t7;
+    const float t10 = Q[7] - Q[5];
+    const float t11 = Q[2] - Q[6];
+    const float t12 = Q[3] - Q[1];
+    const float t13 = t11 * t11;
+    const float t14 = t6 + (t9 + t8 * t8) + t13;
+    const float t15 = t12 * t12;
+    const float t16 = t5 + t6 + t4 * t4 + t15;
+    const int t17 = t14 < t16;
+    const float t18 = t17 ? t1 : t7;
+    const float t19 = t17 ? t2 : t8;
+    const float t20 = t17 ? t4 : t2;
+    const float t21 = 1.0f + 2.0f * Q[0] - t3;
+    const float t22 = t10 * t10;
+    const float t23 = t5 + (t9 + t21 * t21) + t22;
+    const int t24 = t23 < t16;
+    const int t25 = t23 < t14;
+    const float t26 = t25 ? t18 : (t24 ? t18 : t21);
+    const float t27 = t25 ? t19 : (t24 ? t19 : t7);
+    const float t28 = t25 ? t20 : (t24 ? t20 : t1);
+    const float t29 = 1.0f + t3;
+    const float t30 = t15 + (t13 + t22) + t29 * t29;
+    const int t31 = t30 < t16;
+    const int t32 = t30 < t14;
+    const int t33 = t30 < t23;
+    const float t34 = t33 ? t26 : (t32 ? t26 : (t31 ? t26 : t10));
+    const float t35 = t33 ? t27 : (t32 ? t27 : (t31 ? t27 : t11));
+    const float t36 = t33 ? t28 : (t32 ? t28 : (t31 ? t28 : t12));
+    const float t37 = t34 < 0.0f ? -t34 : t34;
+    const float t38 = t35 < 0.0f ? -t35 : t35;
+    const float t39 = t37 < t38 ? t38 : t37;
+    const float t40 = t36 < 0.0f ? -t36 : t36;
+    const float t41 = t39 < t40 ? t40 : t39;
+    const float t42 = 0.0f == t41 ? 1.0f : t41;
+    const float t43 = t34 / t42;
+    const float t44 = t35 / t42;
+    const float t45 = t36 / t42;
+    const float t46 = t43 * t43 + t44 * t44 + t45 * t45;
+    const float t47 = sqrtf(t46);
+    const int t48 = t46 == 0.0f;
+    const float t49 = (t48 ? 0.0f : t43) / t47;
+    const float t50 = (t48 ? 0.0f : t44) / t47;
+    const float t51 = (t48 ? 0.0f : t45) / t47;
+    const float t52 = t17 ? t12 : t11;
+    const float t53 = t17 ? t16 : t14;
+    const float t54 = t25 ? t52 : (t24 ? t52 : t10);
+    const float t55 = t25 ? t53 : (t24 ? t53 : t23);
+    const float t56 = t33 ? t55 : (t32 ? t55 : (t31 ? t55 : t30));
+    const float t57 = sqrtf(t56);
+    const int t58 = t56 == 0.0f;
+    const float t59 = (t58 ? 0.0f : (t33 ? t54 : (t32 ? t54 : (t31 ? t54 : t29)))) / t57;
+    const float t60 = (t58 ? 0.0f : t47) / t57;
+    const float t61 = t50 < 0.0f ? -1.0f : (0.0f < t50 ? 1.0f : (t51 < 0.0f ? -1.0f : 1.0f));
+    const float t62 = 0.0f < t59 ? 1.0f : (t49 < 0.0f ? -1.0f : (0.0f < t49 ? 1.0f : t61));
+    const float t63 = 0.0f == t30 - t30 ? (t59 < 0.0f ? -1.0f : t62) : NAN;
+    const float axis0 = t49 * t63;
+    const float axis1 = t50 * t63;
+    const float axis2 = t51 * t63;
+    const float t64 = a[0] + a_prime[0];
+    const float t65 = a[1] + a_prime[1];
+    const float t66 = a[2] + a_prime[2];
+    const float t67 = a_prime[0] - a[0];
+    const float t68 = a_prime[1] - a[1];
+    const float t69 = a_prime[2] - a[2];
+    const float t70 = axis1 * t69 - axis2 * t68;
+    const float t71 = axis2 * t67 - axis0 * t69;
+    const float t72 = axis0 * t68 - axis1 * t67;
+    const float t73 = t59 * t63;
+    const float t74 = (t60 == 0.0f ? 0.0f : t73) / t60;
+    const float t75 = axis2 * t65 - axis1 * t66 + (axis2 * t71 - axis1 * t72) * t74 / t42;
+    const float axis3 = 0.5f * t75;
+    const float t76 = axis0 * t66 - axis2 * t64 + (axis0 * t72 - axis2 * t70) * t74 / t42;
+    const float axis4 = 0.5f * t76;
+    const float t77 = axis1 * t64 - axis0 * t65 + (axis1 * t70 - axis0 * t71) * t74 / t42;
+    const float axis5 = 0.5f * t77;
+    const float d_0_value = axis0 * t67 + axis1 * t68 + axis2 * t69;
+    const float phi_value = 2.0f * atan2f(t42 * t60, t73);
     axis[0] = axis0;
     axis[1] = axis1;
     axis[2] = axis2;
@@ -1749,7 +1765,7 @@ void chasles_screw_of_motionf(
 /*
  * text 3.4.2 j chasles_screw_of_motion for a batch.
  *   verdict: holds under; assumes Q is a rotation, phi != 0
- *   101 operations; derivation sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
+ *   114 operations; derivation sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
  */
 void chasles_screw_of_motion_batch(
     size_t count,
@@ -1776,7 +1792,7 @@ void chasles_screw_of_motion_batch(
 /*
  * text 3.4.2 j chasles_screw_of_motionf for a batch.
  *   verdict: holds under; assumes Q is a rotation, phi != 0
- *   101 operations; derivation sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
+ *   114 operations; derivation sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
  */
 void chasles_screw_of_motion_batchf(
     size_t count,
@@ -1810,9 +1826,9 @@ void chasles_screw_of_motion_batchf(
  *   verdict     holds under
  *   assumes     omega != 0
  *   made of     an offered form, proved equal to the statement
- *   operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root
- *   error bound axis: 15.51 u of the sum of its terms' sizes, for all inputs
- *               pitch: 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single
+ *   operations  45: 7 add, 6 subtract, 18 multiply, 13 divide, 1 square root
+ *   error bound axis: 21.51 u of the sum of its terms' sizes, for all inputs
+ *               pitch: 14.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single
  *                 precision 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 08f61d1364f32cd980675c2c982387b0404b3c2069f72429195ad15600cd8055
@@ -1824,22 +1840,31 @@ void chasles_instant_screw(
     double axis[6],
     double *pitch)
 {
-    const double t1 = omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2];
-    const double t2 = sqrt(t1);
-    const int t3 = t1 == 0.0;
-    const double axis0 = (t3 ? 0.0 : omega[0]) / t2;
-    const double axis1 = (t3 ? 0.0 : omega[1]) / t2;
-    const double axis2 = (t3 ? 0.0 : omega[2]) / t2;
-    const double t4 = (t3 ? 0.0 : a_dot[0]) / t2;
-    const double t5 = (t3 ? 0.0 : a_dot[1]) / t2;
-    const double t6 = (t3 ? 0.0 : a_dot[2]) / t2;
-    const double t7 = a[0] + (axis1 * t6 - axis2 * t5);
-    const double t8 = a[1] + (axis2 * t4 - axis0 * t6);
-    const double t9 = a[2] + (axis0 * t5 - axis1 * t4);
-    const double axis3 = axis2 * t8 - axis1 * t9;
-    const double axis4 = axis0 * t9 - axis2 * t7;
-    const double axis5 = axis1 * t7 - axis0 * t8;
-    const double pitch_value = axis0 * t4 + axis1 * t5 + axis2 * t6;
+    const double t1 = omega[0] < 0.0 ? -omega[0] : omega[0];
+    const double t2 = omega[1] < 0.0 ? -omega[1] : omega[1];
+    const double t3 = t1 < t2 ? t2 : t1;
+    const double t4 = omega[2] < 0.0 ? -omega[2] : omega[2];
+    const double t5 = t3 < t4 ? t4 : t3;
+    const double t6 = 0.0 == t5 ? 1.0 : t5;
+    const double t7 = omega[0] / t6;
+    const double t8 = omega[1] / t6;
+    const double t9 = omega[2] / t6;
+    const double t10 = t7 * t7 + t8 * t8 + t9 * t9;
+    const double t11 = sqrt(t10);
+    const int t12 = t10 == 0.0;
+    const double axis0 = (t12 ? 0.0 : t7) / t11;
+    const double axis1 = (t12 ? 0.0 : t8) / t11;
+    const double axis2 = (t12 ? 0.0 : t9) / t11;
+    const double t13 = (t12 ? 0.0 : a_dot[0]) / t11;
+    const double t14 = (t12 ? 0.0 : a_dot[1]) / t11;
+    const double t15 = (t12 ? 0.0 : a_dot[2]) / t11;
+    const double t16 = a[0] + (axis1 * t15 - axis2 * t14) / t6;
+    const double t17 = a[1] + (axis2 * t13 - axis0 * t15) / t6;
+    const double t18 = a[2] + (axis0 * t14 - axis1 * t13) / t6;
+    const double axis3 = axis2 * t17 - axis1 * t18;
+    const double axis4 = axis0 * t18 - axis2 * t16;
+    const double axis5 = axis1 * t16 - axis0 * t17;
+    const double pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
     axis[0] = axis0;
     axis[1] = axis1;
     axis[2] = axis2;
@@ -1852,7 +1877,7 @@ void chasles_instant_screw(
 /*
  * text 3.4.1 c chasles_instant_screw in single precision.
  *   verdict: holds under; assumes omega != 0
- *   38 operations; derivation sha256 08f61d1364f32cd980675c2c982387b0404b3c2069f72429195ad15600cd8055
+ *   45 operations; derivation sha256 08f61d1364f32cd980675c2c982387b0404b3c2069f72429195ad15600cd8055
  */
 void chasles_instant_screwf(
     const float omega[3],
@@ -1861,22 +1886,31 @@ void chasles_instant_screwf(
     float axis[6],
     float *pitch)
 {
-    const float t1 = omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2];
-    const float t2 = sqrtf(t1);
-    const int t3 = t1 == 0.0f;
-    const float axis0 = (t3 ? 0.0f : omega[0]) / t2;
-    const float axis1 = (t3 ? 0.0f : omega[1]) / t2;
-    const float axis2 = (t3 ? 0.0f : omega[2]) / t2;
-    const float t4 = (t3 ? 0.0f : a_dot[0]) / t2;
-    const float t5 = (t3 ? 0.0f : a_dot[1]) / t2;
-    const float t6 = (t3 ? 0.0f : a_dot[2]) / t2;
-    const float t7 = a[0] + (axis1 * t6 - axis2 * t5);
-    const float t8 = a[1] + (axis2 * t4 - axis0 * t6);
-    const float t9 = a[2] + (axis0 * t5 - axis1 * t4);
-    const float axis3 = axis2 * t8 - axis1 * t9;
-    const float axis4 = axis0 * t9 - axis2 * t7;
-    const float axis5 = axis1 * t7 - axis0 * t8;
-    const float pitch_value = axis0 * t4 + axis1 * t5 + axis2 * t6;
+    const float t1 = omega[0] < 0.0f ? -omega[0] : omega[0];
+    const float t2 = omega[1] < 0.0f ? -omega[1] : omega[1];
+    const float t3 = t1 < t2 ? t2 : t1;
+    const float t4 = omega[2] < 0.0f ? -omega[2] : omega[2];
+    const float t5 = t3 < t4 ? t4 : t3;
+    const float t6 = 0.0f == t5 ? 1.0f : t5;
+    const float t7 = omega[0] / t6;
+    const float t8 = omega[1] / t6;
+    const float t9 = omega[2] / t6;
+    const float t10 = t7 * t7 + t8 * t8 + t9 * t9;
+    const float t11 = sqrtf(t10);
+    const int t12 = t10 == 0.0f;
+    const float axis0 = (t12 ? 0.0f : t7) / t11;
+    const float axis1 = (t12 ? 0.0f : t8) / t11;
+    const float axis2 = (t12 ? 0.0f : t9) / t11;
+    const float t13 = (t12 ? 0.0f : a_dot[0]) / t11;
+    const float t14 = (t12 ? 0.0f : a_dot[1]) / t11;
+    const float t15 = (t12 ? 0.0f : a_dot[2]) / t11;
+    const float t16 = a[0] + (axis1 * t15 - axis2 * t14) / t6;
+    const float t17 = a[1] + (axis2 * t13 - axis0 * t15) / t6;
+    const float t18 = a[2] + (axis0 * t14 - axis1 * t13) / t6;
+    const float axis3 = axis2 * t17 - axis1 * t18;
+    const float axis4 = axis0 * t18 - axis2 * t16;
+    const float axis5 = axis1 * t16 - axis0 * t17;
+    const float pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
     axis[0] = axis0;
     axis[1] = axis1;
     axis[2] = axis2;
@@ -1889,7 +1923,7 @@ void chasles_instant_screwf(
 /*
  * text 3.4.1 c chasles_instant_screw for a batch.
  *   verdict: holds under; assumes omega != 0
- *   38 operations; derivation sha256 08f61d1364f32cd980675c2c982387b0404b3c2069f72429195ad15600cd8055
+ *   45 operations; derivation sha256 08f61d1364f32cd980675c2c982387b0404b3c2069f72429195ad15600cd8055
  */
 void chasles_instant_screw_batch(
     size_t count,
@@ -1914,7 +1948,7 @@ void chasles_instant_screw_batch(
 /*
  * text 3.4.1 c chasles_instant_screwf for a batch.
  *   verdict: holds under; assumes omega != 0
- *   38 operations; derivation sha256 08f61d1364f32cd980675c2c982387b0404b3c2069f72429195ad15600cd8055
+ *   45 operations; derivation sha256 08f61d1364f32cd980675c2c982387b0404b3c2069f72429195ad15600cd8055
  */
 void chasles_instant_screw_batchf(
     size_t count,

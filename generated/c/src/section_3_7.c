@@ -102,9 +102,9 @@ const chasles_loop chasles_wrench_transfer_loopf = {
  *   verdict     holds under
  *   assumes     f != 0
  *   made of     an offered form, proved equal to the statement
- *   operations  38: 7 add, 6 subtract, 18 multiply, 6 divide, 1 square root
- *   error bound axis: 15.51 u of the sum of its terms' sizes, for all inputs
- *               pitch: 10.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single
+ *   operations  45: 7 add, 6 subtract, 18 multiply, 13 divide, 1 square root
+ *   error bound axis: 21.51 u of the sum of its terms' sizes, for all inputs
+ *               pitch: 14.01 u of the sum of its terms' sizes, for all inputs; u = 2^-53, in single
  *                 precision 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
@@ -116,22 +116,31 @@ void chasles_wrench_axis(
     double axis[6],
     double *pitch)
 {
-    const double t1 = f[0] * f[0] + f[1] * f[1] + f[2] * f[2];
-    const double t2 = sqrt(t1);
-    const int t3 = t1 == 0.0;
-    const double axis0 = (t3 ? 0.0 : f[0]) / t2;
-    const double axis1 = (t3 ? 0.0 : f[1]) / t2;
-    const double axis2 = (t3 ? 0.0 : f[2]) / t2;
-    const double t4 = (t3 ? 0.0 : n_A[0]) / t2;
-    const double t5 = (t3 ? 0.0 : n_A[1]) / t2;
-    const double t6 = (t3 ? 0.0 : n_A[2]) / t2;
-    const double t7 = a[0] + (axis1 * t6 - axis2 * t5);
-    const double t8 = a[1] + (axis2 * t4 - axis0 * t6);
-    const double t9 = a[2] + (axis0 * t5 - axis1 * t4);
-    const double axis3 = axis2 * t8 - axis1 * t9;
-    const double axis4 = axis0 * t9 - axis2 * t7;
-    const double axis5 = axis1 * t7 - axis0 * t8;
-    const double pitch_value = axis0 * t4 + axis1 * t5 + axis2 * t6;
+    const double t1 = f[0] < 0.0 ? -f[0] : f[0];
+    const double t2 = f[1] < 0.0 ? -f[1] : f[1];
+    const double t3 = t1 < t2 ? t2 : t1;
+    const double t4 = f[2] < 0.0 ? -f[2] : f[2];
+    const double t5 = t3 < t4 ? t4 : t3;
+    const double t6 = 0.0 == t5 ? 1.0 : t5;
+    const double t7 = f[0] / t6;
+    const double t8 = f[1] / t6;
+    const double t9 = f[2] / t6;
+    const double t10 = t7 * t7 + t8 * t8 + t9 * t9;
+    const double t11 = sqrt(t10);
+    const int t12 = t10 == 0.0;
+    const double axis0 = (t12 ? 0.0 : t7) / t11;
+    const double axis1 = (t12 ? 0.0 : t8) / t11;
+    const double axis2 = (t12 ? 0.0 : t9) / t11;
+    const double t13 = (t12 ? 0.0 : n_A[0]) / t11;
+    const double t14 = (t12 ? 0.0 : n_A[1]) / t11;
+    const double t15 = (t12 ? 0.0 : n_A[2]) / t11;
+    const double t16 = a[0] + (axis1 * t15 - axis2 * t14) / t6;
+    const double t17 = a[1] + (axis2 * t13 - axis0 * t15) / t6;
+    const double t18 = a[2] + (axis0 * t14 - axis1 * t13) / t6;
+    const double axis3 = axis2 * t17 - axis1 * t18;
+    const double axis4 = axis0 * t18 - axis2 * t16;
+    const double axis5 = axis1 * t16 - axis0 * t17;
+    const double pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
     axis[0] = axis0;
     axis[1] = axis1;
     axis[2] = axis2;
@@ -144,7 +153,7 @@ void chasles_wrench_axis(
 /*
  * text 3.7 d chasles_wrench_axis in single precision.
  *   verdict: holds under; assumes f != 0
- *   38 operations; derivation sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
+ *   45 operations; derivation sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
  */
 void chasles_wrench_axisf(
     const float f[3],
@@ -153,22 +162,31 @@ void chasles_wrench_axisf(
     float axis[6],
     float *pitch)
 {
-    const float t1 = f[0] * f[0] + f[1] * f[1] + f[2] * f[2];
-    const float t2 = sqrtf(t1);
-    const int t3 = t1 == 0.0f;
-    const float axis0 = (t3 ? 0.0f : f[0]) / t2;
-    const float axis1 = (t3 ? 0.0f : f[1]) / t2;
-    const float axis2 = (t3 ? 0.0f : f[2]) / t2;
-    const float t4 = (t3 ? 0.0f : n_A[0]) / t2;
-    const float t5 = (t3 ? 0.0f : n_A[1]) / t2;
-    const float t6 = (t3 ? 0.0f : n_A[2]) / t2;
-    const float t7 = a[0] + (axis1 * t6 - axis2 * t5);
-    const float t8 = a[1] + (axis2 * t4 - axis0 * t6);
-    const float t9 = a[2] + (axis0 * t5 - axis1 * t4);
-    const float axis3 = axis2 * t8 - axis1 * t9;
-    const float axis4 = axis0 * t9 - axis2 * t7;
-    const float axis5 = axis1 * t7 - axis0 * t8;
-    const float pitch_value = axis0 * t4 + axis1 * t5 + axis2 * t6;
+    const float t1 = f[0] < 0.0f ? -f[0] : f[0];
+    const float t2 = f[1] < 0.0f ? -f[1] : f[1];
+    const float t3 = t1 < t2 ? t2 : t1;
+    const float t4 = f[2] < 0.0f ? -f[2] : f[2];
+    const float t5 = t3 < t4 ? t4 : t3;
+    const float t6 = 0.0f == t5 ? 1.0f : t5;
+    const float t7 = f[0] / t6;
+    const float t8 = f[1] / t6;
+    const float t9 = f[2] / t6;
+    const float t10 = t7 * t7 + t8 * t8 + t9 * t9;
+    const float t11 = sqrtf(t10);
+    const int t12 = t10 == 0.0f;
+    const float axis0 = (t12 ? 0.0f : t7) / t11;
+    const float axis1 = (t12 ? 0.0f : t8) / t11;
+    const float axis2 = (t12 ? 0.0f : t9) / t11;
+    const float t13 = (t12 ? 0.0f : n_A[0]) / t11;
+    const float t14 = (t12 ? 0.0f : n_A[1]) / t11;
+    const float t15 = (t12 ? 0.0f : n_A[2]) / t11;
+    const float t16 = a[0] + (axis1 * t15 - axis2 * t14) / t6;
+    const float t17 = a[1] + (axis2 * t13 - axis0 * t15) / t6;
+    const float t18 = a[2] + (axis0 * t14 - axis1 * t13) / t6;
+    const float axis3 = axis2 * t17 - axis1 * t18;
+    const float axis4 = axis0 * t18 - axis2 * t16;
+    const float axis5 = axis1 * t16 - axis0 * t17;
+    const float pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
     axis[0] = axis0;
     axis[1] = axis1;
     axis[2] = axis2;
@@ -181,7 +199,7 @@ void chasles_wrench_axisf(
 /*
  * text 3.7 d chasles_wrench_axis for a batch.
  *   verdict: holds under; assumes f != 0
- *   38 operations; derivation sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
+ *   45 operations; derivation sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
  */
 void chasles_wrench_axis_batch(
     size_t count,
@@ -206,7 +224,7 @@ void chasles_wrench_axis_batch(
 /*
  * text 3.7 d chasles_wrench_axisf for a batch.
  *   verdict: holds under; assumes f != 0
- *   38 operations; derivation sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
+ *   45 operations; derivation sha256 c78cfc23a3b398d6195b8dc68c79e9bdceefc46df0b8a9442885e124035211ef
  */
 void chasles_wrench_axis_batchf(
     size_t count,

@@ -1194,10 +1194,8 @@ void chasles_newton_euler_wrench_sym6_batchf(
  *   assumes     det(I_C) != 0
  *               m > 0
  *   expects     I_C is positive-definite
- *   operations  82: 14 add, 15 subtract, 51 multiply, 2 divide
- *   error bound 18.05 u of the sum of its terms' sizes, times the condition of its divisor, for all
- *                 inputs of which that is at most 4096; u = 2^-53, in single precision 2^-24
- *               supposed: every operation rounded to nearest, with or without FMA
+ *   operations  108: 16 add, 18 subtract, 60 multiply, 14 divide
+ *   error bound not proved: it chooses between cases by values that are rounded
  *   derivation  sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
  */
 void chasles_newton_euler_twist_rate(
@@ -1207,27 +1205,57 @@ void chasles_newton_euler_twist_rate(
     const double w[6],
     double t_dot[6])
 {
-    const double t1 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
-    const double t2 = I_C[3] * t[0] + I_C[4] * t[1] + I_C[5] * t[2];
-    const double t3 = I_C[6] * t[0] + I_C[7] * t[1] + I_C[8] * t[2];
-    const double t4 = w[0] - (t[1] * t3 - t[2] * t2);
-    const double t5 = w[1] - (t[2] * t1 - t[0] * t3);
-    const double t6 = w[2] - (t[0] * t2 - t[1] * t1);
-    const double t7 = I_C[4] * I_C[8] - I_C[5] * I_C[7];
-    const double t8 = I_C[5] * I_C[6] - I_C[3] * I_C[8];
-    const double t9 = I_C[3] * I_C[7] - I_C[4] * I_C[6];
-    const double t10 = I_C[0] * t7 + I_C[1] * t8 + I_C[2] * t9;
-    const double t11 = (t10 == 0.0 ? 0.0 : 1.0) / t10;
-    const double t12 = t4 * t7 + t5 * (I_C[2] * I_C[7] - I_C[1] * I_C[8]);
-    const double t13 = t4 * t8 + t5 * (I_C[0] * I_C[8] - I_C[2] * I_C[6]);
-    const double t14 = t4 * t9 + t5 * (I_C[1] * I_C[6] - I_C[0] * I_C[7]);
-    const double t_dot0 = t11 * (t12 + t6 * (I_C[1] * I_C[5] - I_C[2] * I_C[4]));
-    const double t_dot1 = t11 * (t13 + t6 * (I_C[2] * I_C[3] - I_C[0] * I_C[5]));
-    const double t_dot2 = t11 * (t14 + t6 * (I_C[0] * I_C[4] - I_C[1] * I_C[3]));
-    const double t15 = (m == 0.0 ? 0.0 : 1.0) / m;
-    const double t_dot3 = w[3] * t15;
-    const double t_dot4 = w[4] * t15;
-    const double t_dot5 = w[5] * t15;
+    const double t1 = I_C[0] < 0.0 ? -I_C[0] : I_C[0];
+    const double t2 = I_C[1] < 0.0 ? -I_C[1] : I_C[1];
+    const double t3 = t1 < t2 ? t2 : t1;
+    const double t4 = I_C[2] < 0.0 ? -I_C[2] : I_C[2];
+    const double t5 = t3 < t4 ? t4 : t3;
+    const double t6 = I_C[3] < 0.0 ? -I_C[3] : I_C[3];
+    const double t7 = t5 < t6 ? t6 : t5;
+    const double t8 = I_C[4] < 0.0 ? -I_C[4] : I_C[4];
+    const double t9 = t7 < t8 ? t8 : t7;
+    const double t10 = I_C[5] < 0.0 ? -I_C[5] : I_C[5];
+    const double t11 = t9 < t10 ? t10 : t9;
+    const double t12 = I_C[6] < 0.0 ? -I_C[6] : I_C[6];
+    const double t13 = t11 < t12 ? t12 : t11;
+    const double t14 = I_C[7] < 0.0 ? -I_C[7] : I_C[7];
+    const double t15 = t13 < t14 ? t14 : t13;
+    const double t16 = I_C[8] < 0.0 ? -I_C[8] : I_C[8];
+    const double t17 = t15 < t16 ? t16 : t15;
+    const double t18 = 0.0 == t17 ? 1.0 : t17;
+    const double t19 = I_C[0] / t18;
+    const double t20 = I_C[1] / t18;
+    const double t21 = I_C[2] / t18;
+    const double t22 = I_C[3] / t18;
+    const double t23 = I_C[4] / t18;
+    const double t24 = I_C[5] / t18;
+    const double t25 = I_C[6] / t18;
+    const double t26 = I_C[7] / t18;
+    const double t27 = I_C[8] / t18;
+    const double t28 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
+    const double t29 = I_C[3] * t[0] + I_C[4] * t[1] + I_C[5] * t[2];
+    const double t30 = I_C[6] * t[0] + I_C[7] * t[1] + I_C[8] * t[2];
+    const double t31 = w[0] - (t[1] * t30 - t[2] * t29);
+    const double t32 = w[1] - (t[2] * t28 - t[0] * t30);
+    const double t33 = w[2] - (t[0] * t29 - t[1] * t28);
+    const double t34 = t23 * t27 - t24 * t26;
+    const double t35 = t24 * t25 - t22 * t27;
+    const double t36 = t22 * t26 - t23 * t25;
+    const double t37 = I_C[0] * (I_C[4] * I_C[8] - I_C[5] * I_C[7]);
+    const double t38 = t37 + I_C[1] * (I_C[5] * I_C[6] - I_C[3] * I_C[8]);
+    const int t39 = 0.0 == t38 + I_C[2] * (I_C[3] * I_C[7] - I_C[4] * I_C[6]);
+    const double t40 = t39 ? 0.0 : t19 * t34 + t20 * t35 + t21 * t36;
+    const double t41 = (t40 == 0.0 ? 0.0 : 1.0) / t40;
+    const double t42 = t31 * t34 + t32 * (t21 * t26 - t20 * t27);
+    const double t43 = t31 * t35 + t32 * (t19 * t27 - t21 * t25);
+    const double t44 = t31 * t36 + t32 * (t20 * t25 - t19 * t26);
+    const double t45 = (m == 0.0 ? 0.0 : 1.0) / m;
+    const double t_dot3 = w[3] * t45;
+    const double t_dot4 = w[4] * t45;
+    const double t_dot5 = w[5] * t45;
+    const double t_dot0 = t41 * (t42 + t33 * (t20 * t24 - t21 * t23)) / t18;
+    const double t_dot1 = t41 * (t43 + t33 * (t21 * t22 - t19 * t24)) / t18;
+    const double t_dot2 = t41 * (t44 + t33 * (t19 * t23 - t20 * t22)) / t18;
     t_dot[0] = t_dot0;
     t_dot[1] = t_dot1;
     t_dot[2] = t_dot2;
@@ -1239,7 +1267,7 @@ void chasles_newton_euler_twist_rate(
 /*
  * text 3.8 v chasles_newton_euler_twist_rate in single precision.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   82 operations; derivation sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
+ *   108 operations; derivation sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
  */
 void chasles_newton_euler_twist_ratef(
     const float I_C[9],
@@ -1248,27 +1276,57 @@ void chasles_newton_euler_twist_ratef(
     const float w[6],
     float t_dot[6])
 {
-    const float t1 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
-    const float t2 = I_C[3] * t[0] + I_C[4] * t[1] + I_C[5] * t[2];
-    const float t3 = I_C[6] * t[0] + I_C[7] * t[1] + I_C[8] * t[2];
-    const float t4 = w[0] - (t[1] * t3 - t[2] * t2);
-    const float t5 = w[1] - (t[2] * t1 - t[0] * t3);
-    const float t6 = w[2] - (t[0] * t2 - t[1] * t1);
-    const float t7 = I_C[4] * I_C[8] - I_C[5] * I_C[7];
-    const float t8 = I_C[5] * I_C[6] - I_C[3] * I_C[8];
-    const float t9 = I_C[3] * I_C[7] - I_C[4] * I_C[6];
-    const float t10 = I_C[0] * t7 + I_C[1] * t8 + I_C[2] * t9;
-    const float t11 = (t10 == 0.0f ? 0.0f : 1.0f) / t10;
-    const float t12 = t4 * t7 + t5 * (I_C[2] * I_C[7] - I_C[1] * I_C[8]);
-    const float t13 = t4 * t8 + t5 * (I_C[0] * I_C[8] - I_C[2] * I_C[6]);
-    const float t14 = t4 * t9 + t5 * (I_C[1] * I_C[6] - I_C[0] * I_C[7]);
-    const float t_dot0 = t11 * (t12 + t6 * (I_C[1] * I_C[5] - I_C[2] * I_C[4]));
-    const float t_dot1 = t11 * (t13 + t6 * (I_C[2] * I_C[3] - I_C[0] * I_C[5]));
-    const float t_dot2 = t11 * (t14 + t6 * (I_C[0] * I_C[4] - I_C[1] * I_C[3]));
-    const float t15 = (m == 0.0f ? 0.0f : 1.0f) / m;
-    const float t_dot3 = w[3] * t15;
-    const float t_dot4 = w[4] * t15;
-    const float t_dot5 = w[5] * t15;
+    const float t1 = I_C[0] < 0.0f ? -I_C[0] : I_C[0];
+    const float t2 = I_C[1] < 0.0f ? -I_C[1] : I_C[1];
+    const float t3 = t1 < t2 ? t2 : t1;
+    const float t4 = I_C[2] < 0.0f ? -I_C[2] : I_C[2];
+    const float t5 = t3 < t4 ? t4 : t3;
+    const float t6 = I_C[3] < 0.0f ? -I_C[3] : I_C[3];
+    const float t7 = t5 < t6 ? t6 : t5;
+    const float t8 = I_C[4] < 0.0f ? -I_C[4] : I_C[4];
+    const float t9 = t7 < t8 ? t8 : t7;
+    const float t10 = I_C[5] < 0.0f ? -I_C[5] : I_C[5];
+    const float t11 = t9 < t10 ? t10 : t9;
+    const float t12 = I_C[6] < 0.0f ? -I_C[6] : I_C[6];
+    const float t13 = t11 < t12 ? t12 : t11;
+    const float t14 = I_C[7] < 0.0f ? -I_C[7] : I_C[7];
+    const float t15 = t13 < t14 ? t14 : t13;
+    const float t16 = I_C[8] < 0.0f ? -I_C[8] : I_C[8];
+    const float t17 = t15 < t16 ? t16 : t15;
+    const float t18 = 0.0f == t17 ? 1.0f : t17;
+    const float t19 = I_C[0] / t18;
+    const float t20 = I_C[1] / t18;
+    const float t21 = I_C[2] / t18;
+    const float t22 = I_C[3] / t18;
+    const float t23 = I_C[4] / t18;
+    const float t24 = I_C[5] / t18;
+    const float t25 = I_C[6] / t18;
+    const float t26 = I_C[7] / t18;
+    const float t27 = I_C[8] / t18;
+    const float t28 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
+    const float t29 = I_C[3] * t[0] + I_C[4] * t[1] + I_C[5] * t[2];
+    const float t30 = I_C[6] * t[0] + I_C[7] * t[1] + I_C[8] * t[2];
+    const float t31 = w[0] - (t[1] * t30 - t[2] * t29);
+    const float t32 = w[1] - (t[2] * t28 - t[0] * t30);
+    const float t33 = w[2] - (t[0] * t29 - t[1] * t28);
+    const float t34 = t23 * t27 - t24 * t26;
+    const float t35 = t24 * t25 - t22 * t27;
+    const float t36 = t22 * t26 - t23 * t25;
+    const float t37 = I_C[0] * (I_C[4] * I_C[8] - I_C[5] * I_C[7]);
+    const float t38 = t37 + I_C[1] * (I_C[5] * I_C[6] - I_C[3] * I_C[8]);
+    const int t39 = 0.0f == t38 + I_C[2] * (I_C[3] * I_C[7] - I_C[4] * I_C[6]);
+    const float t40 = t39 ? 0.0f : t19 * t34 + t20 * t35 + t21 * t36;
+    const float t41 = (t40 == 0.0f ? 0.0f : 1.0f) / t40;
+    const float t42 = t31 * t34 + t32 * (t21 * t26 - t20 * t27);
+    const float t43 = t31 * t35 + t32 * (t19 * t27 - t21 * t25);
+    const float t44 = t31 * t36 + t32 * (t20 * t25 - t19 * t26);
+    const float t45 = (m == 0.0f ? 0.0f : 1.0f) / m;
+    const float t_dot3 = w[3] * t45;
+    const float t_dot4 = w[4] * t45;
+    const float t_dot5 = w[5] * t45;
+    const float t_dot0 = t41 * (t42 + t33 * (t20 * t24 - t21 * t23)) / t18;
+    const float t_dot1 = t41 * (t43 + t33 * (t21 * t22 - t19 * t24)) / t18;
+    const float t_dot2 = t41 * (t44 + t33 * (t19 * t23 - t20 * t22)) / t18;
     t_dot[0] = t_dot0;
     t_dot[1] = t_dot1;
     t_dot[2] = t_dot2;
@@ -1280,7 +1338,7 @@ void chasles_newton_euler_twist_ratef(
 /*
  * text 3.8 v chasles_newton_euler_twist_rate for a batch.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   82 operations; derivation sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
+ *   108 operations; derivation sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
  */
 void chasles_newton_euler_twist_rate_batch(
     size_t count,
@@ -1305,7 +1363,7 @@ void chasles_newton_euler_twist_rate_batch(
 /*
  * text 3.8 v chasles_newton_euler_twist_ratef for a batch.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   82 operations; derivation sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
+ *   108 operations; derivation sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
  */
 void chasles_newton_euler_twist_rate_batchf(
     size_t count,
@@ -1340,10 +1398,8 @@ void chasles_newton_euler_twist_rate_batchf(
  *   assumes     det(I_C) != 0
  *               m > 0
  *   expects     I_C is positive-definite
- *   operations  73: 14 add, 12 subtract, 45 multiply, 2 divide
- *   error bound 18.05 u of the sum of its terms' sizes, times the condition of its divisor, for all
- *                 inputs of which that is at most 4096; u = 2^-53, in single precision 2^-24
- *               supposed: every operation rounded to nearest, with or without FMA
+ *   operations  96: 16 add, 15 subtract, 54 multiply, 11 divide
+ *   error bound not proved: it chooses between cases by values that are rounded
  *   derivation  sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
  */
 void chasles_newton_euler_twist_rate_sym6(
@@ -1353,25 +1409,46 @@ void chasles_newton_euler_twist_rate_sym6(
     const double w[6],
     double t_dot[6])
 {
-    const double t1 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
-    const double t2 = I_C[1] * t[0] + I_C[3] * t[1] + I_C[4] * t[2];
-    const double t3 = I_C[2] * t[0] + I_C[4] * t[1] + I_C[5] * t[2];
-    const double t4 = w[0] - (t[1] * t3 - t[2] * t2);
-    const double t5 = w[1] - (t[2] * t1 - t[0] * t3);
-    const double t6 = w[2] - (t[0] * t2 - t[1] * t1);
-    const double t7 = I_C[3] * I_C[5] - I_C[4] * I_C[4];
-    const double t8 = I_C[2] * I_C[4] - I_C[1] * I_C[5];
-    const double t9 = I_C[1] * I_C[4] - I_C[2] * I_C[3];
-    const double t10 = I_C[1] * I_C[2] - I_C[0] * I_C[4];
-    const double t11 = I_C[0] * t7 + I_C[1] * t8 + I_C[2] * t9;
-    const double t12 = (t11 == 0.0 ? 0.0 : 1.0) / t11;
-    const double t_dot0 = t12 * (t4 * t7 + t5 * t8 + t6 * t9);
-    const double t_dot1 = t12 * (t4 * t8 + t5 * (I_C[0] * I_C[5] - I_C[2] * I_C[2]) + t6 * t10);
-    const double t_dot2 = t12 * (t4 * t9 + t5 * t10 + t6 * (I_C[0] * I_C[3] - I_C[1] * I_C[1]));
-    const double t13 = (m == 0.0 ? 0.0 : 1.0) / m;
-    const double t_dot3 = w[3] * t13;
-    const double t_dot4 = w[4] * t13;
-    const double t_dot5 = w[5] * t13;
+    const double t1 = I_C[0] < 0.0 ? -I_C[0] : I_C[0];
+    const double t2 = I_C[1] < 0.0 ? -I_C[1] : I_C[1];
+    const double t3 = t1 < t2 ? t2 : t1;
+    const double t4 = I_C[2] < 0.0 ? -I_C[2] : I_C[2];
+    const double t5 = t3 < t4 ? t4 : t3;
+    const double t6 = I_C[3] < 0.0 ? -I_C[3] : I_C[3];
+    const double t7 = t5 < t6 ? t6 : t5;
+    const double t8 = I_C[4] < 0.0 ? -I_C[4] : I_C[4];
+    const double t9 = t7 < t8 ? t8 : t7;
+    const double t10 = I_C[5] < 0.0 ? -I_C[5] : I_C[5];
+    const double t11 = t9 < t10 ? t10 : t9;
+    const double t12 = 0.0 == t11 ? 1.0 : t11;
+    const double t13 = I_C[0] / t12;
+    const double t14 = I_C[1] / t12;
+    const double t15 = I_C[2] / t12;
+    const double t16 = I_C[3] / t12;
+    const double t17 = I_C[4] / t12;
+    const double t18 = I_C[5] / t12;
+    const double t19 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
+    const double t20 = I_C[1] * t[0] + I_C[3] * t[1] + I_C[4] * t[2];
+    const double t21 = I_C[2] * t[0] + I_C[4] * t[1] + I_C[5] * t[2];
+    const double t22 = w[0] - (t[1] * t21 - t[2] * t20);
+    const double t23 = w[1] - (t[2] * t19 - t[0] * t21);
+    const double t24 = w[2] - (t[0] * t20 - t[1] * t19);
+    const double t25 = t16 * t18 - t17 * t17;
+    const double t26 = t15 * t17 - t14 * t18;
+    const double t27 = t14 * t17 - t15 * t16;
+    const double t28 = t14 * t15 - t13 * t17;
+    const double t29 = I_C[0] * (I_C[3] * I_C[5] - I_C[4] * I_C[4]);
+    const double t30 = t29 + I_C[1] * (I_C[2] * I_C[4] - I_C[1] * I_C[5]);
+    const int t31 = 0.0 == t30 + I_C[2] * (I_C[1] * I_C[4] - I_C[2] * I_C[3]);
+    const double t32 = t31 ? 0.0 : t13 * t25 + t14 * t26 + t15 * t27;
+    const double t33 = (t32 == 0.0 ? 0.0 : 1.0) / t32;
+    const double t34 = (m == 0.0 ? 0.0 : 1.0) / m;
+    const double t_dot3 = w[3] * t34;
+    const double t_dot4 = w[4] * t34;
+    const double t_dot5 = w[5] * t34;
+    const double t_dot0 = t33 * (t22 * t25 + t23 * t26 + t24 * t27) / t12;
+    const double t_dot1 = t33 * (t22 * t26 + t23 * (t13 * t18 - t15 * t15) + t24 * t28) / t12;
+    const double t_dot2 = t33 * (t22 * t27 + t23 * t28 + t24 * (t13 * t16 - t14 * t14)) / t12;
     t_dot[0] = t_dot0;
     t_dot[1] = t_dot1;
     t_dot[2] = t_dot2;
@@ -1383,7 +1460,7 @@ void chasles_newton_euler_twist_rate_sym6(
 /*
  * text 3.8 v chasles_newton_euler_twist_rate_sym6 in single precision.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   73 operations; derivation sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
+ *   96 operations; derivation sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
  */
 void chasles_newton_euler_twist_rate_sym6f(
     const float I_C[6],
@@ -1392,25 +1469,46 @@ void chasles_newton_euler_twist_rate_sym6f(
     const float w[6],
     float t_dot[6])
 {
-    const float t1 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
-    const float t2 = I_C[1] * t[0] + I_C[3] * t[1] + I_C[4] * t[2];
-    const float t3 = I_C[2] * t[0] + I_C[4] * t[1] + I_C[5] * t[2];
-    const float t4 = w[0] - (t[1] * t3 - t[2] * t2);
-    const float t5 = w[1] - (t[2] * t1 - t[0] * t3);
-    const float t6 = w[2] - (t[0] * t2 - t[1] * t1);
-    const float t7 = I_C[3] * I_C[5] - I_C[4] * I_C[4];
-    const float t8 = I_C[2] * I_C[4] - I_C[1] * I_C[5];
-    const float t9 = I_C[1] * I_C[4] - I_C[2] * I_C[3];
-    const float t10 = I_C[1] * I_C[2] - I_C[0] * I_C[4];
-    const float t11 = I_C[0] * t7 + I_C[1] * t8 + I_C[2] * t9;
-    const float t12 = (t11 == 0.0f ? 0.0f : 1.0f) / t11;
-    const float t_dot0 = t12 * (t4 * t7 + t5 * t8 + t6 * t9);
-    const float t_dot1 = t12 * (t4 * t8 + t5 * (I_C[0] * I_C[5] - I_C[2] * I_C[2]) + t6 * t10);
-    const float t_dot2 = t12 * (t4 * t9 + t5 * t10 + t6 * (I_C[0] * I_C[3] - I_C[1] * I_C[1]));
-    const float t13 = (m == 0.0f ? 0.0f : 1.0f) / m;
-    const float t_dot3 = w[3] * t13;
-    const float t_dot4 = w[4] * t13;
-    const float t_dot5 = w[5] * t13;
+    const float t1 = I_C[0] < 0.0f ? -I_C[0] : I_C[0];
+    const float t2 = I_C[1] < 0.0f ? -I_C[1] : I_C[1];
+    const float t3 = t1 < t2 ? t2 : t1;
+    const float t4 = I_C[2] < 0.0f ? -I_C[2] : I_C[2];
+    const float t5 = t3 < t4 ? t4 : t3;
+    const float t6 = I_C[3] < 0.0f ? -I_C[3] : I_C[3];
+    const float t7 = t5 < t6 ? t6 : t5;
+    const float t8 = I_C[4] < 0.0f ? -I_C[4] : I_C[4];
+    const float t9 = t7 < t8 ? t8 : t7;
+    const float t10 = I_C[5] < 0.0f ? -I_C[5] : I_C[5];
+    const float t11 = t9 < t10 ? t10 : t9;
+    const float t12 = 0.0f == t11 ? 1.0f : t11;
+    const float t13 = I_C[0] / t12;
+    const float t14 = I_C[1] / t12;
+    const float t15 = I_C[2] / t12;
+    const float t16 = I_C[3] / t12;
+    const float t17 = I_C[4] / t12;
+    const float t18 = I_C[5] / t12;
+    const float t19 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
+    const float t20 = I_C[1] * t[0] + I_C[3] * t[1] + I_C[4] * t[2];
+    const float t21 = I_C[2] * t[0] + I_C[4] * t[1] + I_C[5] * t[2];
+    const float t22 = w[0] - (t[1] * t21 - t[2] * t20);
+    const float t23 = w[1] - (t[2] * t19 - t[0] * t21);
+    const float t24 = w[2] - (t[0] * t20 - t[1] * t19);
+    const float t25 = t16 * t18 - t17 * t17;
+    const float t26 = t15 * t17 - t14 * t18;
+    const float t27 = t14 * t17 - t15 * t16;
+    const float t28 = t14 * t15 - t13 * t17;
+    const float t29 = I_C[0] * (I_C[3] * I_C[5] - I_C[4] * I_C[4]);
+    const float t30 = t29 + I_C[1] * (I_C[2] * I_C[4] - I_C[1] * I_C[5]);
+    const int t31 = 0.0f == t30 + I_C[2] * (I_C[1] * I_C[4] - I_C[2] * I_C[3]);
+    const float t32 = t31 ? 0.0f : t13 * t25 + t14 * t26 + t15 * t27;
+    const float t33 = (t32 == 0.0f ? 0.0f : 1.0f) / t32;
+    const float t34 = (m == 0.0f ? 0.0f : 1.0f) / m;
+    const float t_dot3 = w[3] * t34;
+    const float t_dot4 = w[4] * t34;
+    const float t_dot5 = w[5] * t34;
+    const float t_dot0 = t33 * (t22 * t25 + t23 * t26 + t24 * t27) / t12;
+    const float t_dot1 = t33 * (t22 * t26 + t23 * (t13 * t18 - t15 * t15) + t24 * t28) / t12;
+    const float t_dot2 = t33 * (t22 * t27 + t23 * t28 + t24 * (t13 * t16 - t14 * t14)) / t12;
     t_dot[0] = t_dot0;
     t_dot[1] = t_dot1;
     t_dot[2] = t_dot2;
@@ -1422,7 +1520,7 @@ void chasles_newton_euler_twist_rate_sym6f(
 /*
  * text 3.8 v chasles_newton_euler_twist_rate_sym6 for a batch.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   73 operations; derivation sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
+ *   96 operations; derivation sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
  */
 void chasles_newton_euler_twist_rate_sym6_batch(
     size_t count,
@@ -1447,7 +1545,7 @@ void chasles_newton_euler_twist_rate_sym6_batch(
 /*
  * text 3.8 v chasles_newton_euler_twist_rate_sym6f for a batch.
  *   verdict: holds under; assumes det(I_C) != 0, m > 0
- *   73 operations; derivation sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
+ *   96 operations; derivation sha256 583b7af3455d4e7d41db43315abbed568d7671c8edafcef5b697d79c93e17ecb
  */
 void chasles_newton_euler_twist_rate_sym6_batchf(
     size_t count,

@@ -42,9 +42,9 @@ typedef int truthsf CHASLES_VECTOR(CHASLES_REGISTER);
 #define GROUPS (CHASLES_BLOCK / LANES)
 #define GROUPSF (CHASLES_BLOCK / LANESF)
 
-/* Two numbers, four, and two pairs of numbers, as they lie in memory. */
-typedef double double_2 __attribute__((vector_size(16), aligned(8), may_alias));
-typedef double double_4 __attribute__((vector_size(32), aligned(8), may_alias));
+/* Two numbers, four, and two pairs, as they lie in memory; a pair of floats is moved as one double. */
+typedef double double_2 __attribute__((vector_size(16), aligned(4), may_alias));
+typedef double double_4 __attribute__((vector_size(32), aligned(4), may_alias));
 typedef float float_4 __attribute__((vector_size(16), aligned(4), may_alias));
 typedef double pair __attribute__((aligned(4), may_alias));
 

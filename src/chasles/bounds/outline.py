@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from chasles.lowering.program import Op, Program, Step
+from chasles.lowering.scales import is_scale
 
 __all__ = ["NoBound", "Outline", "is_power_of_two", "outlined", "with_cases"]
 
@@ -21,7 +22,8 @@ class Outline:
 
     `sources` says of which step a number is the value, where a guard passes it on; `angles[k]` is the argument, its
     entry and the factor of the angle of which step k is the sine or cosine. A factor of 1 or -1 is looked through too;
-    `signs` are the steps by whose signs it is chosen.
+    `signs` are the steps by whose signs it is chosen. The `scales` are positive numbers on which no result depends:
+    whatever they are in the machine, the exact value is the same with that number.
     """
 
     program: Program
@@ -29,6 +31,7 @@ class Outline:
     sources: dict[int, int]
     angles: dict[int, tuple[int, int, Fraction]]
     signs: tuple[int, ...] = ()
+    scales: frozenset[int] = frozenset()
 
     def operands(self, number: int) -> tuple[int, ...]:
         """The operands of a step, looked up through guards."""
@@ -56,6 +59,7 @@ def outlined(program: Program, truths: Mapping[int, bool] | None = None) -> Outl
         elif step.op is Op.MULTIPLY and is_sign(step.operands[1], program):
             sources[number] = sources.get(step.operands[0], step.operands[0])
             signs[number] = [sources.get(k, k) for k in _compared(step.operands[1], program)]
+    scales = frozenset(k for k in range(len(steps)) if is_scale(steps, k))
     needed: set[int] = set()
     angles: dict[int, tuple[int, int, Fraction]] = {}
     signed = sorted({k for number in signs for k in signs[number]})
@@ -66,13 +70,15 @@ def outlined(program: Program, truths: Mapping[int, bool] | None = None) -> Outl
             continue
         needed.add(number)
         step = steps[number]
+        if number in scales:
+            continue
         if step.op in (Op.SELECT, Op.NOT_A_NUMBER):
             raise NoBound("it chooses between cases by values that are rounded")
         if step.op in (Op.SINE, Op.COSINE):
             angles[number] = _angle(step.operands[0], program)
             continue
         ahead += [sources.get(k, k) for k in step.operands]
-    return Outline(program, tuple(sorted(needed)), sources, angles, tuple(signed))
+    return Outline(program, tuple(sorted(needed)), sources, angles, tuple(signed), scales)
 
 
 def is_sign(number: int, program: Program) -> bool:

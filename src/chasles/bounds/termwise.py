@@ -52,6 +52,9 @@ def shares(
         if number in outline.angles:
             found[number] = Share(model.loss(step.op))
             continue
+        if number in outline.scales:
+            found[number] = Share(nonnegative=True)
+            continue
         operands = outline.operands(number)
         found[number] = _share(step, [found[k] for k in operands], operands, outline, model, most > 1)
         if known and number in known:

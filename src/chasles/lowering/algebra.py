@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
+from itertools import zip_longest
 from time import monotonic
 
 from chasles.lowering.atoms import Atoms
@@ -18,22 +19,32 @@ from chasles.proof.context import Context, build
 from chasles.proof.ratios import Ratio
 from chasles.proof.rings import Polynomial
 from chasles.statements import Goal, Problem, nonzero
-from chasles.vocabulary import Node, Norm
+from chasles.vocabulary import Node, Norm, Symbol
 
 __all__ = ["Algebra"]
 
 
 class Algebra:
-    """Fractions in the entries of a request's arguments, modulo its hypotheses, with some rules added to its own."""
+    """Fractions in the entries of a request's arguments, modulo its hypotheses, with some rules added to its own.
 
-    def __init__(self, request: Request, rules: Mapping[Node, Node], further: Iterable[Node], deadline: float) -> None:
+    The `positive` symbols are further variables, of which nothing else is known.
+    """
+
+    def __init__(
+        self,
+        request: Request,
+        rules: Mapping[Node, Node],
+        further: Iterable[Node],
+        deadline: float,
+        positive: tuple[Symbol, ...] = (),
+    ) -> None:
         table = {**dict(request.rules), **rules}
         angles = [side for _, angle in request.angles for side in (angle.cosine, angle.sine)]
-        nodes = [*(output.value for output in request.outputs), *angles, *further]
+        nodes = [*(output.value for output in request.outputs), *angles, *further, *positive]
         goals = tuple(Goal("", node, node) for node in nodes)
         seen: dict[Node, None] = {}
         divisors = dict.fromkeys(divisor for node in nodes for divisor in divisors_of(node, table, seen))
-        hypotheses = (*request.hypotheses, *map(nonzero, divisors))
+        hypotheses = (*request.hypotheses, *map(nonzero, (*divisors, *positive)))
         self.context: Context = build(Problem(goals, tuple(table.items()), hypotheses=tuple(dict.fromkeys(hypotheses))))
         self.deadline = deadline
         self._completed: Basis | None = None
@@ -41,6 +52,7 @@ class Algebra:
         self._roots: list[tuple[Ratio, Ratio | None]] = []
         self._nonzero: list[tuple[Polynomial, bool]] = []
         self._atoms = Atoms(self.context)
+        self._positive = positive
         self._norms = [Norm(variable.node) for variable in self.context.variables if variable.node is not None]
 
     def constant(self, value: Fraction) -> Ratio:
@@ -78,14 +90,27 @@ class Algebra:
         return False
 
     def root(self, ratio: Ratio) -> Ratio | None:
-        """The norm whose square the fraction is, if the request's expressions have one."""
+        """The norm whose square the fraction is, or that over a positive symbol, if the request has such a norm."""
         for known, answer in self._roots:
             if (known - ratio).is_zero:
                 return answer
-        sizes = map(self.entry, self._norms)
-        root = next((size for size in sizes if self.vanishes(ratio - size * size)), None)
+        over = next((s for s in map(self.entry, self._positive) if self._times(ratio, s)), None)
+        if over is not None:
+            size = self.root(self._times(ratio, over) or ratio)
+            root = size and self.quotient(size, over)
+        else:
+            sizes = map(self.entry, self._norms)
+            root = next((size for size in sizes if self.vanishes(ratio - size * size)), None)
         self._roots.append((ratio, root))
         return root
+
+    def _times(self, ratio: Ratio, divisor: Ratio) -> Ratio | None:
+        """The fraction times the square of the divisor, an atom, if it is written with just that below the line."""
+        one = self.quotient(self.constant(Fraction(1)), divisor)
+        assert one is not None
+        below = tuple(x - 2 * y for x, y in zip_longest(ratio.denominator, one.denominator, fillvalue=0))
+        (place,) = (k for k, y in enumerate(one.denominator) if y)
+        return None if below[place] else Ratio(ratio.field, ratio.numerator, below)
 
     def quotient(self, above: Ratio, below: Ratio) -> Ratio | None:
         """The quotient; None if that divides by what can be zero where the request's expressions have a value."""

@@ -34,7 +34,9 @@ def choices_of(
     rules: dict[Node, Node] = {}
     if sign:
         turn = Symbol(f"sign of {plain(inverse.of.left)}", "", uniform((1, 1)))
-        choices.append(oriented(turn, [entry for key in sign for entry in _entries(found[key])]))
+        # Whatever is infinite or not a number among what is inverted makes each branch's size so.
+        finite = _size(inverse.branches[0])
+        choices.append(oriented(turn, [entry for key in sign for entry in _entries(found[key])], finite))
         rules = {symbols[key]: Scale(turn, found[key]) for key in sign}
     return choices, rules, _angles(inverse, symbols)
 

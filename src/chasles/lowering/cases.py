@@ -23,7 +23,10 @@ class Comparison:
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """Where all comparisons come out as said: the values of a choice's symbols, in their order."""
+    """Where all comparisons come out as said: the values of a choice's symbols, in their order.
+
+    A case without values says what no numbers do: there something is infinite, or not a number.
+    """
 
     where: tuple[Comparison, ...]
     values: tuple[Node, ...]
@@ -59,9 +62,12 @@ def largest_of(symbols: tuple[Symbol, ...], candidates: Sequence[tuple[Node, tup
     return Choice(symbols, tuple(cases))
 
 
-def oriented(sign: Symbol, entries: Sequence[Node]) -> Choice:
-    """The sign, 1 or -1, that makes the first of the entries positive that is not zero; 1 where all are zero."""
-    cases = []
+def oriented(sign: Symbol, entries: Sequence[Node], finite: Node | None = None) -> Choice:
+    """The sign, 1 or -1, that makes the first of the entries positive that is not zero; 1 where all are zero.
+
+    There is none where the scalar that is to be `finite` is not.
+    """
+    cases = [] if finite is None else [Case((vanishes(finite - finite, holds=False),), ())]
     plus, minus = number(1), number(-1)
     for entry in entries:
         cases.append(Case((Comparison("less", entry, number(0)),), (minus,)))

@@ -9,7 +9,7 @@ from time import monotonic
 from chasles.lowering.algebra import Algebra
 from chasles.lowering.cases import Choice
 from chasles.lowering.program import Program
-from chasles.lowering.reading import Reading, Settled, Unreadable, angles_of
+from chasles.lowering.reading import Reading, Settled, Unreadable, angles_of, scale_symbols
 from chasles.lowering.request import Output, Request, argument_name
 from chasles.lowering.signs import Differences, Fork, Impossible, Signs
 from chasles.proof.ratios import Ratio
@@ -40,11 +40,17 @@ def differences(request: Request, program: Program, budget: float = BUDGET) -> t
     found: dict[str, None] = {}
     try:
         stages = _Stages(request, program)
-        for way in product(*(range(len(c.cases) + (not c.is_exhaustive)) for c in request.choices)):
+        for way in product(*map(_cases, request.choices)):
             found |= dict.fromkeys(_on_way(request, program, way, stages, monotonic() + budget))
     except (Unreadable, Untreatable, UndeclaredDivisor) as error:
         found[str(error)] = None
     return tuple(found)
+
+
+def _cases(choice: Choice) -> tuple[int, ...]:
+    """The cases that numbers can be in, by their places; the last place is that of none, where that can be."""
+    places = range(len(choice.cases) + (not choice.is_exhaustive))
+    return tuple(k for k in places if k == len(choice.cases) or choice.cases[k].values)
 
 
 def _shape(request: Request, program: Program) -> str | None:
@@ -70,6 +76,7 @@ class _Stages:
 
     def __init__(self, request: Request, program: Program) -> None:
         compared = [side for c in request.choices for case in c.cases for w in case.where for side in (w.left, w.right)]
+        self.scales = scale_symbols(program)
         self._further = (*compared, *angles_of(program, request))
         self._request = request
         self._program = program
@@ -79,7 +86,8 @@ class _Stages:
         """The stage on which the rules hold; what is still to be completed on it must be so before the deadline."""
         key = tuple(rules.items())
         if key not in self._known:
-            self._known[key] = Algebra(self._request, rules, self._further, deadline), Settled(self._program)
+            algebra = Algebra(self._request, rules, self._further, deadline, tuple(self.scales.values()))
+            self._known[key] = algebra, Settled(self._program)
         self._known[key][0].deadline = deadline
         return self._known[key]
 
@@ -100,7 +108,8 @@ def _on_way(request: Request, program: Program, way: Sequence[int], stages: _Sta
         if not signs.is_possible:
             continue
         try:
-            yield from _compared(request, Reading(program, request, signs, settled), program, signs, valueless)
+            reading = Reading(program, request, signs, settled, stages.scales)
+            yield from _compared(request, reading, program, signs, valueless)
         except Fork as fork:
             waiting += signs.forked(fork)
         except Impossible:

@@ -11,6 +11,7 @@ from chasles.lowering.expansion import Expansion
 from chasles.lowering.passes.angles import respelled
 from chasles.lowering.passes.guard import guarded
 from chasles.lowering.passes.prune import pruned
+from chasles.lowering.passes.scale import scaled
 from chasles.lowering.program import Argument, Op, Program, Result
 from chasles.lowering.request import Request, argument_name, core_shape, meaning_of
 from chasles.lowering.rounding import stable
@@ -30,7 +31,7 @@ def lower(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None = No
 
 def program_of(request: Request) -> Program:
     """The cheapest of the programs that lose no digits another one keeps; NaN where one of its divisors is zero."""
-    return guarded(min(stable(request, list(dict.fromkeys(_candidates(request)))), key=price))
+    return guarded(scaled(min(stable(request, list(dict.fromkeys(_candidates(request)))), key=price)))
 
 
 def _candidates(request: Request) -> Iterator[Program]:

@@ -96,9 +96,9 @@ class Meanings:
         build = self._expander.builder
         for place, symbol in enumerate(choice.symbols):
             rows, columns = symbol.shape
-            chosen: Rows = ((build.not_a_number(),) * columns,) * rows
+            chosen = nothing = ((build.not_a_number(),) * columns,) * rows
             for case in reversed(choice.cases):
-                values = self._expander.rows(case.values[place])
+                values = self._expander.rows(case.values[place]) if case.values else nothing
                 for comparison in reversed(case.where):
                     values = self._selected(comparison, values, chosen)
                 chosen = values

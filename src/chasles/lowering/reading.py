@@ -1,22 +1,25 @@
 """A program read as algebra: every step a fraction in the entries of the arguments.
 
 A root is a norm of the request, a sine or cosine that of a sum of its angles, an arctangent one of its angles by cosine
-and sine; a selection goes the way that the signs on this way through the cases say.
+and sine; a selection goes the way that the signs on this way through the cases say, unless it is a scale, which is read
+as any positive number.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from types import MappingProxyType
 
 from chasles.lowering.algebra import Algebra
 from chasles.lowering.program import Op, Program
 from chasles.lowering.request import Request
+from chasles.lowering.scales import is_scale
 from chasles.lowering.signs import Signs
 from chasles.proof.ratios import Ratio
-from chasles.vocabulary import Call, Node, Number, Scale, Sum, Symbol
+from chasles.vocabulary import Call, Node, Number, Scale, Sum, Symbol, uniform
 
-__all__ = ["Reading", "Settled", "Unreadable", "angles_of"]
+__all__ = ["Reading", "Settled", "Unreadable", "angles_of", "scale_symbols"]
 
 Linear = dict[Symbol, Fraction]
 
@@ -42,7 +45,15 @@ class Settled:
 class Reading:
     """The values of a program's steps on one way through its cases; None is what has no value."""
 
-    def __init__(self, program: Program, request: Request, signs: Signs, settled: Settled) -> None:
+    def __init__(
+        self,
+        program: Program,
+        request: Request,
+        signs: Signs,
+        settled: Settled,
+        scales: Mapping[int, Symbol] = MappingProxyType({}),
+    ) -> None:
+        self._scales = scales
         self._program = program
         self._request = request
         self._algebra: Algebra = signs.differences.algebra
@@ -59,6 +70,8 @@ class Reading:
 
     def _value(self, number: int) -> Ratio | None:
         step = self._program.steps[number]
+        if number in self._scales:
+            return self._algebra.entry(self._scales[number])
         match step.op:
             case Op.INPUT:
                 return self._input(step.argument, step.entry)
@@ -131,6 +144,12 @@ class Reading:
         left, right = (self.value(operand) for operand in step.operands)
         # No comparison with what is not a number holds.
         return left is not None and right is not None and self._signs.truth(step.op.value, left - right)
+
+
+def scale_symbols(program: Program) -> dict[int, Symbol]:
+    """A symbol for each step that is a scale: whatever positive number it stands for, the program is to be right."""
+    numbers = (k for k in range(len(program.steps)) if is_scale(program.steps, k))
+    return {k: Symbol(f"scale {k}", "", uniform((1, 1))) for k in numbers}
 
 
 def angles_of(program: Program, request: Request) -> Iterator[Node]:

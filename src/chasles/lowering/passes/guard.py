@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import replace as with_fields
 
 from chasles.lowering.program import Op, Program, Step
+from chasles.lowering.scales import is_scale
 
 __all__ = ["guarded"]
 
@@ -27,7 +28,7 @@ def guarded(program: Program) -> Program:
     place: list[int] = []
     for step in program.steps:
         operands = tuple(place[k] for k in step.operands)
-        if step.op is Op.DIVIDE and steps[operands[1]].op is not Op.CONSTANT:
+        if step.op is Op.DIVIDE and steps[operands[1]].op is not Op.CONSTANT and not is_scale(steps, operands[1]):
             zero = add(Step(Op.CONSTANT))
             divisor = steps[operands[1]]
             # A root is zero where its radicand is, which is known earlier.
