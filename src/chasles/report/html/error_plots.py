@@ -59,9 +59,10 @@ def _in_words(curve: Curve) -> str:
 
 
 def _largest(errors: Sequence[tuple[float, Place]]) -> str:
-    worst, at = max(errors, key=lambda each: each[0])
-    if worst < 2**53:
-        return f"at most {worst:.3g} u"
+    lost = [place for error, place in errors if error >= 2**53]
+    if not lost:
+        return f"at most {max(error for error, _ in errors):.3g} u"
+    at = max(lost, key=lambda place: place.small)
     small = f"{at.small:.3g}".replace("-", "\N{NON-BREAKING HYPHEN}")
     return f"no digit is right at φ = {'π − ' if at.near_pi else ''}{small}"
 
