@@ -127,7 +127,10 @@ def test_bounds_times_and_errors_are_those_of_the_files() -> None:
     speeds = html.split('<table class="speeds">')[1].split("</table>")[0]
     cells = re.findall(r"<td[^>]*>(?:<strong>)?([^<]*)", speeds)
     assert cells == ["2", "5 CasADi C", "1.5", "2.50", "", "0.75", "lost"]
-    assert "2x: at most 2 u as emitted, no digit is right at φ = 1e-08 by the formula as typed." in html
+    assert (
+        "2x: at most 2 u as emitted, no digit is right at φ = 1e\N{NON-BREAKING HYPHEN}08 by the formula as typed."
+        in html
+    )
 
 
 def test_without_measurements_the_page_says_how_to_measure() -> None:

@@ -59,11 +59,12 @@ def _in_words(curve: Curve) -> str:
 
 
 def _largest(errors: Sequence[tuple[float, Place]]) -> str:
-    worst, at = max(errors, key=lambda each: each[0])
-    if worst < 2**53:
-        return f"at most {worst:.3g} u"
-    near = f"π − {at.small:.3g}" if at.near_pi else f"{at.small:.3g}"
-    return f"no digit is right at φ = {near}"
+    lost = [place for error, place in errors if error >= 2**53]
+    if not lost:
+        return f"at most {max(error for error, _ in errors):.3g} u"
+    at = max(lost, key=lambda place: place.small)
+    small = f"{at.small:.3g}".replace("-", "\N{NON-BREAKING HYPHEN}")
+    return f"no digit is right at φ = {'π − ' if at.near_pi else ''}{small}"
 
 
 def _figure(curve: Curve) -> Any:
