@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from chasles.bounds.intervals import Array, Interval
 from chasles.bounds.model import Model
 from chasles.bounds.outline import NoBound, Outline
-from chasles.bounds.pieces import AnglePiece, FacePiece, Piece, Range, face_values, faces
+from chasles.bounds.pieces import AnglePiece, FacePiece, Piece, face_values, faces
 from chasles.bounds.places import Places
 from chasles.bounds.running import Running
 from chasles.bounds.scaled import Scaled
@@ -223,21 +223,20 @@ def _vectors(boxes: _Boxes, k: int, place: int) -> dict[tuple[int, int], Scaled]
 
 def _turned(boxes: _Boxes, k: int, place: int, factor: Fraction) -> tuple[Scaled, Scaled]:
     """Sine and cosine of an angle, whose pieces are the k-th of each region's."""
-    known: dict[tuple[Piece, Range], tuple[tuple[int, float, float], ...]] = {}
-    rows = []
-    ends = zip(boxes.owner.tolist(), boxes.low[:, place].tolist(), boxes.high[:, place].tolist(), strict=True)
-    for owner, low, high in ends:
-        piece = boxes.regions[owner][k]
-        key = piece, (low, high)
-        if key not in known:
-            assert isinstance(piece, AnglePiece)
-            known[key] = piece.functions((low, high), factor)
-        rows.append(known[key])
-    zero = np.zeros(len(rows))
+    pieces = [region[k] for region in boxes.regions]
+    first = np.array([pieces.index(piece) for piece in pieces], dtype=np.float64)[boxes.owner]
+    keys = np.stack((first, boxes.low[:, place], boxes.high[:, place]), axis=1)
+    distinct, where = np.unique(keys, axis=0, return_inverse=True)
+    found_of = []
+    for owner, low, high in distinct.tolist():
+        piece = pieces[int(owner)]
+        assert isinstance(piece, AnglePiece)
+        found_of.append(piece.functions((low, high), factor))
+    zero = np.zeros(len(where))
     found = []
     for which in (0, 1):
-        low_ends, high_ends = (np.array([row[which][end] for row in rows]) for end in (1, 2))
-        found.append(Scaled(rows[0][which][0], Interval(low_ends, high_ends), zero))
+        low_ends, high_ends = (np.array([row[which][end] for row in found_of])[where.ravel()] for end in (1, 2))
+        found.append(Scaled(found_of[0][which][0], Interval(low_ends, high_ends), zero))
     return found[0], found[1]
 
 
