@@ -160,10 +160,10 @@ def test_evidence_lies_beside_the_declarations(monkeypatch: pytest.MonkeyPatch, 
         submodule_search_locations = (str(tmp_path / "derivations"),)
 
     monkeypatch.setattr(reporting, "find_spec", lambda name: Spec)
-    assert reporting._evidence() == {}
+    assert reporting._evidence(load()) == {}
     (tmp_path / "benchmarks" / "evidence").mkdir(parents=True)
     (tmp_path / "benchmarks" / "evidence" / "errors.json").write_text("{}", "utf-8")
-    assert reporting._evidence() == {"errors.json": "{}"}
+    assert reporting._evidence(load()) == {"errors.json": "{}"}
 
 
 def test_a_plot_has_a_panel_for_each_end() -> None:

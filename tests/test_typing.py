@@ -109,7 +109,10 @@ def test_right_programs_pass_and_each_wrong_line_is_named(types: Path) -> None:
 @pytest.mark.slow
 @pytest.mark.skipif(kernels.backend != "c", reason="the stubs are those of ufuncs")
 def test_the_stubs_agree_with_what_runs(types: Path) -> None:
-    done = mypy(types, "mypy.stubtest", "--mypy-config-file", "mypy.ini", "chasles.kernels", "chasles.checked")
+    # Its names are those of the module that it passes on, which no checker reads.
+    (types / "passed_on").write_text(r"chasles\.kernels\.array_api\..*", "utf-8")
+    options = ("--mypy-config-file", "mypy.ini", "--allowlist", "passed_on", "--ignore-unused-allowlist")
+    done = mypy(types, "mypy.stubtest", *options, "chasles.kernels", "chasles.checked")
     assert done.returncode == 0, done.stdout + done.stderr
 
 
@@ -128,7 +131,7 @@ def test_every_kernel_is_declared_with_its_numbers_of_inputs_and_results_and_its
         stub = declared(module)
         assert set(stub) == set(KERNELS)
         more = {name for name in dir(found) if not name.startswith("_")} - set(stub)
-        assert kernels.backend != "c" or more <= {"backend", "instructions", "one"}
+        assert kernels.backend != "c" or more <= {"array_api", "backend", "instructions", "one"}
         assert set(stub) <= set(dir(found))
         for name, (kind, says) in stub.items():
             signature = signature_of(getattr(kernels, name))

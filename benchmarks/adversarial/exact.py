@@ -6,8 +6,9 @@ no value, as 0/0 has none and nothing that a NaN enters, is None. Nothing depend
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any
 
 from flint import arb, ctx
@@ -73,13 +74,13 @@ class Exact:
         values = self.steps(inputs)
         return [[values[k] for k in result.entries] for result in self.program.results]
 
-    def steps(self, inputs: Sequence[Any]) -> list[Any]:
-        """The values of all steps; those of comparisons are truth values. Raises Undecided."""
+    def steps(self, inputs: Sequence[Any], moved: Mapping[int, Any] = MappingProxyType({})) -> list[Any]:
+        """The values of all steps, some of them moved; those of comparisons are truth values. Raises Undecided."""
         bits = BITS
         while True:
             ctx.prec = bits
             try:
-                values = self._run(inputs, last=bits >= MOST_BITS)
+                values = self._run(inputs, moved, last=bits >= MOST_BITS)
                 if all(self._small(values[k]) for result in self.program.results for k in result.entries):
                     return values
             except _Wide:
@@ -98,7 +99,7 @@ class Exact:
             return True
         return bool(ball.is_finite()) and bool(ball.rad() <= size.abs_lower() * self.least)
 
-    def _run(self, inputs: Sequence[Any], *, last: bool) -> list[Value]:
+    def _run(self, inputs: Sequence[Any], moved: Mapping[int, Any], *, last: bool) -> list[Value]:
         values: list[Any] = []
         for number, step in enumerate(self.program.steps):
             match step.op:
@@ -118,6 +119,8 @@ class Exact:
                 case _:
                     of = [values[k] for k in step.operands]
                     values.append(None if None in of else OPERATIONS[step.op](of, last))
+            if number in moved and values[number] is not None:
+                values[number] = values[number][0] + moved[number], values[number][1]
         return values
 
 

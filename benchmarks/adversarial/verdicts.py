@@ -2,9 +2,11 @@
 
 A number is right if it differs from the exact value by no more than the proved bound allows: so many roundoffs of the
 largest sum of terms' sizes among the entries of one physical dimension. Below the smallest normal number floats have no
-digits: what moving every entry of the input, and the result, by a few of the smallest numbers changes is allowed too.
-Where a choice between cases rests on rounded values, what the input lacks of being a rotation counts as well; and where
-the C library's own sine or cosine of the input is off by more than the model of the bounds has it, that does.
+digits: what moving every entry of the input, and the result, by a few of the smallest numbers changes is allowed too,
+and for a result that lies there what moving the steps that do changes. Where a choice between cases rests on rounded
+values, what the input lacks of being a rotation counts as well; and where the C library's own sine or cosine of the
+input is off by more than the model of the bounds has it, that does. What is no rotation there by far, and a matrix
+without an inverse where one is to be positive-definite, is set aside.
 
 NaN and infinities are right where a step of the formula is out of range, or has no value; where a step has no value,
 and where a NaN enters, nothing but NaN is right. Where an infinity goes in, a number is right if it is the limit, the
@@ -16,13 +18,16 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 from benchmarks.adversarial.exact import Exact, Undecided, Value, roundings
+from chasles.generated.numpy.hypotheses import KERNELS
 from flint import arb
 
-from chasles.lowering.program import Op
+from chasles.bounds.outline import NoBound, outlined
+from chasles.lowering.program import Op, Program
 from chasles.targets import Kernel
 
 __all__ = ["Fault", "Judge", "Judged"]
@@ -68,11 +73,12 @@ class Judge:
         self.exact, self.groups = Exact(program), groups
         limits = np.finfo(dtype)
         self.unit, self.least, self.most = float(limits.eps) / 2, float(limits.smallest_subnormal), float(limits.max)
+        self.normal = float(limits.smallest_normal)
         counted = roundings(program)
         proved = {guarantee.result: float(guarantee.units) for guarantee in bound.guarantees}
         self.units = [proved.get(r.name, max(counted[k] for k in r.entries)) for r in program.results]
-        chooses = bound.reason.startswith("it chooses")
-        self.rotations = [k for k, a in enumerate(program.arguments) if chooses and a.name == "Q"]
+        self.rotations = _demanded(kernel, "rotation") if _chooses(program) else []
+        self.definite = _demanded(kernel, "definite")
         self.turning = {
             (program.steps[k].argument, program.steps[k].entry)
             for step in program.steps
@@ -83,7 +89,9 @@ class Judge:
 
     def judged(self, inputs: Sequence[Sequence[float]]) -> Judged | None:
         """The exact values at an input; None where the kernel promises nothing. Raises Undecided."""
-        if any(self._defect(inputs[k]) > DEFECT for k in self.rotations):
+        if any(self._defect(inputs[k]) > DEFECT for k in self.rotations) or any(
+            _is_singular(inputs[k]) for k in self.definite
+        ):
             return None
         if not any(math.isinf(x) for values in inputs for x in values):
             given = [[None if math.isnan(x) else x for x in values] for values in inputs]
@@ -145,7 +153,10 @@ class Judge:
             if _upper(gap) <= allowed:
                 continue
             if math.isfinite(y):
-                wrong = _upper(gap) > allowed + self._leeway(judged, values, r, group, max(sizes, default=0.0))
+                allowed_too = self._leeway(judged, values, r, group, max(sizes, default=0.0))
+                if abs(value[0]) < self.normal:
+                    allowed_too += self._vanishing(judged, r, k)
+                wrong = _upper(gap) > allowed + allowed_too
             elif judged.limits:
                 wrong = (
                     math.isinf(y) and not value[0] * math.copysign(1, y) > self.most and not self._leaves_range(judged)
@@ -193,6 +204,21 @@ class Judge:
                 total += most
         return total
 
+    def _vanishing(self, judged: Judged, r: int, k: int) -> float:
+        """How far an entry moves where each step that has no digits moves by one of the smallest numbers."""
+        program, total = self.exact.program, 0.0
+        entry = program.results[r].entries[k]
+        steps = self.exact.steps(judged.inputs)
+        for number, step in enumerate(program.steps):
+            if (
+                step.op in (Op.MULTIPLY, Op.DIVIDE)
+                and steps[number] is not None
+                and abs(steps[number][0]) < self.normal
+            ):
+                moved = self.exact.steps(judged.inputs, {number: arb(self.least)})[entry]
+                total += _upper(abs(moved[0] - steps[entry][0])) if moved is not None else 0.0
+        return total
+
     def _change(self, moved: list[list[Any]], values: list[list[Value]], r: int, group: Sequence[int]) -> float:
         try:
             beside = self.exact(moved)[r]
@@ -204,6 +230,31 @@ class Judge:
             if before is not None:
                 changes.append(_upper(abs(after[0] - before[0])) if after is not None else math.inf)
         return max(changes)
+
+
+def _demanded(kernel: Kernel, kind: str) -> list[int]:
+    """The places of the arguments of which a hypothesis of this kind is demanded."""
+    _, demands = KERNELS[kernel.name]
+    names = {name for demanded, _, about, _ in demands if demanded == kind for name in about}
+    return [place for place, argument in enumerate(kernel.program.arguments) if argument.name in names]
+
+
+def _chooses(program: Program) -> bool:
+    """Whether the program chooses between cases by values that are rounded."""
+    try:
+        outlined(program)
+    except NoBound:
+        return True
+    return False
+
+
+def _is_singular(entries: Sequence[float]) -> bool:
+    """Whether a symmetric matrix, of nine numbers or of six, has no inverse and so is not definite."""
+    if not all(map(math.isfinite, entries)):
+        return False
+    x = list(map(Fraction, entries))
+    a, b, c, d, e, f, g, h, i = x if len(x) == 9 else [x[k] for k in (0, 1, 2, 1, 3, 4, 2, 4, 5)]
+    return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g) == 0
 
 
 def _named(found: float) -> str:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from chasles.cli import reporting
+from chasles.cli import recorded
 from chasles.cli.failures import Failure
 from chasles.cli.writing import write_whole
 from chasles.statements import Claim
@@ -51,7 +51,7 @@ def test_a_file_in_the_folder_s_place_is_named(run, chapter_is, tmp_path: Path) 
 def test_a_damaged_manifest_is_named(run, chapter_is, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     chapter_is(twice=TWICE)
     (tmp_path / "MANIFEST.toml").write_text("files = [", "utf-8")
-    monkeypatch.setattr(reporting, "files", lambda package: tmp_path)
+    monkeypatch.setattr(recorded, "files", lambda package: tmp_path)
     done = run("report", "--out", str(tmp_path / "out"))
     assert done.exit_code == 1
     assert "generated/MANIFEST.toml cannot be read" in done.stderr

@@ -44,14 +44,14 @@ MOST = {
     "plucker_transfer": 15,
     "velocity_of_point": 15,
     "instant_screw_point": 35,
-    "instant_screw": 48,
+    "instant_screw": 55,
     "natural_rate_matrix": 24,
     "linear_rate_matrix": 28,
     "euler_rodrigues_rate_matrix": 6,
     "linear_velocity_matrix": 5,
     "pose_rate_natural": 32,
     "twist_transfer": 15,
-    "axial_velocity_leaves": 27,
+    "axial_velocity_leaves": 30,
     "squared_spin": 9,
 }
 CIRCULAR = (Op.SINE, Op.COSINE)

@@ -31,7 +31,7 @@ def lower(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None = No
 
 def program_of(request: Request) -> Program:
     """The cheapest of the programs that lose no digits another one keeps; NaN where one of its divisors is zero."""
-    return guarded(scaled(min(stable(request, list(dict.fromkeys(_candidates(request)))), key=price)))
+    return guarded(min(map(scaled, stable(request, list(dict.fromkeys(_candidates(request))))), key=price))
 
 
 def _candidates(request: Request) -> Iterator[Program]:

@@ -173,7 +173,8 @@ class Unfolder:
 
     def _entry(self, symbol: Symbol, order: int, row: int, column: int) -> Ratio:
         entry = self.coordinates.entry(symbol, order, row, column)
-        assert entry is not None, f"{plain(symbol)} has no variable for its rate of order {order}"
+        if entry is None:
+            raise KeyError(f"{plain(symbol)} has no variable for its rate of order {order}")
         return entry
 
     def _norm(self, of: Node) -> Ratio:
