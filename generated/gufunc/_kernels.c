@@ -106,7 +106,7 @@ const Kernel chasles_kernels[] = {
             "  assumes     phi != 0\n"
             "              |e| = 1\n"
             "  operations  17: 3 add, 1 subtract, 11 multiply, 1 divide, 1 sine\n"
-            "  error bound 8.3 u of the largest entry, for every unit e and every phi; u = 2^-53, in single\n"
+            "  error bound 8.4 u of the largest entry, for every unit e and every phi; u = 2^-53, in single\n"
             "                precision 2^-24\n"
             "              supposed: every operation rounded to nearest, with or without FMA, sine within 0.8 ulp\n"
             "  derivation  sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c\n"

@@ -27,7 +27,7 @@ __all__ = ["bound_of", "key_of"]
 
 METHOD = 4
 """Changes with every change of what is proved of a program, so that remembered bounds are not taken for new ones."""
-BOXES = 400_000
+BOXES = 250_000
 DIGITS = Decimal("0.01")
 COVERED_DIGITS = Decimal("0.1")
 """To what units are rounded upwards: coarser where the end depends on the order in which boxes are halved."""
