@@ -44,6 +44,8 @@ COVERED = [name for name in PROVED if any(g["against"] == "largest" for g in LIS
 CHOOSING = {"natural_invariants", "euler_rodrigues_parameters", "screw_of_motion"}
 CONTEXT = mpmath.MPContext()
 CONTEXT.dps = 60
+ANY_SCALE = CONTEXT.mpf("0.7")
+"""A scale that the machine does not take: exact values do not depend on which it is."""
 
 
 class Book:
@@ -85,6 +87,9 @@ def exact_values(outline: Outline, inputs: list[list[Any]]) -> dict[int, Value]:
             angle = CONTEXT.mpf(factor.numerator) / factor.denominator * inputs[argument][entry]
             value = CONTEXT.sin(angle) if step.op is Op.SINE else CONTEXT.cos(angle)
             found[number] = Value(value, abs(value), False)
+            continue
+        if number in outline.scales:
+            found[number] = Value(ANY_SCALE, ANY_SCALE, True)
             continue
         of = [found[k] for k in outline.operands(number)]
         match step.op:

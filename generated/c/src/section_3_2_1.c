@@ -63,7 +63,7 @@ const chasles_loop chasles_screw_axis_point_loopf = {
  *   assumes     phi != 0
  *               |e| = 1
  *   operations  17: 3 add, 1 subtract, 11 multiply, 1 divide, 1 sine
- *   error bound 8.3 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
+ *   error bound 8.4 u of the largest entry, for every unit e and every phi; u = 2^-53, in single
  *                 precision 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA, sine within 0.8 ulp
  *   derivation  sha256 1a335cc68a85257903e9024003c40a39af04dc468b703619f454e7c6495b1c9c

@@ -1173,7 +1173,11 @@ void chasles_linear_invariants_batchf(
  *   assumes     Q is a rotation
  *               phi != 0
  *   operations  63: 23 add, 7 subtract, 22 multiply, 8 divide, 2 square root, 1 arctangent2
- *   error bound not proved: it chooses between cases by values that are rounded
+ *   error bound e: 13.16 u of itself, for every rotation Q, beside the case that is taken
+ *               phi: 26.99 u of itself, for every rotation Q, beside the case that is taken; u =
+ *                 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, arctangent within 1
+ *                 ulp
  *   derivation  sha256 167078e6ba9dff78870c0f0ddc85370ad11a1b0b824ddf316c3c9f19bd756081
  */
 void chasles_natural_invariants(const double Q[9], double e[3], double *phi)
@@ -1373,7 +1377,10 @@ void chasles_natural_invariants_batchf(
  *   verdict     holds under
  *   assumes     Q is a rotation
  *   operations  50: 21 add, 7 subtract, 17 multiply, 4 divide, 1 square root
- *   error bound not proved: it chooses between cases by values that are rounded
+ *   error bound q: 11.66 u of itself, for every rotation Q, beside the case that is taken
+ *               q_0: 9.34 u of itself, for every rotation Q, beside the case that is taken; u = 2^-53,
+ *                 in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA
  *   derivation  sha256 acb16a335b8480158c7d6e339e4c3de8c51cf3bffd9594c8aa4b639840b77580
  */
 void chasles_euler_rodrigues_parameters(const double Q[9], double q[3], double *q_0)
@@ -1548,7 +1555,14 @@ void chasles_euler_rodrigues_parameters_batchf(
  *               phi != 0
  *   made of     an offered form, proved equal to the statement
  *   operations  114: 31 add, 19 subtract, 49 multiply, 12 divide, 2 square root, 1 arctangent2
- *   error bound not proved: it chooses between cases by values that are rounded
+ *   error bound axis: 59.30 u of the sum of its terms' sizes, for every rotation Q, beside the case
+ *                 that is taken
+ *               d_0: 17.16 u of the sum of its terms' sizes, for every rotation Q, beside the case
+ *                 that is taken
+ *               phi: 26.99 u of itself, for every rotation Q, beside the case that is taken; u =
+ *                 2^-53, in single precision 2^-24
+ *               supposed: every operation rounded to nearest, with or without FMA, arctangent within 1
+ *                 ulp
  *   derivation  sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
  */
 void chasles_screw_of_motion(

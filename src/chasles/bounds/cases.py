@@ -23,6 +23,7 @@ from chasles.bounds.scaled import Scaled
 from chasles.bounds.sensitivity import entry_error
 from chasles.bounds.termwise import Share, shares
 from chasles.lowering.program import Op, Program
+from chasles.lowering.scales import is_scale
 
 __all__ = ["Case", "cases", "rotations"]
 
@@ -65,13 +66,18 @@ def _entries(outline: Outline) -> tuple[tuple[int, ...], ...]:
 
 
 def _choices(program: Program) -> tuple[int, ...]:
-    """The comparisons of computed values by which cases are chosen."""
-    steps = program.steps
-    found = {
-        step.operands[0]
-        for k, step in enumerate(steps)
-        if step.op is Op.SELECT and not is_sign(k, program) and steps[step.operands[0]].op is Op.LESS
-    }
+    """The comparisons of computed values by which cases are chosen, those of a scale left out."""
+    steps, found, seen = program.steps, set[int](), set[int]()
+    ahead = [k for result in program.results for k in result.entries]
+    while ahead:
+        number = ahead.pop()
+        if number in seen or is_scale(steps, number):
+            continue
+        seen.add(number)
+        step = steps[number]
+        if step.op is Op.SELECT and not is_sign(number, program) and steps[step.operands[0]].op is Op.LESS:
+            found.add(step.operands[0])
+        ahead += step.operands
     return tuple(sorted(found))
 
 

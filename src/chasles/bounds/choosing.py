@@ -26,7 +26,7 @@ class Truth:
     may_not: NDArray[np.bool_]
     exact: bool
 
-    def part(self, rows: NDArray[np.bool_]) -> Truth:
+    def part(self, rows: NDArray[np.intp]) -> Truth:
         """The same in some of the boxes."""
         return Truth(self.may[rows], self.may_not[rows], self.exact)
 

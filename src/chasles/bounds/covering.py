@@ -34,7 +34,7 @@ PARTED = 1.25
 """How much too large a bound may be for its box to be parted at a power of two besides being halved."""
 POINTS, MOVES, CLIMBS = 32, 8, 14
 """How many of the best points are kept, into how many each is moved, and how often."""
-FAIR, STUCK = 1.1, 4
+FAIR, STUCK = 1.2, 4
 """How much larger it may be where so many rounds have made it no smaller."""
 WIDEST = 1.5
 """How much larger it may be where the budget is spent, lest it says more of the boxes than of the program."""

@@ -88,7 +88,7 @@ class Interval:
         """What holds both."""
         return Interval(np.minimum(self.low, other.low), np.maximum(self.high, other.high))
 
-    def part(self, rows: NDArray[np.bool_]) -> Interval:
+    def part(self, rows: NDArray[np.intp]) -> Interval:
         """The same in some of the boxes."""
         return Interval(self.low[rows], self.high[rows])
 

@@ -34,10 +34,10 @@ def errors(running: Running, group: Group, power: int, enough: Array) -> Array:
     error = running.zero
     first = {k: running.values[k].error for k in group}
     for number in sorted(first, key=lambda k: -float(np.nan_to_num(first[k], posinf=1e300, nan=1e300).max())):
-        rows = ~(first[number] <= np.maximum(error, enough)) & ~running.bad & ~running.empty
-        finer = first[number].copy()
-        if rows.any():
-            part = running.part(rows)
+        wide = ~(first[number] <= np.maximum(error, enough)) & ~running.bad & ~running.empty
+        rows, finer = np.flatnonzero(wide), first[number].copy()
+        if len(rows):
+            part = running.part(rows, number)
             finer[rows] = np.fmin(finer[rows], entry_error(part, number, power))
             running.split[0][rows], running.split[1][rows] = part.split
             running._weight[rows] = part._weight

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -51,14 +51,16 @@ def outlined(program: Program, truths: Mapping[int, bool] | None = None) -> Outl
     sources: dict[int, int] = {}
     signs: dict[int, list[int]] = {}
     for number, step in enumerate(steps):
-        if _is_guard(number, step, program):
+        if _is_guard(number, step, program) or _is_held_back(number, step, program):
             sources[number] = sources.get(step.operands[2], step.operands[2])
         elif step.op is Op.SELECT and truths and step.operands[0] in truths:
             chosen = step.operands[1 if truths[step.operands[0]] else 2]
             sources[number] = sources.get(chosen, chosen)
-        elif step.op is Op.MULTIPLY and is_sign(step.operands[1], program):
+        elif _is_of_the_finite(step, program):
+            sources[number] = sources.get(step.operands[1], step.operands[1])
+        elif step.op is Op.MULTIPLY and is_sign(sign := sources.get(step.operands[1], step.operands[1]), program):
             sources[number] = sources.get(step.operands[0], step.operands[0])
-            signs[number] = [sources.get(k, k) for k in _compared(step.operands[1], program)]
+            signs[number] = [sources.get(k, k) for k in _compared(sign, program)]
     scales = frozenset(k for k in range(len(steps)) if is_scale(steps, k))
     needed: set[int] = set()
     angles: dict[int, tuple[int, int, Fraction]] = {}
@@ -159,6 +161,44 @@ def _is_guard(number: int, step: Step, program: Program) -> bool:
         and (reader.operands[1] in tested or _root_of(steps[reader.operands[1]]) in tested)
         for reader in readers
     )
+
+
+def _is_held_back(number: int, step: Step, program: Program) -> bool:
+    """Whether a selection is 0 where a value is zero, and is read by guards and by the divisions that they guard alone.
+
+    Where 0 is selected, the quotient is no number.
+    """
+    steps = program.steps
+    if step.op is not Op.SELECT or not _is_zero(steps[step.operands[1]]):
+        return False
+    if steps[step.operands[0]].op is not Op.EQUAL or any(number in result.entries for result in program.results):
+        return False
+    tests = {k for k, test in enumerate(steps) if test.op is Op.EQUAL and _compares(test, number, steps)}
+    guards = {
+        k for k, s in enumerate(steps) if s.op is Op.SELECT and s.operands[0] in tests and _is_guard(k, s, program)
+    }
+    return all(
+        k in tests or (reader.op is Op.DIVIDE and reader.operands[1] == number and reader.operands[0] in guards)
+        for k, reader in enumerate(steps)
+        if number in reader.operands
+    ) and all(k in guards for k, reader in enumerate(steps) if not tests.isdisjoint(reader.operands))
+
+
+def _compares(test: Step, number: int, steps: Sequence[Step]) -> bool:
+    """Whether a comparison is one of a step with zero."""
+    return number in test.operands and any(_is_zero(steps[k]) for k in test.operands)
+
+
+def _is_of_the_finite(step: Step, program: Program) -> bool:
+    """Whether a selection is not a number where some x - x is not zero, and so where x is no finite number."""
+    if step.op is not Op.SELECT:
+        return False
+    steps = program.steps
+    test, other = steps[step.operands[0]], steps[step.operands[2]]
+    if test.op is not Op.EQUAL or other.op is not Op.NOT_A_NUMBER:
+        return False
+    compared = [steps[k] for k in test.operands if not _is_zero(steps[k])]
+    return len(compared) == 1 and compared[0].op is Op.SUBTRACT and len(set(compared[0].operands)) == 1
 
 
 def _is_zero(step: Step) -> bool:

@@ -15,6 +15,7 @@ from chasles.bounds.model import SINGLE, Model
 from chasles.bounds.norms import Group, against_largest
 from chasles.bounds.outline import NoBound, Outline, outlined
 from chasles.bounds.running import Running
+from chasles.bounds.scaling import ensure_free_of_scales
 from chasles.bounds.termwise import Share, shares
 from chasles.lowering.program import Program
 from chasles.lowering.request import Request
@@ -24,9 +25,9 @@ from chasles.vocabulary.nodes import measured
 
 __all__ = ["bound_of", "key_of"]
 
-METHOD = 3
+METHOD = 4
 """Changes with every change of what is proved of a program, so that remembered bounds are not taken for new ones."""
-BOXES = 400_000
+BOXES = 250_000
 DIGITS = Decimal("0.01")
 COVERED_DIGITS = Decimal("0.1")
 """To what units are rounded upwards: coarser where the end depends on the order in which boxes are halved."""
@@ -50,6 +51,10 @@ def bound_of(program: Program, request: Request, model: Model = SINGLE) -> Bound
     except NoBound:
         return _bound_of_cases(key, program, request, model)
     try:
+        ensure_free_of_scales(outline)
+    except NoBound as reason:
+        return Bound(key, reason=str(reason))
+    try:
         counted = _counted(outline, model)
         if any(guarantee.against == "terms" for guarantee in counted):
             return Bound(key, _over_boxes(outline, request, model) or counted)
@@ -63,7 +68,10 @@ def _bound_of_cases(key: str, program: Program, request: Request, model: Model) 
     rotations = _subjects(request, "rotation")
     rotation = next((k for k, a in enumerate(request.arguments) if _is_among(a, rotations)), None)
     try:
-        found = [(case.outline, case_shares(case, model, rotation)) for case in cases(program)]
+        different = cases(program)
+        for case in different:
+            ensure_free_of_scales(case.outline)
+        found = [(case.outline, case_shares(case, model, rotation)) for case in different]
     except NoBound as reason:
         return Bound(key, reason=str(reason))
     inputs = f"every rotation {program.arguments[rotation].name}" if rotation is not None else ALL
@@ -114,6 +122,8 @@ def _guarantee(result: str, entries: list[Share], model: Model, inputs: str) -> 
 def _over_boxes(outline: Outline, request: Request, model: Model) -> tuple[Guarantee, ...]:
     """By covering the inputs; nothing where that does not work."""
     program, units = outline.program, _units(request)
+    if outline.scales:
+        return ()
     angles = {argument for argument, _, _ in outline.angles.values()}
     if set(range(len(program.arguments))) != {*units, *angles}:
         return ()

@@ -94,17 +94,27 @@ class Running:
         self.why[lost] = number
         self.bad |= lost
 
-    def part(self, rows: NDArray[np.bool_]) -> Running:
-        """The same in some of the boxes."""
+    def part(self, rows: NDArray[np.intp], entry: int) -> Running:
+        """The same in some of the boxes, of a step's derivatives: all that the step depends on."""
         found: Running = object.__new__(Running)
         found.outline, found.rounded, found._model = self.outline, self.rounded, self._model
         found.zero, found._weight = self.zero[rows], self._weight[rows]
         found.split = self.split[0][rows], self.split[1][rows]
-        found.values = {k: x.part(rows) for k, x in self.values.items()}
-        found.around = {k: x.part(rows) for k, x in self.around.items()}
-        found.losses = {k: x[rows] for k, x in self.losses.items()}
-        found.truths = {k: x.part(rows) for k, x in self.truths.items()}
-        found._sides = {k: (x[rows], y[rows]) for k, (x, y) in self._sides.items()}
+        read = self._read_by(entry)
+        found.around = {k: self.around[k].part(rows) for k in read if k in self.around}
+        found.losses = {k: self.losses[k][rows] for k in read if k in self.losses}
+        found.truths = {k: self.truths[k].part(rows) for k in read if k in self.truths}
+        found._sides = {k: (self._sides[k][0][rows], self._sides[k][1][rows]) for k in read if k in self._sides}
+        return found
+
+    def _read_by(self, entry: int) -> set[int]:
+        """The steps that a step depends on, itself among them."""
+        found, ahead = set[int](), [entry]
+        while ahead:
+            number = ahead.pop()
+            if number not in found:
+                found.add(number)
+                ahead += () if number in self.outline.angles else self.outline.operands(number)
         return found
 
     def lowered(self, x: Interval, power: int, to: int) -> Interval:

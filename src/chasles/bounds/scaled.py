@@ -24,6 +24,6 @@ class Scaled:
     value: Interval
     error: Array
 
-    def part(self, rows: NDArray[np.bool_]) -> Scaled:
+    def part(self, rows: NDArray[np.intp]) -> Scaled:
         """The same in some of the boxes."""
         return Scaled(self.power, self.value.part(rows), self.error[rows])

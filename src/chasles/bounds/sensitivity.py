@@ -58,7 +58,7 @@ def entry_error(running: Running, entry: int, power: int) -> Array:
 def _moved(running: Running, number: int, found: list[_Slope], power: int) -> Array:
     """How far the step's own error moves the entry."""
     slope = _sum(running, found)
-    grown = slope.power + running.values[number].power
+    grown = slope.power + running.around[number].power
     if grown < power:
         return running.zero + np.nan
     size = slope.value.above
