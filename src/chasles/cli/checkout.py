@@ -14,7 +14,7 @@ from chasles.cli.book import BOOK
 from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.statements import Chapter
 
-__all__ = ["GENERATED", "generated_folder", "generated_package"]
+__all__ = ["GENERATED", "generated_folder", "generated_package", "installed_folders"]
 
 GENERATED = "generated"
 DERIVATIONS = "derivations"
@@ -23,6 +23,14 @@ DERIVATIONS = "derivations"
 def generated_package(book: Chapter) -> str:
     """The name under which what was emitted of a chapter is imported."""
     return f"chasles.{GENERATED}" if book.package == BOOK else f"{book.package}.{GENERATED}"
+
+
+def installed_folders(book: Chapter) -> tuple[Path, ...]:
+    """Where what was emitted of a chapter is imported from; none where nothing was."""
+    try:
+        return tuple(map(Path, import_module(generated_package(book)).__path__))
+    except ModuleNotFoundError:
+        return ()
 
 
 def generated_folder(book: Chapter, start: Path) -> Path:

@@ -24,12 +24,12 @@ A_KERNEL = 0.025
 """About how many seconds it takes to make a kernel and to prove it equal to its statement."""
 
 
-def commissioned(entries: Sequence[Entry], judge: Judge, folder: Path) -> tuple[Kernel, ...]:
-    """The kernels of all statements that ask for some; error bounds that the manifest in `folder` has are taken over.
+def commissioned(entries: Sequence[Entry], judge: Judge, *folders: Path) -> tuple[Kernel, ...]:
+    """The kernels of all statements that ask for some; error bounds that a manifest in `folders` has are taken over.
 
     Raises Failure with a line for each kernel that is refused, and where a bound has to be proved without python-flint.
     """
-    known = _known(folder / MANIFEST)
+    known = {key: bound for folder in folders for key, bound in _known(folder / MANIFEST).items()}
 
     def prove(program: Program, request: Request) -> Bound:
         return known.get(key_of(program, request)) or _proved(program, request)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from chasles.cli.book import as_data, chapter
-from chasles.cli.checkout import generated_folder
+from chasles.cli.checkout import generated_folder, installed_folders
 from chasles.cli.failures import FAILED, Failure, complain
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ def command(check: bool, out: Path | None, json: bool) -> int:
     book = chapter()
     folder = out or generated_folder(book, Path.cwd())
     judge = Judge(book=book)
-    kernels = commissioned(book.entries, judge, folder)
+    kernels = commissioned(book.entries, judge, *installed_folders(book), folder)
     texts = emitted(kernels, pages(book, judge))
     head = f"{len(kernels)} kernels, each proved equal to its statement"
     try:
