@@ -29,6 +29,7 @@ from chasles.bounds.pieces import NEAR, face_values
 from chasles.bounds.termwise import shares
 from chasles.cli import emission
 from chasles.cli.failures import Failure
+from chasles.lowering.builder import Builder
 from chasles.lowering.declaration import requested
 from chasles.lowering.lower import program_of
 from chasles.lowering.program import Argument, Op, Program, Result, Step
@@ -323,6 +324,48 @@ def test_the_cases_of_a_rotation_are_those_of_its_quaternion(book: Book) -> None
     found = cases(book.made["euler_rodrigues_parameters"][1])
     assert len(found) == 4
     assert sum(len(case.truths) for case in found) == 2**6
+
+
+@pytest.mark.parametrize("name", ["natural_invariants", "screw_of_motion"])
+def test_comparisons_for_a_scale_choose_no_case(book: Book, name: str) -> None:
+    found = cases(book.made[name][1])
+    assert len(found) == 4
+    assert all(len(case.outline.scales) == 1 for case in found)
+
+
+def held_back(read: int, *, test: Op = Op.EQUAL) -> Program:
+    """x / (y y - z z where that is not zero), and as a second result the divisor itself or another step."""
+    build = Builder()
+    x, y, z = (build.input(0, k) for k in range(3))
+    form = build.subtract(build.multiply(y, y), build.multiply(z, z))
+    plain = build.subtract(y, z)
+    asked = build.equal(plain, build.zero) if test is Op.EQUAL else build.less(plain, build.zero)
+    divisor = build.select(asked, build.zero, form)
+    above = build.select(build.equal(divisor, build.zero), build.zero, x)
+    results = Result("q", (), "", (build.divide(above, divisor),)), Result("r", (), "", ((plain, divisor)[read],))
+    return Program("q", (Argument("x", (3,), ""),), build.steps, results)
+
+
+def test_a_divisor_held_back_is_looked_through_where_it_is_but_divided_by() -> None:
+    outline = outlined(held_back(0))
+    assert not any(outline.program.steps[k].op is Op.SELECT for k in outline.needed)
+    for other in (held_back(1), held_back(0, test=Op.LESS)):
+        with pytest.raises(NoBound, match="chooses between cases"):
+            outlined(other)
+
+
+@pytest.mark.parametrize("finite", [True, False])
+def test_what_is_no_number_is_looked_through_where_something_is_infinite(finite: bool) -> None:
+    build = Builder()
+    x, y = build.input(0, 0), build.input(0, 1)
+    asked = build.equal(build.zero, build.subtract(x, x if finite else y))
+    chosen = build.select(asked, y, build.not_a_number())
+    program = Program("p", (Argument("x", (2,), ""),), build.steps, (Result("p", (), "", (chosen,)),))
+    if finite:
+        assert outlined(program).entries(0) == (y,)
+    else:
+        with pytest.raises(NoBound, match="chooses between cases"):
+            outlined(program)
 
 
 LARGEST = {

@@ -139,3 +139,16 @@ def test_small_inertias_in_single_precision():
 
 def test_programs_keep_their_comparisons_free_of_charge(book):
     assert program_of(book("instant_screw")).operations[Op.DIVIDE] == 13
+
+
+@pytest.mark.parametrize("kernel", ["natural_invariants", "screw_of_motion"])
+def test_no_case_may_use_the_scale_otherwise(book, kernel):
+    request = book(kernel)
+    program = program_of(request)
+    assert differences(request, program) == ()
+    (number,), steps = scales(program), list(program.steps)
+    one = next(k for k, step in enumerate(steps) if step.op is Op.CONSTANT and step.value == 1)
+    readers = [k for k, step in enumerate(steps) if number in step.operands]
+    spoiled = replace(steps[readers[0]], operands=tuple(one if k == number else k for k in steps[readers[0]].operands))
+    steps[readers[0]] = spoiled
+    assert differences(request, replace(program, steps=tuple(steps)))

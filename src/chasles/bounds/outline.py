@@ -23,7 +23,8 @@ class Outline:
     `sources` says of which step a number is the value, where a guard passes it on; `angles[k]` is the argument, its
     entry and the factor of the angle of which step k is the sine or cosine. A factor of 1 or -1 is looked through too;
     `signs` are the steps by whose signs it is chosen. The `scales` are positive numbers on which no result depends:
-    whatever they are in the machine, the exact value is the same with that number.
+    whatever they are in the machine, the exact value is the same with that number,
+    which is proved of a kernel where it is proved equal to its statement.
     """
 
     program: Program

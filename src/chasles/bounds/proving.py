@@ -15,7 +15,6 @@ from chasles.bounds.model import SINGLE, Model
 from chasles.bounds.norms import Group, against_largest
 from chasles.bounds.outline import NoBound, Outline, outlined
 from chasles.bounds.running import Running
-from chasles.bounds.scaling import ensure_free_of_scales
 from chasles.bounds.termwise import Share, shares
 from chasles.lowering.program import Program
 from chasles.lowering.request import Request
@@ -51,10 +50,6 @@ def bound_of(program: Program, request: Request, model: Model = SINGLE) -> Bound
     except NoBound:
         return _bound_of_cases(key, program, request, model)
     try:
-        ensure_free_of_scales(outline)
-    except NoBound as reason:
-        return Bound(key, reason=str(reason))
-    try:
         counted = _counted(outline, model)
         if any(guarantee.against == "terms" for guarantee in counted):
             return Bound(key, _over_boxes(outline, request, model) or counted)
@@ -68,10 +63,7 @@ def _bound_of_cases(key: str, program: Program, request: Request, model: Model) 
     rotations = _subjects(request, "rotation")
     rotation = next((k for k, a in enumerate(request.arguments) if _is_among(a, rotations)), None)
     try:
-        different = cases(program)
-        for case in different:
-            ensure_free_of_scales(case.outline)
-        found = [(case.outline, case_shares(case, model, rotation)) for case in different]
+        found = [(case.outline, case_shares(case, model, rotation)) for case in cases(program)]
     except NoBound as reason:
         return Bound(key, reason=str(reason))
     inputs = f"every rotation {program.arguments[rotation].name}" if rotation is not None else ALL
