@@ -17,7 +17,7 @@ from importlib import import_module, metadata
 from pathlib import Path
 from typing import Any
 
-from chasles import __version__
+from chasles import __version__, keeping
 
 __all__ = ["examined", "problems"]
 
@@ -202,14 +202,12 @@ def _declared() -> dict[str, str]:
 
 def _cache() -> Data:
     """The folder of verdicts and compiled expressions, and what lies there."""
-    from chasles.cli.cache import _path
-
-    path = _path()
-    if path is None:
+    folder = keeping.folder()
+    if folder is None:
         return {"folder": None, "files": 0, "bytes": 0}
     sizes = []
-    for file in path.parent.rglob("*"):
+    for file in folder.rglob("*"):
         with suppress(OSError):
             if file.is_file():
                 sizes.append(file.stat().st_size)
-    return {"folder": str(path.parent), "files": len(sizes), "bytes": sum(sizes)}
+    return {"folder": str(folder), "files": len(sizes), "bytes": sum(sizes)}
