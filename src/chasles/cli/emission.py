@@ -29,7 +29,9 @@ def commissioned(entries: Sequence[Entry], judge: Judge, *folders: Path) -> tupl
 
     Raises Failure with a line for each kernel that is refused, and where a bound has to be proved without python-flint.
     """
-    known = {key: bound for folder in folders for key, bound in _known(folder / MANIFEST).items()}
+    # In a checkout what is installed is what is written to: its manifest is read once.
+    manifests = dict.fromkeys(folder.resolve() / MANIFEST for folder in folders)
+    known = {key: bound for manifest in manifests for key, bound in _known(manifest).items()}
 
     def prove(program: Program, request: Request) -> Bound:
         return known.get(key_of(program, request)) or _proved(program, request)
