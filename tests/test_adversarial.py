@@ -79,6 +79,26 @@ def test_a_wrong_number_is_found(tried: dict[str, Any], dtype: type[np.floating[
 
 
 @pytest.mark.slow
+def test_a_result_below_the_normal_numbers_is_not_any_number(tried: dict[str, Any]) -> None:
+    """What steps without digits explain is right; ten times as much is wrong, and so is the same above them."""
+    one = tried["newton_euler_twist_rate"]
+    judge = Judge(one.kernel, one.groups, np.float64)
+    least, inertia = 5e-324, [0.34, -0.51, -0.1, -0.51, 7.7, -0.13, -0.1, -0.13, 0.2]
+    judged = judge.judged([inertia, [1.0], [0.0] * 6, [1e-318, -4e-318, -4e-318, 0.0, 0.0, 0.0]])
+    assert judged is not None
+    exact = [float(value[0]) for value in judged.values[0][0] if value is not None]
+    assert 0 < abs(exact[0]) < np.finfo(np.float64).tiny
+    explained = judge._vanishing(judged, 0, 0)
+    assert 10 * least < explained < 1e-3 * abs(exact[0])
+    assert not list(judge.faults(judged, [[exact[0] + explained / 2, *exact[1:]]]))
+    assert [f.entry for f in judge.faults(judged, [[exact[0] + 10 * explained, *exact[1:]]])] == [0]
+    above = judge.judged([inertia, [1.0], [0.0] * 6, [1e-300, -4e-300, -4e-300, 0.0, 0.0, 0.0]])
+    assert above is not None
+    exact = [float(value[0]) for value in above.values[0][0] if value is not None]
+    assert [f.entry for f in judge.faults(above, [[exact[0] * (1 + 1e-9), *exact[1:]]])] == [0]
+
+
+@pytest.mark.slow
 def test_exact_values_are_those_of_the_formula(tried: dict[str, Any]) -> None:
     exact = Exact(tried["plucker_line"].kernel.program)
     (values,) = exact([[1e-300, 0.0, 0.0], [1e-300, 3e-320, 4e-320]])

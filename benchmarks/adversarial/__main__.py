@@ -77,7 +77,7 @@ def summary(outcomes: Sequence[Outcome], names: Sequence[str]) -> dict[str, Any]
         "kernels": len({outcome.kernel for outcome in outcomes}),
         "inputs": sum(outcome.inputs for outcome in outcomes),
         "results": sum(outcome.results for outcome in outcomes),
-        "not what the kernel expects": sum(outcome.not_as_expected for outcome in outcomes),
+        "not a rotation": sum(outcome.not_a_rotation for outcome in outcomes),
         "undecided": sum(outcome.undecided for outcome in outcomes),
         "wrong": dict(sorted(wrong.items())),
         "NaN though there is a value": lost,

@@ -46,7 +46,7 @@ class Outcome:
     dtype: str
     inputs: int = 0
     results: int = 0
-    not_as_expected: int = 0
+    not_a_rotation: int = 0
     undecided: int = 0
     faults: Counter[str] = field(default_factory=Counter)
     storage: list[str] = field(default_factory=list)
@@ -99,7 +99,7 @@ def _decide(
     try:
         judged = judge.judged(given)
         if judged is None:
-            outcome.not_as_expected += 1
+            outcome.not_a_rotation += 1
             return
         known: dict[str, list[Any]] = {}
         for build, found in results.items():

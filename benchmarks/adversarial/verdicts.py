@@ -5,8 +5,7 @@ largest sum of terms' sizes among the entries of one physical dimension. Below t
 digits: what moving every entry of the input, and the result, by a few of the smallest numbers changes is allowed too,
 and for a result that lies there what moving the steps that do changes. Where a choice between cases rests on rounded
 values, what the input lacks of being a rotation counts as well; and where the C library's own sine or cosine of the
-input is off by more than the model of the bounds has it, that does. What is no rotation there by far, and a matrix
-without an inverse where one is to be positive-definite, is set aside.
+input is off by more than the model of the bounds has it, that does. What is no rotation there by far is set aside.
 
 NaN and infinities are right where a step of the formula is out of range, or has no value; where a step has no value,
 and where a NaN enters, nothing but NaN is right. Where an infinity goes in, a number is right if it is the limit, the
@@ -18,7 +17,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -77,8 +75,7 @@ class Judge:
         counted = roundings(program)
         proved = {guarantee.result: float(guarantee.units) for guarantee in bound.guarantees}
         self.units = [proved.get(r.name, max(counted[k] for k in r.entries)) for r in program.results]
-        self.rotations = _demanded(kernel, "rotation") if _chooses(program) else []
-        self.definite = _demanded(kernel, "definite")
+        self.rotations = _rotations(kernel) if _chooses(program) else []
         self.turning = {
             (program.steps[k].argument, program.steps[k].entry)
             for step in program.steps
@@ -89,9 +86,7 @@ class Judge:
 
     def judged(self, inputs: Sequence[Sequence[float]]) -> Judged | None:
         """The exact values at an input; None where the kernel promises nothing. Raises Undecided."""
-        if any(self._defect(inputs[k]) > DEFECT for k in self.rotations) or any(
-            _is_singular(inputs[k]) for k in self.definite
-        ):
+        if any(self._defect(inputs[k]) > DEFECT for k in self.rotations):
             return None
         if not any(math.isinf(x) for values in inputs for x in values):
             given = [[None if math.isnan(x) else x for x in values] for values in inputs]
@@ -232,10 +227,10 @@ class Judge:
         return max(changes)
 
 
-def _demanded(kernel: Kernel, kind: str) -> list[int]:
-    """The places of the arguments of which a hypothesis of this kind is demanded."""
+def _rotations(kernel: Kernel) -> list[int]:
+    """The places of the arguments that are to be rotations."""
     _, demands = KERNELS[kernel.name]
-    names = {name for demanded, _, about, _ in demands if demanded == kind for name in about}
+    names = {name for kind, _, about, _ in demands if kind == "rotation" for name in about}
     return [place for place, argument in enumerate(kernel.program.arguments) if argument.name in names]
 
 
@@ -246,15 +241,6 @@ def _chooses(program: Program) -> bool:
     except NoBound:
         return True
     return False
-
-
-def _is_singular(entries: Sequence[float]) -> bool:
-    """Whether a symmetric matrix, of nine numbers or of six, has no inverse and so is not definite."""
-    if not all(map(math.isfinite, entries)):
-        return False
-    x = list(map(Fraction, entries))
-    a, b, c, d, e, f, g, h, i = x if len(x) == 9 else [x[k] for k in (0, 1, 2, 1, 3, 4, 2, 4, 5)]
-    return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g) == 0
 
 
 def _named(found: float) -> str:
