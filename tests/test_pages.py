@@ -11,12 +11,15 @@ from fractions import Fraction
 import pytest
 
 from chasles.proof.judge import Decision, Judge
-from chasles.proof.verdict import Counterexample, Fails, Undecided
+from chasles.proof.plain_data import from_data, to_data
+from chasles.proof.verdict import Contradictory, Counterexample, Fails, Undecided
 from chasles.report.errata_page import errata_page
 from chasles.report.lost_marks import lost_marks
 from chasles.report.markdown import code, escaped
 from chasles.report.pages import pages
-from chasles.report.verdict_page import verdict_page
+from chasles.report.summary import HEADERS
+from chasles.report.verdict_page import WORST_FIRST, verdict_page
+from chasles.report.words import VERDICTS, counted, reason, said
 from chasles.statements import Chapter, Claim, Definition, Entry, Section, Statement, load, nonzero
 from chasles.vocabulary import column, norm, scalar, vector
 
@@ -210,3 +213,12 @@ def test_the_pages_are_the_same_for_every_hash_seed(whole: dict[str, str]) -> No
         environment = {**os.environ, "PYTHONHASHSEED": seed}
         made = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, check=True)
         assert made.stdout.decode() == "".join(whole.values())
+
+
+def test_a_contradiction_is_told_wherever_verdicts_are() -> None:
+    verdict = Contradictory(("|e| = 1", "m > 0"), {"contradiction": []})
+    assert not verdict.true
+    assert from_data(to_data(verdict)) == verdict
+    assert reason(verdict) == "nothing satisfies |e| = 1 and m > 0"
+    assert (said(verdict), counted([verdict])) == ("contradictory", "1 contradictory")
+    assert {*WORST_FIRST} == {*VERDICTS} == {*HEADERS}

@@ -16,11 +16,11 @@ from chasles.proof.verdict import Undecided
 from chasles.statements import Claim, Definition, load, unit
 from chasles.vocabulary import cross, dot, scalar, vector
 
-VERDICTS = {"defined", "posed", "assumed", "holds", "holds-under", "fails", "ill-formed", "undecided"}
+VERDICTS = {"defined", "posed", "assumed", "holds", "holds-under", "fails", "ill-formed", "contradictory", "undecided"}
 ROLES = {"definition", "condition", "postulate", "claim", "theorem"}
 KEYS = [
-    "number", "part", "name", "section", "role", "verdict", "needs", "counterexample", "corrected", "latex",
-    "certificate", "milliseconds",
+    "number", "part", "name", "section", "role", "verdict", "needs", "contradictory", "counterexample", "corrected",
+    "latex", "certificate", "milliseconds",
 ]  # fmt: skip
 
 a, b = vector("a", "a", "a vector"), vector("b", "b", "another")
@@ -38,6 +38,7 @@ def check_record(record: dict) -> None:
     assert record["verdict"] in VERDICTS
     assert all(isinstance(need, str) for need in record["needs"])
     assert bool(record["needs"]) == (record["verdict"] == "holds-under")
+    assert bool(record["contradictory"]) == (record["verdict"] == "contradictory")
     assert record["latex"]
     assert record["certificate"] is None or re.fullmatch(r"sha256:[0-9a-f]{64}", record["certificate"])
     assert record["certificate"] or record["verdict"] not in ("holds", "holds-under")
@@ -77,6 +78,7 @@ def test_a_record_in_full(records) -> None:
         "role": "claim",
         "verdict": "ill-formed",
         "needs": [],
+        "contradictory": [],
         "counterexample": None,
         "corrected": {
             "text": "a_dot_par = [a_dot . (omega / |omega|^2)] omega",

@@ -13,8 +13,8 @@ from rich.text import Text
 from chasles.report.screen import Screen
 
 KEYS = [
-    "number", "part", "name", "section", "role", "verdict", "needs", "counterexample", "corrected", "latex",
-    "certificate", "milliseconds",
+    "number", "part", "name", "section", "role", "verdict", "needs", "contradictory", "counterexample", "corrected",
+    "latex", "certificate", "milliseconds",
 ]  # fmt: skip
 ESCAPE = "\x1b["
 

@@ -11,7 +11,7 @@ from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Output, Request, argument_name, composed, meaning_of
 from chasles.lowering.rewriting import Angle
 from chasles.proof.judge import Decision
-from chasles.proof.verdict import IllFormed, Undecided, Verdict
+from chasles.proof.verdict import Contradictory, IllFormed, Undecided, Verdict
 from chasles.statements import Condition, Entry, Hypothesis, Inverse, Kernel, Packed, Statement, Theorem
 from chasles.statements.statement import bare, is_rule
 from chasles.vocabulary import Block, Group, Node, Rate, Symbol, members_of
@@ -85,7 +85,7 @@ def _no_standing(sentence: Sentence, decision: Decision) -> str:
 def _words(verdict: Verdict, which: str = "") -> str:
     said = verdict.name if verdict.name == "fails" else f"is {verdict.name}"
     said = f"{said} {which}".rstrip()
-    return f"{said} ({verdict.reason})" if isinstance(verdict, Undecided | IllFormed) else said
+    return f"{said} ({verdict.reason})" if isinstance(verdict, Undecided | IllFormed | Contradictory) else said
 
 
 def _define(definitions: _Definitions, given: Sentence, decide: Decide) -> None:

@@ -13,14 +13,14 @@ from typing import Any
 from chasles import vocabulary
 from chasles.proof.repair import Repair
 from chasles.proof.values import InPi
-from chasles.proof.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed
+from chasles.proof.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed
 from chasles.vocabulary.dimension import Dimension
 from chasles.vocabulary.families import Family, Index
 from chasles.vocabulary.measure import Measure
 
 __all__ = ["from_data", "to_data"]
 
-VERDICTS = (Holds, HoldsUnder, Fails, IllFormed, Posed, Counterexample, Repair)
+VERDICTS = (Holds, HoldsUnder, Fails, IllFormed, Contradictory, Posed, Counterexample, Repair)
 NODES = tuple(
     each for each in vars(vocabulary).values() if isinstance(each, type) and issubclass(each, vocabulary.Node)
 )

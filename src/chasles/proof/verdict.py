@@ -11,6 +11,7 @@ from chasles.display import Displayed
 
 __all__ = [
     "Assumed",
+    "Contradictory",
     "Counterexample",
     "Defined",
     "Fails",
@@ -120,6 +121,27 @@ class IllFormed(Verdict):
     @property
     def true(self) -> bool:
         return False
+
+
+@dataclass(frozen=True, slots=True)
+class Contradictory(Verdict):
+    """Nothing satisfies `hypotheses`, of which none can be spared: what is said under them is said of nothing.
+
+    `certificate` says why, where there is one, and is re-checked by `chasles.proof.certificate`.
+    """
+
+    name: ClassVar[str] = "contradictory"
+    hypotheses: tuple[str, ...]
+    certificate: Mapping[str, Any] | None = None
+
+    @property
+    def true(self) -> bool:
+        return False
+
+    @property
+    def reason(self) -> str:
+        """What contradicts what, in one clause."""
+        return f"nothing satisfies {' and '.join(self.hypotheses)}"
 
 
 @dataclass(frozen=True, slots=True)

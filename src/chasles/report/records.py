@@ -25,6 +25,7 @@ def record(entry: Entry, decision: Decision) -> dict[str, Any]:
         **_identity(entry),
         "verdict": verdict.name,
         "needs": list(getattr(verdict, "needs", ())),
+        "contradictory": list(getattr(verdict, "hypotheses", ())),
         "counterexample": _counterexample(getattr(verdict, "counterexample", None)),
         "corrected": _corrected(decision),
         "latex": r" \qquad ".join(in_latex(entry.statement)),

@@ -23,12 +23,13 @@ HEADERS = {
     "holds-under": "holds\nunder",
     "fails": "fails",
     "ill-formed": "ill-\nformed",
+    "contradictory": "contra-\ndictory",
     "undecided": "un-\ndecided",
     "defined": "defi-\nnitions",
     "posed": "condi-\ntions",
     "assumed": "postu-\nlates",
 }
-ONLY_IF_ANY = ("undecided", "assumed")
+ONLY_IF_ANY = ("contradictory", "undecided", "assumed")
 
 
 @dataclass(slots=True)

@@ -14,7 +14,7 @@ from chasles.vocabulary import plain
 
 __all__ = ["verdict_page"]
 
-WORST_FIRST = ("undecided", "fails", "ill-formed", "holds-under", "holds", "posed", "assumed", "defined")
+WORST_FIRST = ("undecided", "fails", "contradictory", "ill-formed", "holds-under", "holds", "posed", "assumed", "defined")
 HEAD = ("number", "role", "verdict", "needs", "what stands in")
 ABOUT = """\
 # Verdicts
@@ -76,7 +76,7 @@ def _row(number: str, group: Group) -> tuple[str, ...]:
     return (
         escaped(number_in_words(number)),
         ", ".join(roles),
-        verdict if worst not in ("undecided", "fails", "ill-formed") else f"**{verdict}**",
+        verdict if worst not in WORST_FIRST[:4] else f"**{verdict}**",
         escaped(", ".join(needs)),
         "; ".join(parts),
     )

@@ -18,6 +18,7 @@ VERDICTS: dict[str, tuple[str, str, str, str]] = {
     "holds-under": ("✓", "+", "holds under", "green"),
     "fails": ("✗", "x", "fails", "bold red"),
     "ill-formed": ("⊘", "!", "ill-formed", "bold magenta"),
+    "contradictory": ("↯", "#", "contradictory", "bold magenta"),
     "undecided": ("?", "?", "undecided", "bold yellow"),
     "defined": ("≡", "=", "defined", "cyan"),
     "posed": ("∃", "o", "posed", "cyan"),
