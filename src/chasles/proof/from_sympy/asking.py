@@ -13,6 +13,7 @@ from chasles.proof.from_sympy.given import Equations, Given, collected
 from chasles.proof.from_sympy.opening import Entries, opened
 from chasles.proof.from_sympy.question import Question, matrix_of
 from chasles.proof.from_sympy.reader import Reader
+from chasles.proof.from_sympy.readings import READINGS
 from chasles.proof.from_sympy.roots import resolve, words_of
 from chasles.proof.from_sympy.searching import search_for
 from chasles.proof.variables import Untreatable
@@ -56,7 +57,7 @@ class _Asking:
     """Reads everything that belongs to a question in one go, and puts it together."""
 
     def __init__(self, given: Given, expressions: list[Any], declared: int, shape: tuple[int, int]) -> None:
-        self.reader = reader = Reader()
+        self.reader = reader = Reader(READINGS)
         self.given = given
         for expression in expressions[:declared]:
             reader.declare(reader(expression), divisor_of(expression))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
@@ -12,19 +13,15 @@ import sympy
 from chasles.proof.deadline import check
 from chasles.proof.from_sympy.angles import Angles
 from chasles.proof.from_sympy.atoms import Atoms
-from chasles.proof.from_sympy.divisors import CIRCULAR, Divisor, divides, divisor_of, in_sines, is_reciprocal
+from chasles.proof.from_sympy.divisors import Divisor, divides, divisor_of, in_sines, is_reciprocal
 from chasles.proof.from_sympy.opening import excerpt, is_atom
 from chasles.proof.squarefree import primes_of, squarefree
 from chasles.proof.variables import Untreatable
-from chasles.vocabulary import PI, Call, Negative, Node, Number, Power, Quotient, Scale, Sum, Symbol
+from chasles.vocabulary import PI, Negative, Node, Number, Power, Quotient, Scale, Sum, Symbol
 
-__all__ = ["Reader", "Root", "multiplied"]
+__all__ = ["ARITHMETIC", "Reader", "Reading", "Root", "multiplied"]
 
 LARGEST_EXPONENT = 10_000
-TREATED = (
-    "Treated are rational functions of real symbols, of sin, cos, tan, cot, sec and csc of angles, of square roots and "
-    "absolute values, of functions such as f(t) and their derivatives, and of pi"
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,9 +34,13 @@ class Root:
 
 
 class Reader:
-    """Reads SymPy expressions into words; one reader for everything that belongs to a question."""
+    """Reads SymPy expressions into words; one reader for everything that belongs to a question.
 
-    def __init__(self) -> None:
+    `readings` says how, by the class of an expression or a class that it is derived from.
+    """
+
+    def __init__(self, readings: Mapping[type, Reading]) -> None:
+        self.readings = readings
         self.atoms = Atoms()
         self.angles = Angles(self.atoms)
         self.divisors: dict[Node, Divisor] = {}
@@ -57,25 +58,19 @@ class Reader:
         return known
 
     def _read(self, e: Any) -> Node:
-        if isinstance(e, sympy.Rational):
-            return Number(Fraction(int(e.p), int(e.q)))
-        if e is sympy.pi:
-            return PI
         if is_atom(e):
             return self.atoms.word(e)
-        if isinstance(e, sympy.Add):
-            return Sum(tuple(map(self, e.args)))
-        if isinstance(e, sympy.Mul) or is_reciprocal(e):
-            return self._product(e)
-        if isinstance(e, sympy.Pow):
-            return self._power(e.base, e.exp, e)
-        if e.func in CIRCULAR:
-            return self._circular(e)
-        if isinstance(e, sympy.Abs):
-            return self.root(Power(self(e.args[0]), 2), e.args[0] ** 2)
-        if isinstance(e, sympy.sign):
-            return self(e.args[0] * sympy.Abs(e.args[0], evaluate=False) / e.args[0] ** 2)
-        raise _untreatable(e)
+        for kind in type(e).__mro__:
+            if kind in self.readings:
+                return self.readings[kind](self, e)
+        raise self._untreatable(e)
+
+    def _untreatable(self, e: Any) -> Untreatable:
+        functions = sorted({kind.__name__ for kind in self.readings if issubclass(kind, sympy.Function)})
+        return Untreatable(
+            f"{excerpt(e)} is not treated. Treated are rational functions of real symbols, of functions such as f(t) "
+            f"and their derivatives, of pi, of roots, and of {', '.join(functions)}"
+        )
 
     def declare(self, node: Node, divisor: Divisor) -> None:
         """Something does not vanish: a product does so where none of its factors does."""
@@ -91,7 +86,7 @@ class Reader:
                 self.met.add(node)
                 self.divisors.setdefault(node, divisor)
 
-    def _product(self, e: Any) -> Node:
+    def product(self, e: Any) -> Node:
         """Factors above and below the line."""
         above: list[Node] = []
         below: list[Node] = []
@@ -130,6 +125,10 @@ class Reader:
         self.declare(node, divisor_of(base))
         below.append(_raised(node, power))
 
+    def power(self, e: Any) -> Node:
+        """A power, by its exponent."""
+        return self.product(e) if is_reciprocal(e) else self._power(e.base, e.exp, e)
+
     def _power(self, base: Any, exponent: Any, whole: Any) -> Node:
         base = base.args[0] if isinstance(base, sympy.Abs) and exponent.is_even else base
         return self._halves(self(base), base, exponent, whole)
@@ -137,7 +136,7 @@ class Reader:
     def _halves(self, node: Node, base: Any, exponent: Any, whole: Any) -> Node:
         """A power with the exponent p, p/2, p/4, ... as an integral power of nested square roots."""
         if not exponent.is_Rational or exponent.q & (exponent.q - 1):
-            raise _untreatable(whole)
+            raise self._untreatable(whole)
         power, below = _limited(int(exponent.p), whole), int(exponent.q)
         while below > 1:
             node, base, below = self.root(node, base), sympy.sqrt(base), below // 2
@@ -167,31 +166,6 @@ class Reader:
             self.primes[number] = self.atoms.fresh(f"root_of_{number}", sympy.sqrt(number))
         return self.primes[number]
 
-    def _circular(self, e: Any) -> Node:
-        """A function of an angle: that of a multiple of pi is taken apart and evaluated by SymPy."""
-        above, below = CIRCULAR[e.func]
-        if not below:
-            return self._of_angle(above, e.args[0])
-        divisor = self._of_angle(below, e.args[0])
-        self.declare(divisor, Divisor(f"{below}({e.args[0]}) != 0", not e.free_symbols))
-        return Quotient(self._of_angle(above, e.args[0]), divisor)
-
-    def _of_angle(self, function: str, argument: Any) -> Node:
-        if not function:
-            return Number(Fraction(1))
-        angle, cosine, sine = self.angles(argument)
-        if angle is None:
-            return self(cosine if function == "cos" else sine)
-        if sine == 0 and cosine == 1:
-            return Call(function, angle)
-        one, other = (Scale(self(value), Call(f, angle)) for value, f in _addition(function, cosine, sine))
-        return Sum((one, other))
-
-
-def _addition(function: str, cosine: Any, sine: Any) -> tuple[tuple[Any, str], tuple[Any, str]]:
-    """The addition formulas: what multiplies the cosine and what the sine of the other angle."""
-    return ((cosine, "cos"), (-sine, "sin")) if function == "cos" else ((sine, "cos"), (cosine, "sin"))
-
 
 def multiplied(factors: list[Node]) -> Node:
     """The product; one if there are no factors."""
@@ -212,5 +186,14 @@ def _raised(node: Node, power: int) -> Node:
     return node if power == 1 else Power(node, power)
 
 
-def _untreatable(e: Any) -> Untreatable:
-    return Untreatable(f"{excerpt(e)} is not treated. {TREATED}")
+Reading = Callable[[Reader, Any], Node]
+ARITHMETIC: Mapping[type, Reading] = {
+    sympy.Rational: lambda _, e: Number(Fraction(int(e.p), int(e.q))),
+    type(sympy.pi): lambda _, e: PI,
+    sympy.Add: lambda reader, e: Sum(tuple(map(reader, e.args))),
+    sympy.Mul: Reader.product,
+    sympy.Pow: Reader.power,
+    sympy.Abs: lambda reader, e: reader.root(Power(reader(e.args[0]), 2), e.args[0] ** 2),
+    sympy.sign: lambda reader, e: reader(e.args[0] * sympy.Abs(e.args[0], evaluate=False) / e.args[0] ** 2),
+}
+"""Sums, products, powers, roots and absolute values."""
