@@ -256,7 +256,7 @@ def test_both_sides_have_one_shape() -> None:
         (1 + sp.cbrt(x), {}, r"^x\*\*\(1/3\) is not treated"),
         (sp.besselj(0, x), {}, r"^besselj\(0, x\) is not treated"),
         (sp.Piecewise((x, x > 0), (0, True)), {}, r"^Piecewise\(\(x, x > 0\), \(0, True\)\) is not treated"),
-        (x + sp.I * y, {}, "^I is not treated"),
+        (sqrt(x + sp.I * y), {}, r"^sqrt\(x [+] I[*]y\) is not treated: of complex numbers only"),
         (0.5 * x, {}, r"^0\.5\d* is a floating-point number, which is not exact: write Rational\('1/2'\)"),
         (sin(1), {}, "^1 is no angle"),
         (sin(1 / x), {}, "^1/x is no angle|is no angle"),

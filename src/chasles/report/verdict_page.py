@@ -14,7 +14,17 @@ from chasles.vocabulary import plain
 
 __all__ = ["verdict_page"]
 
-WORST_FIRST = ("undecided", "fails", "contradictory", "ill-formed", "holds-under", "holds", "posed", "assumed", "defined")
+WORST_FIRST = (
+    "undecided",
+    "fails",
+    "contradictory",
+    "ill-formed",
+    "holds-under",
+    "holds",
+    "posed",
+    "assumed",
+    "defined",
+)
 HEAD = ("number", "role", "verdict", "needs", "what stands in")
 ABOUT = """\
 # Verdicts

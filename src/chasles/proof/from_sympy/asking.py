@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy
 
+from chasles.proof.from_sympy.complexes import Parts
 from chasles.proof.from_sympy.divisors import divisor_of
 from chasles.proof.from_sympy.given import Equations, Given, collected
 from chasles.proof.from_sympy.opening import Entries, opened
@@ -33,10 +34,15 @@ def ask(lhs: Any, rhs: Any, given: Iterable[Any], nonzero: Iterable[Any]) -> Que
     for name, items in (("given", given), ("nonzero", nonzero)):
         if not isinstance(items, Iterable) or isinstance(items, str):
             raise Untreatable(f"{name} is {items}: a list is expected, {name}=[...]")
-    declared = [entry for place, item in enumerate(nonzero) for entry in _nonzero(item, place)]
-    spoken_of = [*declared, *_flat(left), *_flat(right)]
-    conditions, expressions = collected(given, spoken_of)
-    return _Asking(conditions, expressions, len(declared), left.shape).question()
+    parts = Parts()
+    declared = [parts.nonzero(entry) for place, item in enumerate(nonzero) for entry in _nonzero(item, place)]
+    rows = left.shape[0]
+    left, right = parts.equal(left, right)
+    spoken_of = [*declared, *_flat(left), *_flat(right), *parts.met]
+    conditions, expressions = collected(given, spoken_of, parts)
+    question = _Asking(conditions, expressions, len(declared), left.shape).question()
+    question.search.rows = rows if left.shape[0] > rows else None
+    return question
 
 
 def _flat(entries: Entries) -> list[Any]:
@@ -65,7 +71,8 @@ class _Asking:
         reader.met.clear()
         nodes = [reader(expression) for expression in expressions[declared:]]
         self.met = set(reader.met)
-        self.goal = Goal("", matrix_of(nodes[: len(nodes) // 2], shape), matrix_of(nodes[len(nodes) // 2 :], shape))
+        size = shape[0] * shape[1]
+        self.goal = Goal("", matrix_of(nodes[:size], shape), matrix_of(nodes[size : 2 * size], shape))
         self.equations = [self._hypothesis(item) for item in given.equations]
 
     def question(self) -> Question:

@@ -56,7 +56,8 @@ class Atoms:
         return symbol
 
     def _check(self, atom: Any) -> None:
-        if atom.is_real is False or atom.is_commutative is False:
+        known_as_complex = atom.is_complex and atom.is_real is None
+        if known_as_complex or atom.is_real is False or atom.is_commutative is False:
             kind = "does not commute" if atom.is_commutative is False else "is not real"
             raise Untreatable(f"{excerpt(atom)} {kind}: the variables are real numbers")
         text = str(atom)

@@ -9,6 +9,7 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
+from chasles.proof.from_sympy.complexes import Parts
 from chasles.proof.from_sympy.divisors import CIRCULAR
 from chasles.proof.from_sympy.opening import is_atom, sides
 from chasles.proof.from_sympy.triads import Triad, triads_of
@@ -43,14 +44,15 @@ class Given:
     substitutions: list[tuple[str, Any, Any]] = field(default_factory=list)
 
 
-def collected(given: Iterable[Any], spoken_of: Sequence[Any]) -> tuple[Given, list[Any]]:
-    """The given equations, and the expressions of which the question speaks with the given angles put in.
+def collected(given: Iterable[Any], spoken_of: Sequence[Any], parts: Parts) -> tuple[Given, list[Any]]:
+    """The given equations, complex ones by their parts, and what is spoken of with the given angles put in.
 
     Raises `Untreatable` for what is no equation, and for differential equations in several variables.
     """
     result = Given()
     for place, item in enumerate(given):
-        pairs = list(dict.fromkeys(sides(item, f"given[{place}]")))
+        said = sides(item, f"given[{place}]")
+        pairs = list(dict.fromkeys(pair for one, other in said for pair in parts.pairs(one, other)))
         if pairs:
             text = _text(item, place)
             taken = any(text == other.text for other in result.equations)

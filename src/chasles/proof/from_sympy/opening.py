@@ -76,16 +76,14 @@ def _explicit(value: Any, what: str) -> Any:
 
 
 def _evaluated(entry: Any) -> Any:
-    """The entry with derivatives of expressions taken, and without complex conjugates, all symbols being real."""
+    """The entry with derivatives of expressions taken."""
     for inexact in entry.atoms(sympy.Float):
         exact = str(sympy.nsimplify(inexact, rational=True))
         raise Untreatable(f"{inexact} is a floating-point number, which is not exact: write Rational({exact!r})")
     for derivative in entry.atoms(sympy.Derivative):
         if not isinstance(derivative.expr, AppliedUndef):
             entry = entry.xreplace({derivative: derivative.doit()})
-    names = {conjugate: conjugate.args[0] for conjugate in entry.atoms(sympy.conjugate, sympy.re)}
-    names |= dict.fromkeys(entry.atoms(sympy.im), sympy.S.Zero)
-    return _evaluated(entry.xreplace(names)) if names else entry
+    return entry
 
 
 def sides(relation: Any, what: str) -> Iterator[tuple[Any, Any]]:

@@ -47,7 +47,8 @@ class Search:
     `allowed` says whether a variable may have a value, `products` which angles are products of which factors, `rigid`
     which of these are no arbitrary real numbers, `frames` which variables are the entries of orthonormal columns;
     `spelled` is how an angle is written. If `blind`, there are conditions that no point here is checked for, and
-    nothing is refuted. `theta` is the angle that was the transcendental number at the last point found; else pi was.
+    nothing is refuted. If goals have more rows than `rows`, those below are the imaginary parts of those above. `theta`
+    is the angle that was the transcendental number at the last point found; else pi was.
     """
 
     allowed: Callable[[str, Exact], bool]
@@ -57,6 +58,7 @@ class Search:
     motion: Motion | None = None
     spelled: Callable[[Symbol], str] = str
     blind: bool = False
+    rows: int | None = None
     calls: int = 0
     theta: Symbol | None = None
 
@@ -127,13 +129,23 @@ class Search:
     def _candidate(self, context: Context, evaluate: Evaluation, suspect: Suspect) -> tuple[int, Counterexample] | None:
         """The counterexample and how much work it is; None if its numbers are too long to be written."""
         name = "pi" if self.theta is None else self.spelled(self.theta)
+        row, column = suspect.place
+        row = row - self.rows if self.rows and row > self.rows else row
         try:
-            texts = [self._text(context, evaluate, side, suspect.place, name) for side in _sides(suspect)]
+            texts = [self._whole(context, evaluate, side, (row, column), name) for side in _sides(suspect)]
         except ValueError:
             return None
         at = _coordinates(evaluate.stage, evaluate.values)
         cost = sum(map(_height, at.values())) + sum(map(len, texts))
-        return cost, Counterexample(at, suspect.place, texts[0], texts[1], suspect.goal.label)
+        return cost, Counterexample(at, (row, column), texts[0], texts[1], suspect.goal.label)
+
+    def _whole(self, context: Context, evaluate: Evaluation, side: Node, place: tuple[int, int], theta: str) -> str:
+        """A value, with its imaginary part if it may have one."""
+        real = self._text(context, evaluate, side, place, theta)
+        if self.rows is None:
+            return real
+        below = self._text(context, evaluate, side, (place[0] + self.rows, place[1]), theta)
+        return real if below == "0" else f"({below})*I" if real == "0" else f"{real} + ({below})*I"
 
     def _text(self, context: Context, evaluate: Evaluation, side: Node, place: tuple[int, int], theta: str) -> str:
         value = evaluate(entry_of(side, place))

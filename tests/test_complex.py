@@ -1,0 +1,121 @@
+"""Complex expressions: nothing imaginary is dropped, and an equation holds if both of its parts do."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+import sympy as sp
+from sympy import Abs, Eq, I, Matrix, conjugate, cos, exp, im, re, sin, sqrt, tan
+
+from chasles.proof.verdict import Fails, Holds, HoldsUnder
+from chasles.prove import Untreatable, prove
+
+x, y, u, v = sp.symbols("x y u v")
+p = sp.Symbol("p", positive=True)
+z, w = x + I * y, u + I * v
+f = sp.Function("f")(x)
+
+TRUE: list[tuple[Any, Any, set[str]]] = [
+    (z * conjugate(z), Abs(z) ** 2, set()),
+    (conjugate(z) * conjugate(w), conjugate(z * w), set()),
+    (Abs(z * w), Abs(z) * Abs(w), set()),
+    (Abs(z) ** 2 + Abs(w) ** 2, (Abs(z + w) ** 2 + Abs(z - w) ** 2) / 2, set()),
+    (re(z * conjugate(w)), x * u + y * v, set()),
+    (im(x / z), -x * y / (x**2 + y**2), {"x**2 + y**2 != 0"}),
+    (re(1 / z), x / Abs(z) ** 2, {"x**2 + y**2 != 0"}),
+    (im(x / y), 0, {"y != 0"}),
+    (conjugate(tan(x)), tan(x), {"cos(x) != 0"}),
+    (1 / z, conjugate(z) / (x**2 + y**2), {"x**2 + y**2 != 0"}),
+    (z**3, x**3 - 3 * x * y**2 + I * (3 * x**2 * y - y**3), set()),
+    (z**-2 * w, w / z / z, {"x**2 + y**2 != 0"}),
+    (im(y * exp(I * x)), y * sin(x), set()),
+    (exp(I * (x + y)), exp(I * x) * exp(I * y), set()),
+    ((cos(x) + I * sin(x)) ** 4, cos(4 * x) + I * sin(4 * x), set()),
+    (cos(x), (exp(I * x) + exp(-I * x)) / 2, set()),
+    (sin(x), (exp(I * x) - exp(-I * x)) / (2 * I), set()),
+    (conjugate(exp(I * x)), exp(-I * x), set()),
+    (Abs(exp(I * x)), 1, set()),
+    (1 + exp(2 * I * sp.pi / 3) + exp(4 * I * sp.pi / 3), 0, set()),
+    (sqrt(p) * I * sqrt(p), p * I, set()),
+    ((f * exp(I * x)).diff(x), (f.diff(x) + I * f) * exp(I * x), set()),
+    (Matrix([[x, z], [0, y]]).H, Matrix([[x, 0], [conjugate(z), y]]), set()),
+]
+FALSE: list[tuple[Any, Any]] = [
+    (im(x / z), 0),
+    (im(y * exp(I * x)), 0),
+    (re(x * exp(I * y)), x),
+    (conjugate(z), z),
+    (conjugate(I * x), I * x),
+    (conjugate(x + 1 / (u + I)), x + 1 / (u + I)),
+    (re(I * x), x),
+    (re(z**2), x**2),
+    (im((x + I) ** 2), 0),
+    (im(sqrt(p) * I), 0),
+    (Abs(1 + I * x), 1),
+    (Abs(z), Abs(x) + Abs(y)),
+    (Abs(z + w), Abs(z) + Abs(w)),
+    (re(x / z), 1),
+    (z, x),
+    (I * x, x),
+    (z * w, x * u - y * v),
+    (z**2, x**2 + y**2),
+    (exp(I * x), cos(x)),
+    (im(I * cos(x)), 0),
+    (im(I * tan(x)), 0),
+    (im(I * f.diff(x)), 0),
+    (Matrix([x, z]), Matrix([x, x])),
+    (Matrix([[x, z]]).H, Matrix([x, z])),
+]
+Z = sp.Symbol("Z", complex=True)
+REFUSED: list[Any] = [
+    sqrt(z), re(sqrt(z)), im(sqrt(z)), conjugate(sqrt(z)), Abs(sqrt(z) + 1), im(z ** sp.Rational(1, 3)),
+    sp.log(z), im(sp.log(z)), im(sp.asin(z)), re(sp.sign(z)), im(sp.Function("h")(z)), im(sp.besselj(0, z)),
+    im(Z), re(Z), conjugate(Z), Abs(Z), Z, sp.arg(Z), im(sp.Symbol("j", imaginary=True)), x**z, z**x, (-1) ** x,
+    im((-1) ** x), sp.Max(re(sqrt(z)), 1), z**40, sp.cbrt(-1) + x,
+]  # fmt: skip
+
+
+def name(case: Any) -> str:
+    return str(case)[:50]
+
+
+@pytest.mark.parametrize(("lhs", "rhs", "needs"), TRUE, ids=name)
+def test_both_parts_are_proved(lhs: Any, rhs: Any, needs: set[str]) -> None:
+    verdict = prove(lhs, rhs)
+    assert isinstance(verdict, HoldsUnder if needs else Holds), verdict
+    assert set(verdict.needs if isinstance(verdict, HoldsUnder) else ()) == needs
+
+
+@pytest.mark.parametrize(("lhs", "rhs"), FALSE, ids=name)
+def test_nothing_imaginary_is_dropped(lhs: Any, rhs: Any) -> None:
+    verdict = prove(lhs, rhs)
+    assert isinstance(verdict, Fails), verdict
+    found = verdict.counterexample
+    row, column = found.entry
+    names = {str(symbol): symbol for symbol in (x, y, u, v, p, f, f.diff(x))}
+    point = {names[key]: sp.sympify(str(value)) for key, value in found.at.items() if key in names}
+    values = []
+    for side in (lhs, rhs):
+        entry = sp.Matrix([[side]])[0, 0] if not hasattr(side, "shape") else side[row - 1, column - 1]
+        for key, value in found.at.items():
+            for function in (sin, cos):
+                entry = entry.rewrite(sp.cos).subs(function(x), value) if key == str(function(x)) else entry
+        values.append(sp.expand(entry.xreplace(point).doit()))
+    for text, value in zip((found.left, found.right), values, strict=True):
+        if not value.free_symbols:
+            assert abs(sp.N(sp.sympify(text) - value, 30)) < sp.Rational(1, 10**20), (found, values)
+    assert sp.simplify(sp.sympify(found.left) - sp.sympify(found.right)) != 0
+
+
+@pytest.mark.parametrize("lhs", REFUSED, ids=name)
+def test_what_is_not_taken_apart_is_refused(lhs: Any) -> None:
+    with pytest.raises(Untreatable):
+        prove(lhs, 0)
+
+
+def test_a_complex_condition_says_both_of_its_parts() -> None:
+    verdict = prove(x, y, given=[Eq(x + I * y, u + I * u)])
+    assert isinstance(verdict, HoldsUnder)
+    assert isinstance(prove(x, y, given=[Eq(re(z), u)]), Fails)
+    assert isinstance(prove(x / z, 1 / (1 + I * y / x), nonzero=[x, z]), Holds | HoldsUnder)
