@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+import multiprocessing
 import os
-from collections.abc import Iterator
+import signal
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -186,6 +188,77 @@ def test_work_is_spread_and_comes_back_in_order(monkeypatch: pytest.MonkeyPatch)
     assert {worker for _, worker in spread(lambda _: (0, os.getpid()), pieces, seconds=0.0001)} == {os.getpid()}
     with pytest.raises(ZeroDivisionError):
         spread(lambda n: 1 // n, pieces, seconds=0.1)
+
+
+def refusing(error: BaseException) -> Callable[..., Any]:
+    def refuse(*_: object, **__: object) -> None:
+        raise error
+
+    return refuse
+
+
+@pytest.fixture
+def three(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Work is spread over three processes."""
+    if not spreading.sys.platform.startswith("linux"):
+        pytest.skip("nothing is forked here")
+    monkeypatch.setattr(spreading, "processors", lambda: 3)
+    monkeypatch.setattr(spreading.threading, "active_count", lambda: 1)
+
+
+@pytest.mark.parametrize(
+    ("what", "error"),
+    [
+        ("_multiprocessing.SemLock", FileNotFoundError(2, "No such file or directory")),
+        ("_multiprocessing.SemLock", PermissionError(13, "Permission denied")),
+        ("_multiprocessing.SemLock", OSError(28, "No space left on device")),
+        ("_multiprocessing.SemLock", OSError(38, "Function not implemented")),
+        ("concurrent.futures.process._check_system_limits", NotImplementedError("no semaphores")),
+        ("concurrent.futures.ProcessPoolExecutor", ImportError("This platform lacks a functioning sem_open")),
+        ("multiprocessing.get_context", ValueError("cannot find context for 'fork'")),
+        ("os.fork", BlockingIOError(11, "Resource temporarily unavailable")),
+        ("os.fork", OSError(12, "Cannot allocate memory")),
+        ("os.pipe", OSError(24, "Too many open files")),
+    ],
+)
+@pytest.mark.usefixtures("three")
+def test_without_processes_the_work_is_done_here(
+    what: str, error: BaseException, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(what, refusing(error))
+    assert spread(lambda n: (n, os.getpid()), range(20), seconds=0.1) == [(n, os.getpid()) for n in range(20)]
+    with pytest.raises(FileNotFoundError, match="of the work"):
+        spread(refusing(FileNotFoundError("of the work")), range(20), seconds=0.1)
+
+
+@pytest.mark.usefixtures("three")
+def test_no_process_is_left_behind_where_some_could_be_forked(monkeypatch: pytest.MonkeyPatch) -> None:
+    fork, forked = os.fork, []
+
+    def once() -> int:
+        if forked:
+            raise BlockingIOError(11, "Resource temporarily unavailable")
+        forked.append(True)
+        return fork()
+
+    monkeypatch.setattr(os, "fork", once)
+    assert spread(lambda n: n * n, range(20), seconds=0.1) == [n * n for n in range(20)]
+    for child in multiprocessing.active_children():
+        child.join(5)
+    assert forked
+    assert not multiprocessing.active_children()
+
+
+@pytest.mark.usefixtures("three")
+def test_where_a_process_is_killed_the_work_is_done_here() -> None:
+    here = os.getpid()
+
+    def work(piece: int) -> int:
+        if os.getpid() != here:
+            os.kill(os.getpid(), signal.SIGKILL)
+        return piece
+
+    assert spread(work, range(20), seconds=0.1) == list(range(20))
 
 
 def test_a_second_run_only_checks_again(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:

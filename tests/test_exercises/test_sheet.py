@@ -14,14 +14,20 @@ from chasles.derivations.s02_screw import (
     screw_axis_point,
 )
 from chasles.derivations.s04_twist import natural_invariants
+from click.testing import CliRunner
 from sympy.polys.polyerrors import PolynomialError
 
+from chasles.cli import main
 from chasles.exact.data import DataError
 from chasles.exact.evaluate import DividesByZero, NoValue, column_of, evaluate, matrix_of
 from chasles.exact.linear import kernel_of, rank_of, solve_linear
 from chasles.exact.sheet import HypothesisFails, Refuted, Sheet, equal
 from chasles.exact.solving import solve_with
-from chasles.statements import Claim, Condition, rotation
+from chasles.proof.judge import Judge
+from chasles.proof.verdict import Undecided
+from chasles.report.html.exercises import worked_view
+from chasles.statements import Claim, Condition, load, rotation
+from chasles.statements.exercises import exercise_numbers
 from chasles.vocabulary import CPM, cos, cross, det, dot, inverse, norm, number, over, rate, row, sin, tr, vect
 
 from .known import same
@@ -174,3 +180,26 @@ def test_polynomials_that_are_not_known_are_refused_in_one_line(monkeypatch: pyt
     monkeypatch.setattr("chasles.exact.solving.read_data", fail)
     with pytest.raises(DataError, match="give numbers that square roots express"):
         solve_with("3.5", {})
+
+
+@pytest.fixture
+def undecided(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing can be decided."""
+    monkeypatch.setattr("chasles.proof.judge.decide_problem", lambda *_: Undecided("it is beyond the prover"))
+    monkeypatch.setattr("chasles.proof.judge.repair", lambda *_: ())
+    monkeypatch.setattr("chasles.proof.road.state.decide_problem", lambda *_: Undecided("it is beyond the prover"))
+    judge = Judge(book=load())
+    monkeypatch.setattr("chasles.exact.decided._judge", lambda: judge)
+
+
+@pytest.mark.usefixtures("undecided")
+@pytest.mark.parametrize("number", exercise_numbers())
+def test_what_rests_on_an_undecided_statement_is_said_to(number: str) -> None:
+    done = CliRunner().invoke(main, ["solve", number])
+    assert done.exit_code == 1
+    (line,) = done.stderr.splitlines()
+    assert line.startswith(f"chasles: exercise {number} is not solved: ")
+    assert "undecided" in line or "the road stops" in line
+    assert done.stdout == ""
+    view = worked_view(load(), number)
+    assert (view.status, view.steps, view.unsolved) == ("unsolved", (), line.partition(" is not solved: ")[2])

@@ -37,6 +37,7 @@ class Reported:
     texts: dict[str, str]
     outcome: Outcome
     roads: tuple[RoadView, ...]
+    unsolved: tuple[str, ...]
     seconds: float
 
     @property
@@ -53,6 +54,7 @@ class Reported:
         stuck = [road.name for road in self.roads if not road.arrives]
         if stuck:
             yield f"derivations that do not arrive: {', '.join(stuck)}"
+        yield from self.unsolved
 
 
 def reported(book: Chapter) -> Reported:
@@ -73,7 +75,8 @@ def reported(book: Chapter) -> Reported:
         "index.html": html,
         "chapter.tex": latex_page(book, decisions, exercises),
     }
-    return Reported(texts, outcome, roads, perf_counter() - started)
+    unsolved = tuple(f"exercise {one.number} is not solved: {one.unsolved}" for one in exercises if one.unsolved)
+    return Reported(texts, outcome, roads, unsolved, perf_counter() - started)
 
 
 def _roads_of(book: Chapter) -> dict[str, Derivation]:

@@ -8,9 +8,10 @@ from typing import Any
 
 from chasles.exact.formulas import note, stated
 from chasles.exact.solution import Citation, Step
+from chasles.proof.decision import Decision, DoesNotStand
 from chasles.proof.judge import Judge
 from chasles.proof.road import walk
-from chasles.proof.verdict import Fails
+from chasles.proof.verdict import Fails, Undecided
 from chasles.statements import Claim, Inverse, Statement, Theorem, load
 from chasles.statements.derivation import Derivation
 from chasles.vocabulary import Node, plain, replace
@@ -31,6 +32,14 @@ def _judge() -> Judge:
     return Judge(book=load())
 
 
+def _decided(sentence: Sentence) -> Decision:
+    """The decision on a sentence; raises DoesNotStand for one that is undecided, with nothing that stands in for it."""
+    decision = _judge().decide(sentence)
+    if isinstance(decision.verdict, Undecided) and not decision.stands:
+        raise DoesNotStand(f"it rests on ({sentence.number}), which is undecided: {decision.verdict.reason}")
+    return decision
+
+
 class Decided:
     """Steps without numbers: statements, roads and refutations, for all values."""
 
@@ -49,11 +58,13 @@ class Decided:
     def walk(self, road: Derivation, says: str) -> dict[str, Node]:
         """Walk a derivation of the book: each step is decided. What stands last for each left side, by its name.
 
-        Raises Refuted if the road does not arrive.
+        Raises Refuted if the road does not arrive, DoesNotStand if that is not known.
         """
         walked = walk(road, _judge())
         if not walked.arrives:
-            raise Refuted(f"the road stops: {walked.passages[-1].reason}")
+            last = walked.passages[-1]
+            unknown = isinstance(last.verdict, Undecided)
+            raise (DoesNotStand if unknown else Refuted)(f"the road stops at {last.kind}: {last.reason}")
         equations = [equation for passage in walked.passages for equation in passage.equations]
         lines = [stated("", *equation) for equation in dict.fromkeys(equations)]
         shown = tuple(line for line in lines if len(line.text) <= MOST_SHOWN)
@@ -61,8 +72,8 @@ class Decided:
         return {plain(left): right for left, right in equations}
 
     def refute(self, claim: Claim, says: str) -> None:
-        """A claim that does not hold, with the counterexample that was found; raises Refuted if none was."""
-        verdict = _judge().decide(claim).verdict
+        """A claim that does not hold, with the counterexample that was found; raises Refuted or DoesNotStand."""
+        verdict = _decided(claim).verdict
         if not isinstance(verdict, Fails):
             raise Refuted(f"({claim.number}) part {claim.part} does not fail: {verdict.name}")
         found = verdict.counterexample
@@ -75,8 +86,8 @@ class Decided:
         self.steps.append(Step(f"{claim.says} {says}", (citation,), lines))
 
     def cite(self, sentence: Sentence) -> Citation:
-        """The sentence's number, and what is decided of it."""
-        decision = _judge().decide(sentence)
+        """The sentence's number, and what is decided of it. Raises DoesNotStand if nothing is."""
+        decision = _decided(sentence)
         correction = None if decision.verdict.true else decision.correction
         form, verdict = (correction.form, correction.verdict) if correction else ("printed", decision.verdict)
         return Citation(sentence.number, sentence.part, verdict.name, tuple(getattr(verdict, "needs", ())), form)

@@ -22,7 +22,8 @@ def solve(exercise: str, /, **data: Any) -> Solution:
     """The worked solution of an exercise, exact: steps, answers, checks, picture.
 
     `exercise` is its number, "3.7". Data are integers, fractions, decimals, or text such as "sqrt(2)/2"; keys that are
-    left out keep their defaults. Raises UnknownExercise, and DataError for data that are malformed.
+    left out keep their defaults. Raises UnknownExercise, DataError for data that are malformed, and DoesNotStand where
+    an equation that is used is not known to be true.
     """
     return solve_with(exercise, data)
 

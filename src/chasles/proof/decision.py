@@ -12,11 +12,15 @@ from chasles.statements import Inverse, Statement, Theorem
 from chasles.statements.problem import default_sides
 from chasles.statements.statement import Equation
 
-__all__ = ["HOW", "Certificate", "Correction", "Decision", "Sentence", "Used", "key_of"]
+__all__ = ["HOW", "Certificate", "Correction", "Decision", "DoesNotStand", "Sentence", "Used", "key_of"]
 
 Sentence = Statement | Theorem | Inverse
 HOW = {"printed": "as printed", "reading": "as read", "repair": "as repaired", "corrected": "as corrected"}
 """A form of a statement in words."""
+
+
+class DoesNotStand(TypeError):
+    """Something rests on a sentence of which no form is known to be true."""
 
 
 class Certificate(dict[str, Any], Displayed):

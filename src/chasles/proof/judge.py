@@ -8,7 +8,7 @@ from time import perf_counter
 from typing import Any
 
 from chasles.proof.decide import BUDGET, decide_problem, determining, pose
-from chasles.proof.decision import Correction, Decision, Sentence, Used, key_of
+from chasles.proof.decision import Correction, Decision, DoesNotStand, Sentence, Used, key_of
 from chasles.proof.memory import Memory
 from chasles.proof.repair import Repair, repair
 from chasles.proof.verdict import Assumed, Defined, Holds, HoldsUnder, IllFormed, Undecided, Verdict
@@ -65,7 +65,7 @@ class Judge:
         return known
 
     def standing(self, statement: Statement) -> Equation:
-        """The sides with which a given statement is used; raises TypeError for one that does not stand."""
+        """The sides with which a given statement is used; raises DoesNotStand."""
         return self._used(statement).sides
 
     def _used(self, statement: Statement) -> Used:
@@ -77,7 +77,7 @@ class Judge:
             return Used("printed", statement.printed)
         if decision.correction is not None and decision.correction.verdict.true:
             return Used(decision.correction.form, decision.correction.sides)
-        raise TypeError(
+        raise DoesNotStand(
             f"it rests on ({statement.number}), which does not stand: its verdict is '{decision.verdict.name}'"
         )
 
@@ -121,8 +121,8 @@ class Judge:
     def search(self, sentence: Statement) -> tuple[str, tuple[Repair, ...]]:
         """The repairs of a statement, and the key by which they are remembered.
 
-        A claim is repaired by what comes before it, so that it never waits for itself. Raises TypeError if something
-        that it rests on does not stand.
+        A claim is repaired by what comes before it, so that it never waits for itself. Raises DoesNotStand for what
+        it rests on.
         """
         before = self._book[: None if isinstance(sentence, Definition) else self._place.get(id(sentence))]
         used = [self.standing(given) for given in sentence.relied_on]

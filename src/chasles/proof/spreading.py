@@ -1,7 +1,7 @@
 """Many independent pieces of work, spread over processes where that is faster than one after the other.
 
-A process is forked, so that it knows all that this one does and is there at once; where that is not safe, or there is
-one processor only, the work is done here.
+A process is forked, so that it knows all that this one does and is there at once; where that is not safe or not
+possible, or there is one processor only, the work is done here.
 """
 
 from __future__ import annotations
@@ -11,8 +11,10 @@ import os
 import sys
 import threading
 from collections.abc import Callable, Sequence
-from concurrent.futures import ProcessPoolExecutor
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
+
+if TYPE_CHECKING:
+    from concurrent.futures import ProcessPoolExecutor
 
 __all__ = ["processors", "spread"]
 
@@ -43,11 +45,42 @@ def spread(work: Callable[[_T], _R], pieces: Sequence[_T], seconds: float) -> li
         return [work(piece) for piece in pieces]
     _work.append((work, pieces))
     try:
-        with ProcessPoolExecutor(workers, multiprocessing.get_context("fork")) as pool:
-            chunk = max(1, len(pieces) // (workers * CHUNKS))
-            return list(pool.map(_worked, range(len(pieces)), chunksize=chunk))
+        found = _over_processes(len(pieces), workers)
     finally:
         _work.clear()
+    return [work(piece) for piece in pieces] if found is None else found
+
+
+def _over_processes(count: int, workers: int) -> list[Any] | None:
+    """What processes make of the pieces; None where there can be none, or one of them was killed."""
+    pool = _pool(workers)
+    if pool is None:
+        return None
+    from concurrent.futures.process import BrokenProcessPool
+
+    others = set(multiprocessing.active_children())
+    with pool:
+        try:
+            found = pool.map(_worked, range(count), chunksize=max(1, count // (workers * CHUNKS)))
+        except OSError:
+            # Some may have been forked before the system allowed no more, and would wait for ever.
+            for forked in set(multiprocessing.active_children()) - others:
+                forked.terminate()
+            return None
+        try:
+            return list(found)
+        except BrokenProcessPool:
+            return None
+
+
+def _pool(workers: int) -> ProcessPoolExecutor | None:
+    """Processes that can be given work; None where they cannot be forked, or have no semaphores to share."""
+    try:
+        from concurrent.futures import ProcessPoolExecutor
+
+        return ProcessPoolExecutor(workers, multiprocessing.get_context("fork"))
+    except (ImportError, NotImplementedError, OSError, ValueError):
+        return None
 
 
 def _worked(place: int) -> Any:

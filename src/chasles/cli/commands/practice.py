@@ -35,6 +35,7 @@ def command(exercise: str, seed: int, check: Path | None, json: bool) -> int:
     """
     from chasles.exact.data import DataError, read_json
     from chasles.exact.grading import grade, new_data
+    from chasles.proof.decision import DoesNotStand
     from chasles.report.records import as_json
     from chasles.statements.exercises import UnknownExercise
     from chasles.statements.exercises import exercise as find_exercise
@@ -46,6 +47,8 @@ def command(exercise: str, seed: int, check: Path | None, json: bool) -> int:
         marks = None if check is None else grade(chosen, data, _answers(read_json(text_of_file(check))))
     except (DataError, UnknownExercise) as error:
         raise Failure(str(error.args[0]), BAD_INPUT) from error
+    except DoesNotStand as error:
+        raise Failure(f"answers to exercise {exercise} cannot be graded: {error}") from error
     if json:
         click.echo(as_json({"exercise": chosen.number, "seed": seed, "data": data} | _record(marks)))
     else:

@@ -27,6 +27,7 @@ def command(exercise: str, data: Path | None, html: Path | None, json: bool) -> 
     """
     from chasles.exact.data import DataError, read_json
     from chasles.exact.solving import solve_with
+    from chasles.proof.decision import DoesNotStand
     from chasles.report.records import as_json
     from chasles.report.screen import Screen
     from chasles.report.worked_page import worked_page
@@ -38,6 +39,8 @@ def command(exercise: str, data: Path | None, html: Path | None, json: bool) -> 
         solution = solve_with(exercise.removeprefix("Ex").strip(), given)
     except (DataError, UnknownExercise) as error:
         raise Failure(str(error.args[0]), BAD_INPUT) from error
+    except DoesNotStand as error:
+        raise Failure(f"exercise {exercise} is not solved: {error}") from error
     if html is not None:
         from chasles.exact.sheet_html import as_page
 

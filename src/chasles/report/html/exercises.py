@@ -14,6 +14,7 @@ from markupsafe import Markup
 from chasles.exact.solution import Check, Citation, Line, Solution, Step, cited
 from chasles.exact.solving import solve_with
 from chasles.exact.spelling import decimal_text, latex_of, text_of
+from chasles.proof.decision import DoesNotStand
 from chasles.proof.spreading import spread
 from chasles.report.html.citing import Link, place_of_number, slug
 from chasles.report.html.formulas import displayed
@@ -58,7 +59,10 @@ class WorkedStep:
 
 @dataclass(frozen=True, slots=True)
 class WorkedView:
-    """An exercise with its solution; `pictures` are at most one, `without` says why there is none."""
+    """An exercise with its solution; `pictures` are at most one, `without` says why there is none.
+
+    `unsolved` says why there is no solution.
+    """
 
     place: str
     number: str
@@ -73,6 +77,7 @@ class WorkedView:
     pictures: tuple[Markup, ...]
     captions: tuple[str, ...]
     without: tuple[str, ...]
+    unsolved: str = ""
 
 
 def worked_exercises(chapter: Chapter) -> tuple[WorkedView, ...]:
@@ -85,8 +90,12 @@ def worked_exercises(chapter: Chapter) -> tuple[WorkedView, ...]:
 
 
 def worked_view(chapter: Chapter, number: str) -> WorkedView:
-    """The exercise of that number, solved for its default data."""
-    solution, asked = solve_with(number, {}), exercise(number)
+    """The exercise of that number, solved for its default data, as far as what it rests on is known to be true."""
+    asked = exercise(number)
+    try:
+        solution, unsolved = solve_with(number, {}), ""
+    except DoesNotStand as error:
+        solution, unsolved = _unsolved(asked), str(error)
     place = f"exercise-{slug(number)}"
     drawn, without = _picture(solution, place)
     known = frozenset(chapter.numbers)
@@ -104,7 +113,13 @@ def worked_view(chapter: Chapter, number: str) -> WorkedView:
         pictures=drawn,
         captions=(solution.picture.title,) if solution.picture and drawn else (),
         without=without,
+        unsolved=unsolved,
     )
+
+
+def _unsolved(asked: Exercise) -> Solution:
+    """What is asked, without an answer."""
+    return Solution(asked.number, asked.title, asked.asked, "unsolved", {}, {}, asked.assumed(()), (), ())
 
 
 def _ready_to_draw() -> None:
