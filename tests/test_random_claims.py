@@ -220,7 +220,7 @@ def perpendicular_pair(values: dict[str, list[list[Fraction]]], draw: Random) ->
 def judged(claim: Claim, draw: Random) -> str:
     """The verdict's name, once it has been held against the values."""
     problem = problem_of(claim)
-    verdict = decide_problem(problem, claim.assuming, budget=5.0)
+    verdict = decide_problem(problem, claim.assuming)
     if isinstance(verdict, Holds | HoldsUnder):
         needed = problem_with(problem, verdict.needs)
         for _, point in zip(range(3), points(needed, draw), strict=False):

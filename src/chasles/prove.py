@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from math import inf
 from typing import Any
 
 from chasles.proof.certificate import Rejected, check
@@ -18,13 +19,11 @@ from chasles.statements import Goal
 
 __all__ = ["Rejected", "Untreatable", "prove", "recheck"]
 
-BUDGET = 10.0
-"""Seconds."""
+EFFORT = 1e7
+"""The work that a question may take, in products of terms."""
 
 
-def prove(
-    lhs: Any, rhs: Any, given: Iterable[Any] = (), nonzero: Iterable[Any] = (), budget: float = BUDGET
-) -> Verdict:
+def prove(lhs: Any, rhs: Any, given: Iterable[Any] = (), nonzero: Iterable[Any] = (), budget: float = inf) -> Verdict:
     """The verdict on `lhs == rhs`, for all real values of the symbols that satisfy the side conditions.
 
     Square roots are the nonnegative ones and are meant where they are real, fractions where no divisor vanishes.
@@ -35,7 +34,8 @@ def prove(
         given: equations that hold, as `Eq(a, b)` or as expressions or matrices that are zero; between functions of
             time they hold at all times.
         nonzero: scalars that do not vanish. Divisors need not be named: the verdict's `needs` lists them.
-        budget: seconds after which the verdict is `Undecided`.
+        budget: seconds after which the verdict is `Undecided`. Without it only the work is limited, so that the verdict
+            does not depend on the machine.
 
     Returns:
         `Holds` or `HoldsUnder(needs)`, with a certificate that `recheck` checks; `Fails`, with an exact counterexample;
@@ -45,11 +45,11 @@ def prove(
         Untreatable: a ValueError that names what is not treated.
     """
     try:
-        with within(budget):
+        with within(EFFORT, budget):
             question = ask(lhs, rhs, given, nonzero)
             return question if isinstance(question, IllFormed) else question.answered(_decided(question))
-    except OutOfTime:
-        return Undecided(f"{budget:g} seconds were not enough")
+    except OutOfTime as error:
+        return Undecided(str(error))
 
 
 def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Iterable[Any] = (), nonzero: Iterable[Any] = ()) -> None:
@@ -105,4 +105,4 @@ def _refuted(question: Question) -> Verdict:
     goals = question.problem.goals
     places = [(g, (i + 1, j + 1)) for g in goals for i in range(g.left.shape[0]) for j in range(g.left.shape[1])]
     found = question.search.refute(context, [_Entry(goal, place) for goal, place in places])
-    return Fails(found) if found else Undecided("it is too large for the time that was allowed")
+    return Fails(found) if found else Undecided("it is too large for the work that was allowed")

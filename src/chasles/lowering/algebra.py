@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from itertools import zip_longest
-from time import monotonic
 
 from chasles.lowering.atoms import Atoms
 from chasles.lowering.divisors import divisors_of
@@ -23,6 +22,9 @@ from chasles.vocabulary import Node, Norm, Symbol
 
 __all__ = ["Algebra"]
 
+COMPLETION = 2e7
+"""The work that one completion of hypotheses may take, in products of terms."""
+
 
 class Algebra:
     """Fractions in the entries of a request's arguments, modulo its hypotheses, with some rules added to its own.
@@ -35,7 +37,6 @@ class Algebra:
         request: Request,
         rules: Mapping[Node, Node],
         further: Iterable[Node],
-        deadline: float,
         positive: tuple[Symbol, ...] = (),
     ) -> None:
         table = {**dict(request.rules), **rules}
@@ -46,7 +47,6 @@ class Algebra:
         divisors = dict.fromkeys(divisor for node in nodes for divisor in divisors_of(node, table, seen))
         hypotheses = (*request.hypotheses, *map(nonzero, (*divisors, *positive)))
         self.context: Context = build(Problem(goals, tuple(table.items()), hypotheses=tuple(dict.fromkeys(hypotheses))))
-        self.deadline = deadline
         self._completed: Basis | None = None
         self._remainders: dict[object, list[tuple[Polynomial, Polynomial]]] = {}
         self._roots: list[tuple[Ratio, Ratio | None]] = []
@@ -85,7 +85,7 @@ class Algebra:
             return bool(self._with(zeros).reduce(numerator)[1] == 0)
         if not self.context.basis.complete:
             if self._completed is None:
-                self._completed = completed(self.context.basis, self._in_time)
+                self._completed = completed(self.context.basis, COMPLETION)
             return bool(self._completed.reduce(numerator)[1] == 0)
         return False
 
@@ -155,7 +155,4 @@ class Algebra:
 
     def _with(self, zeros: tuple[Polynomial, ...]) -> Basis:
         basis = self.context.basis
-        return completed(stated(basis.ring, (*basis.generators, *zeros), complete=False), self._in_time)
-
-    def _in_time(self) -> bool:
-        return monotonic() < self.deadline
+        return completed(stated(basis.ring, (*basis.generators, *zeros), complete=False), COMPLETION)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import product
-from time import monotonic
 
 from chasles.lowering.algebra import Algebra
 from chasles.lowering.cases import Choice
@@ -18,18 +17,15 @@ from chasles.proof.variables import Untreatable
 from chasles.statements.kernel import places_of
 from chasles.vocabulary import Node, Symbol
 
-__all__ = ["BUDGET", "differences", "program_equals"]
-
-BUDGET = 20.0
-"""Seconds that one comparison may take over completing hypotheses."""
+__all__ = ["differences", "program_equals"]
 
 
-def program_equals(request: Request, program: Program, budget: float = BUDGET) -> bool:
+def program_equals(request: Request, program: Program) -> bool:
     """Whether the program computes what the request asks for, wherever its expressions have a value."""
-    return not differences(request, program, budget)
+    return not differences(request, program)
 
 
-def differences(request: Request, program: Program, budget: float = BUDGET) -> tuple[str, ...]:
+def differences(request: Request, program: Program) -> tuple[str, ...]:
     """Where the program is not, or is not seen to be, what the request asks for: one line each, none if it is equal.
 
     Programs with selections are compared on every way through the cases, given what the cases say.
@@ -41,7 +37,7 @@ def differences(request: Request, program: Program, budget: float = BUDGET) -> t
     try:
         stages = _Stages(request, program)
         for way in product(*map(_cases, request.choices)):
-            found |= dict.fromkeys(_on_way(request, program, way, stages, monotonic() + budget))
+            found |= dict.fromkeys(_on_way(request, program, way, stages))
     except (Unreadable, Untreatable, UndeclaredDivisor) as error:
         found[str(error)] = None
     return tuple(found)
@@ -82,17 +78,16 @@ class _Stages:
         self._program = program
         self._known: dict[tuple[tuple[Node, Node], ...], tuple[Algebra, Settled]] = {}
 
-    def of(self, rules: dict[Node, Node], deadline: float) -> tuple[Algebra, Settled]:
-        """The stage on which the rules hold; what is still to be completed on it must be so before the deadline."""
+    def of(self, rules: dict[Node, Node]) -> tuple[Algebra, Settled]:
+        """The stage on which the rules hold."""
         key = tuple(rules.items())
         if key not in self._known:
-            algebra = Algebra(self._request, rules, self._further, deadline, tuple(self.scales.values()))
+            algebra = Algebra(self._request, rules, self._further, tuple(self.scales.values()))
             self._known[key] = algebra, Settled(self._program)
-        self._known[key][0].deadline = deadline
         return self._known[key]
 
 
-def _on_way(request: Request, program: Program, way: Sequence[int], stages: _Stages, deadline: float) -> Iterator[str]:
+def _on_way(request: Request, program: Program, way: Sequence[int], stages: _Stages) -> Iterator[str]:
     """The differences where each choice is in the case that `way` says; past its last case a choice has no value."""
     rules: dict[Node, Node] = {}
     valueless: list[Symbol] = []
@@ -101,7 +96,7 @@ def _on_way(request: Request, program: Program, way: Sequence[int], stages: _Sta
             valueless += choice.symbols
         else:
             rules |= dict(zip(choice.symbols, choice.cases[place].values, strict=True))
-    algebra, settled = stages.of(rules, deadline)
+    algebra, settled = stages.of(rules)
     waiting = [_signs(algebra, request.choices, way)]
     while waiting:
         signs = waiting.pop()

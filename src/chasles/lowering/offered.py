@@ -13,8 +13,8 @@ from chasles.vocabulary import Node
 
 __all__ = ["BUDGET", "counterexample", "in_words"]
 
-BUDGET = 10.0
-"""Seconds that the search for a counterexample may take in each case."""
+BUDGET = 1e7
+"""The work that the search for a counterexample may take in each case, in products of terms."""
 
 
 def counterexample(request: Request) -> tuple[str, Counterexample] | None:

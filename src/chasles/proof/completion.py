@@ -6,11 +6,12 @@ chosen to be a basis as they stand.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from fractions import Fraction
 from heapq import heapify, heappop, heappush
+from math import inf
 
+from chasles.proof.deadline import OutOfTime, spend, within
 from chasles.proof.normal_form import leads_of, reduce_by
 from chasles.proof.rings import Exponents, Polynomial, Ring
 
@@ -53,16 +54,30 @@ def stated(ring: Ring, hypotheses: tuple[Polynomial, ...], *, complete: bool) ->
     return Basis(ring, hypotheses, tuple({k: one} for k in range(len(hypotheses))), complete)
 
 
-def completed(basis: Basis, within_budget: Callable[[], bool]) -> Basis:
-    """A Groebner basis of the same ideal, as far as the budget allows; `complete` says whether it is one."""
-    ring = basis.ring
+def completed(basis: Basis, products: float = inf) -> Basis:
+    """A Groebner basis of the same ideal, as far as so much work goes; `complete` says whether it is one.
+
+    Raises `OutOfTime` where what surrounds it allows no more.
+    """
     generators, origins = list(basis.generators), list(basis.origins)
+    complete = True
+    try:
+        with within(products):
+            _complete(basis.ring, generators, origins)
+    except OutOfTime:
+        spend(0)
+        if products == inf:
+            raise
+        complete = False
+    return Basis(basis.ring, tuple(generators), tuple(origins), complete)
+
+
+def _complete(ring: Ring, generators: list[Polynomial], origins: list[Combination]) -> None:
+    """Add to the generators what is missing, until nothing is."""
     leads = [ring.leading(g) for g in generators]
     pairs = [(_degree(leads, (i, j)), i, j) for j in range(len(generators)) for i in range(j)]
     heapify(pairs)
     while pairs:
-        if not within_budget():
-            return Basis(ring, tuple(generators), tuple(origins), complete=False)
         _, i, j = heappop(pairs)
         if not any(a and b for a, b in zip(leads[i][0], leads[j][0], strict=True)):
             continue
@@ -82,7 +97,6 @@ def completed(basis: Basis, within_budget: Callable[[], bool]) -> Basis:
         last = len(generators) - 1
         for k in range(last):
             heappush(pairs, (_degree(leads, (k, last)), k, last))
-    return Basis(ring, tuple(generators), tuple(origins), complete=True)
 
 
 def _degree(leads: list[tuple[tuple[int, ...], Fraction]], pair: tuple[int, int]) -> int:

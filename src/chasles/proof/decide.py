@@ -25,8 +25,8 @@ from chasles.vocabulary import Symbol
 
 __all__ = ["BUDGET", "decide_problem", "determining", "pose"]
 
-BUDGET = 20.0
-"""Seconds that a single decision may take before it gives up as undecided."""
+BUDGET = 2e7
+"""The work that a single decision may take before it gives up as undecided, in products of terms."""
 SAMPLES = 40
 """So many sample points are looked at for one that satisfies all hypotheses."""
 
@@ -41,10 +41,10 @@ def decide_problem(
     try:
         with within(budget):
             return _decide(problem, own, search)
-    except OutOfTime:
+    except OutOfTime as error:
         if remaining() < inf:
             raise
-        return Undecided(f"{budget:g} seconds were not enough")
+        return Undecided(str(error))
 
 
 def _decide(problem: Problem, own: tuple[Hypothesis, ...], search: Search | None) -> Verdict:
@@ -66,7 +66,7 @@ def _decide(problem: Problem, own: tuple[Hypothesis, ...], search: Search | None
             found = search.refute(context, suspects) if search else refute(context, solved, suspects)
             if found:
                 return Fails(found)
-        whole = completed(context.basis, lambda: remaining() > 0)
+        whole = completed(context.basis)
         if not _prove(context, whole, unproved):
             suspects = [e for e in unproved if e.cofactors is None]
             found = search.refute(context, suspects) if search else refute(context, solved, suspects)

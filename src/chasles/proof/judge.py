@@ -33,9 +33,6 @@ from chasles.vocabulary import Misfit
 
 __all__ = ["Correction", "Decision", "Judge", "Used"]
 
-PATIENCE = 60.0
-"""Seconds for the search of one repair: so many that what is found does not depend on the machine."""
-
 
 class Judge:
     """Decides sentences, each once; a given claim that fails is used in the form that stands in for it.
@@ -130,7 +127,7 @@ class Judge:
         known = self.memory.recalled(key)
         if isinstance(known, tuple):
             return key, known
-        return key, repair(sentence, self.standing, PATIENCE, before)
+        return key, repair(sentence, self.standing, beside=before)
 
     def verdict_on(self, problem: Problem, own: tuple[Hypothesis, ...] = ()) -> Verdict:
         """The verdict on a problem; `own` are the hypotheses whose use it reports."""

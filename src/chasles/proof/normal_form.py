@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import comb
 
-from chasles.proof.deadline import afford, check
+from chasles.proof.deadline import afford, check, spend
 from chasles.proof.rings import Exponents, Polynomial, Ring
 
 __all__ = ["Reduction", "leads_of", "reduce_by"]
@@ -50,6 +50,8 @@ def reduce_by(
             afford(_growth(polynomial, generator, times))
             quotient, remainder = ring.divide(polynomial, generator)
             if quotient != 0:
+                spend(len(quotient) * _words(ring, quotient) * len(generator) * _words(ring, generator))
+            if quotient != 0:
                 cofactors[place] = cofactors[place] + quotient if place in cofactors else quotient
                 polynomial = remainder
                 changed = True
@@ -62,6 +64,12 @@ def reduce_by(
 def leads_of(ring: Ring, generators: Sequence[Polynomial]) -> tuple[Exponents, ...]:
     """The exponents of the leading terms."""
     return tuple(ring.leading(generator)[0] for generator in generators)
+
+
+def _words(ring: Ring, polynomial: Polynomial) -> int:
+    """How many machine words a coefficient takes, judged by the leading one: so much longer takes a product."""
+    coefficient = ring.leading(polynomial)[1]
+    return 1 + (coefficient.numerator.bit_length() + coefficient.denominator.bit_length()) // 64
 
 
 def _times(degrees: Exponents, lead: Exponents) -> int:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from chasles.proof.deadline import afford
+from chasles.proof.deadline import afford, spend
 from chasles.proof.rings import Polynomial, Ring
 
 __all__ = ["Field", "Ratio"]
@@ -91,6 +91,7 @@ class Ratio:
 
 def _times(one: Polynomial, other: Polynomial) -> Polynomial:
     afford(len(one) * len(other))
+    spend(len(one) * len(other))
     return one * other
 
 

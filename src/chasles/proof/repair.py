@@ -23,10 +23,10 @@ from chasles.statements.problem import Standing, default_sides
 from chasles.vocabulary import Misfit, Node, plain, walk
 from chasles.vocabulary.families import indices_of
 
-__all__ = ["SECONDS", "Repair", "repair"]
+__all__ = ["EFFORT", "Repair", "repair"]
 
-SECONDS = 20.0
-"""What the search for a repair, its proofs included, may take; it is limited by what it tries, not by this."""
+EFFORT = 2e7
+"""The work that the search for a repair, its proofs included, may take, in products of terms."""
 MORE_EFFORT, MOST = 2, 8
 """Repairs of the same number of changes as the best are given if they take hardly more effort; so many are tried."""
 
@@ -53,7 +53,7 @@ class Repair(Displayed):
 def repair(
     statement: Statement,
     standing: Standing = default_sides,
-    seconds: float = SECONDS,
+    effort: float = EFFORT,
     beside: Iterable[Statement] = (),
 ) -> tuple[Repair, ...]:
     """The nearest true equations, that with the fewest and simplest changes first; none if none was proved in time.
@@ -73,7 +73,7 @@ def repair(
     near = Nearest(statement, standing, sides, claims)
     found: list[Repair] = []
     try:
-        with within(seconds):
+        with within(effort):
             found.extend(_of_definition(near) if isinstance(statement, Definition) else _of_claim(near))
     except OutOfTime:
         pass
