@@ -299,7 +299,7 @@ def test_hypotheses_of_all_that_a_statement_rests_on_are_collected_once() -> Non
     [
         (Claim("1", Q @ p, a), r"\(9\) is given \(1\), whose left side Q p is no symbol"),
         (Condition("1", cross(e, u), zero, on=(u,), solution=k * e), r"\(1\), which leaves u free"),
-        (Theorem("Thm 1", "", (Always(a, p),)), r"\(Thm 1\), a theorem: name equations"),
+        (Theorem("Thm 1", "", (Always(a, p),)), r"part 1 of `given` is a Theorem, and must be a Statement"),
     ],
 )
 def test_what_cannot_be_used_is_refused(given: Any, said: str) -> None:

@@ -16,6 +16,7 @@ from chasles.cli.failures import BAD_INPUT, Failure, nearest
 from chasles.report.waiting import watched
 from chasles.statements import Chapter, Entry, load
 from chasles.statements.packages import BOOK, folder_of
+from chasles.vocabulary.arguments import WrongArgument
 
 if TYPE_CHECKING:
     from chasles.proof.judge import Decision, Judge
@@ -57,6 +58,8 @@ def chapter() -> Chapter:
         sys.path.append(str(Path.cwd()))
     try:
         return load(package)
+    except WrongArgument as error:
+        raise Failure(str(error), BAD_INPUT) from error
     except Exception as error:
         place = _place(error, package)
         if place is not None:

@@ -8,6 +8,7 @@ from chasles.cli.failures import BAD_INPUT, Failure, nearest
 from chasles.statements import Chapter, DeclarationError
 from chasles.statements.derivation import Derivation
 from chasles.statements.roads import roads
+from chasles.vocabulary.arguments import WrongArgument
 
 __all__ = ["all_roads", "chosen_roads"]
 
@@ -21,6 +22,8 @@ def all_roads(book: Chapter) -> dict[str, Derivation]:
         return roads(book.package)
     except DeclarationError as error:
         raise Failure(f"the declarations contradict each other: {error}", BAD_INPUT) from error
+    except WrongArgument as error:
+        raise Failure(str(error), BAD_INPUT) from error
 
 
 def chosen_roads(book: Chapter, words: Sequence[str]) -> dict[str, Derivation]:

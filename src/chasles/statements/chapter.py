@@ -17,6 +17,7 @@ from chasles.statements.inversion import Inverse
 from chasles.statements.kernel import Kernel
 from chasles.statements.packages import BOOK, DeclarationError, imported
 from chasles.statements.statement import Statement, Theorem
+from chasles.vocabulary.arguments import Declared
 
 __all__ = ["Chapter", "DeclarationError", "Entry", "Section", "load"]
 
@@ -24,7 +25,7 @@ Sentence = Statement | Theorem | Inverse
 
 
 @dataclass(frozen=True, slots=True)
-class Section:
+class Section(Declared):
     """A heading of the book; the statements declared below it belong to it."""
 
     number: str

@@ -14,6 +14,7 @@ from chasles.statements.chapter import DeclarationError
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.statement import Condition, Statement
 from chasles.vocabulary import Node, Symbol
+from chasles.vocabulary.arguments import Declared
 
 __all__ = [
     "Ansatz",
@@ -33,7 +34,7 @@ __all__ = [
 ]
 
 
-class Step:
+class Step(Declared):
     """One thing that is done; `kind` says it in a word or two."""
 
     __slots__ = ()
@@ -197,7 +198,7 @@ class Compare(Step):
 
 
 @dataclass(frozen=True, eq=False)
-class Derivation(Displayed):
+class Derivation(Declared, Displayed):
     """The road to the statement `to`, which is its end; None where the book asks for what is found, and prints nothing.
 
     `given` may be used at every step; what is `assuming` holds all along. Raises `DeclarationError` for a road that

@@ -7,12 +7,13 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from chasles.vocabulary import Node
+from chasles.vocabulary.arguments import Declared
 
 __all__ = ["Datum", "Exercise", "ListOf", "Record", "Scalar", "Shape", "Tuple", "Word", "matrix_shape", "vector_shape"]
 
 
 @dataclass(frozen=True, slots=True)
-class Scalar:
+class Scalar(Declared):
     """A real number; an integer, or one with a sign, where that is demanded. `least` is the smallest integer."""
 
     positive: bool = False
@@ -22,7 +23,7 @@ class Scalar:
 
 
 @dataclass(frozen=True, slots=True)
-class Array:
+class Array(Declared):
     """Numbers in rows: of one column, a list of numbers; else, a list of rows."""
 
     rows: int
@@ -30,14 +31,14 @@ class Array:
 
 
 @dataclass(frozen=True, slots=True)
-class Word:
+class Word(Declared):
     """One of some words; given in either case of letters, known as spelled here."""
 
     among: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class ListOf:
+class ListOf(Declared):
     """A list of things of one shape, at least so many and at most so many."""
 
     of: Shape
@@ -46,14 +47,14 @@ class ListOf:
 
 
 @dataclass(frozen=True, slots=True)
-class Tuple:
+class Tuple(Declared):
     """A list of a fixed number of things, each of its own shape and with its own name for messages."""
 
     parts: tuple[tuple[str, Shape], ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Record:
+class Record(Declared):
     """Named things of one shape."""
 
     names: tuple[str, ...]
@@ -74,7 +75,7 @@ def matrix_shape(rows: int = 3, columns: int = 3) -> Array:
 
 
 @dataclass(frozen=True, slots=True)
-class Datum:
+class Datum(Declared):
     """One key of the data: its shape, its default as a user would write it, what it is.
 
     `from_book` says that the default is the book's. A datum without a default may be left out, and is None then.
@@ -88,7 +89,7 @@ class Datum:
 
 
 @dataclass(frozen=True, eq=False)
-class Exercise:
+class Exercise(Declared):
     """An exercise: what is `asked`, in our words, part by part; the `data`; how it is solved.
 
     For practice: `instance` draws new data; `symbols` are the book's symbols for answers, by the answers' names;

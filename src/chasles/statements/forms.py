@@ -25,6 +25,7 @@ from chasles.vocabulary import (
     column,
     replace,
 )
+from chasles.vocabulary.arguments import Declared
 
 __all__ = ["Always", "Definite", "Exists", "Form", "Iff", "Minimum", "OnlyWhere", "Unique"]
 
@@ -54,7 +55,7 @@ def _zero(like: Node) -> Node:
 
 
 @dataclass(frozen=True, slots=True)
-class Always:
+class Always(Declared):
     """The two sides are equal."""
 
     left: Node
@@ -65,7 +66,7 @@ class Always:
 
 
 @dataclass(frozen=True, slots=True)
-class Minimum:
+class Minimum(Declared):
     """Over all values of a symbol, `of` is least at `at`, where it takes `value`.
 
     Proved by of - value = sum of squares for every value of the symbol, each square vanishing at `at`.
@@ -90,7 +91,7 @@ class Minimum:
 
 
 @dataclass(frozen=True, slots=True)
-class Definite:
+class Definite(Declared):
     """`of` is never negative: it is a sum of squares. With `by`, it vanishes only where all symbols `over` do.
 
     Proved by of = sum of squares, which are seen to be squares by their spelling, and by column(over) = by @ what is
@@ -111,7 +112,7 @@ class Definite:
 
 
 @dataclass(frozen=True, slots=True)
-class OnlyWhere:
+class OnlyWhere(Declared):
     """The two sides can be equal only where all squares vanish: tr(by^T (left - right) by) = -(sum of squares).
 
     Whatever is free in the sides is so in the squares: no value of it makes the sides equal elsewhere.
@@ -128,7 +129,7 @@ class OnlyWhere:
 
 
 @dataclass(frozen=True, slots=True)
-class Iff:
+class Iff(Declared):
     """`one` vanishes if and only if `other` does: other = forth one, and one = back other."""
 
     one: Node
@@ -144,7 +145,7 @@ class Iff:
 
 
 @dataclass(frozen=True, slots=True)
-class Exists:
+class Exists(Declared):
     """There is a value of the symbol, `witness`, for which the two sides are equal."""
 
     symbol: Symbol
@@ -158,7 +159,7 @@ class Exists:
 
 
 @dataclass(frozen=True, slots=True)
-class Unique:
+class Unique(Declared):
     """At most one value of the symbol makes `residual` vanish: x - y = by (residual of x - residual of y)."""
 
     symbol: Symbol

@@ -26,6 +26,7 @@ from chasles.vocabulary import (
     latex,
     plain,
 )
+from chasles.vocabulary.arguments import Declared, declaring
 from chasles.vocabulary.measure import added
 from chasles.vocabulary.nodes import measured
 
@@ -45,7 +46,7 @@ __all__ = [
 
 
 @dataclass(frozen=True, slots=True)
-class Hypothesis:
+class Hypothesis(Declared):
     """A named side condition on `subjects`: its `equations` hold and its `nonvanishing` expressions are not zero.
 
     A `free` one is said of any expressions, not of symbols, and always counts; declarations do not make them.
@@ -75,6 +76,7 @@ def _scalar(subject: Node, kind: str) -> None:
         raise TypeError(f"{kind} is said of a scalar, and {subject} is {subject.shape[0]} x {subject.shape[1]}")
 
 
+@declaring
 def unit(vector: Node) -> Hypothesis:
     """The vector has length one."""
     _symbol(vector, "unit")
@@ -82,6 +84,7 @@ def unit(vector: Node) -> Hypothesis:
     return Hypothesis("unit", (vector,), (equation,), (), rf"\|{latex(vector)}\| = 1", f"|{plain(vector)}| = 1")
 
 
+@declaring
 def unit_column(*parts: Node) -> Hypothesis:
     """The quantities, one below the other, make a column of length one, as Euler-Rodrigues parameters do."""
     for part in parts:
@@ -92,6 +95,7 @@ def unit_column(*parts: Node) -> Hypothesis:
     return Hypothesis("unit column", parts, (equation,), (), rf"\|[{letters}]\| = 1", f"|[{names}]| = 1")
 
 
+@declaring
 def nonzero(expression: Node, letter: str = "") -> Hypothesis:
     """The scalar is not zero; `letter` says so in LaTeX in the reader's terms (phi != 0, not 1 - cos(phi) != 0)."""
     _scalar(expression, "nonzero")
@@ -100,6 +104,7 @@ def nonzero(expression: Node, letter: str = "") -> Hypothesis:
     return Hypothesis("nonzero", (expression,), (), (expression,), said, text)
 
 
+@declaring
 def positive(quantity: Node) -> Hypothesis:
     """The scalar is greater than zero, as a mass is; a proof uses only that it is not zero."""
     _symbol(quantity, "positive")
@@ -107,6 +112,7 @@ def positive(quantity: Node) -> Hypothesis:
     return Hypothesis("positive", (quantity,), (), (quantity,), f"{latex(quantity)} > 0", f"{plain(quantity)} > 0")
 
 
+@declaring
 def symmetric(matrix: Node) -> Hypothesis:
     """The matrix equals its transpose."""
     _symbol(matrix, "symmetric")
@@ -121,6 +127,7 @@ def symmetric(matrix: Node) -> Hypothesis:
     )
 
 
+@declaring
 def definite(matrix: Node) -> Hypothesis:
     """The matrix is symmetric and positive-definite: x . M x > 0 for every x but zero.
 
@@ -137,6 +144,7 @@ def definite(matrix: Node) -> Hypothesis:
     )
 
 
+@declaring
 def rotation(matrix: Node) -> Hypothesis:
     """The matrix is proper orthogonal; the 21 quadrics that say so are already a Groebner basis."""
     _symbol(matrix, "rotation")
@@ -150,6 +158,7 @@ def rotation(matrix: Node) -> Hypothesis:
     )
 
 
+@declaring
 def half_turn(matrix: Node) -> Hypothesis:
     """The matrix is a rotation through the angle pi: it is symmetric, its trace is -1, and Q + 1 has rank one."""
     _symbol(matrix, "half_turn")
@@ -168,6 +177,7 @@ def half_turn(matrix: Node) -> Hypothesis:
     )
 
 
+@declaring
 def orthonormal(first: Node, second: Node, third: Node) -> Hypothesis:
     """The three vectors are orthonormal and right-handed: as columns they make a rotation."""
     triad = (first, second, third)
@@ -185,6 +195,7 @@ def orthonormal(first: Node, second: Node, third: Node) -> Hypothesis:
     )
 
 
+@declaring
 def perpendicular(one: Node, other: Node) -> Hypothesis:
     """The two vectors are at right angles."""
     _symbol(one, "perpendicular")

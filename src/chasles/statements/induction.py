@@ -5,12 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from chasles.vocabulary import Node, Symbol, replace
+from chasles.vocabulary.arguments import Declared
 
 __all__ = ["ForAllK"]
 
 
 @dataclass(frozen=True, slots=True)
-class ForAllK:
+class ForAllK(Declared):
     """For every k from the first on, the `value` is the `formula`, in which k stands in letters such as (-1)^k.
 
     The value is `first` to begin with, and each step makes `following`, an expression in the value, of it. The letters

@@ -35,6 +35,7 @@ from chasles.vocabulary import (
     replace,
     symbols_of,
 )
+from chasles.vocabulary.arguments import Declared
 from chasles.vocabulary.nodes import measured
 
 __all__ = ["COVER", "Branch", "Inverse", "problems_of_inverse"]
@@ -45,7 +46,7 @@ NOTHING, ONE = Number(Fraction(0)), Number(Fraction(1))
 
 
 @dataclass(frozen=True, slots=True)
-class Branch:
+class Branch(Declared):
     """One case, taken where `where` is not zero: `values` stand for the formula's arguments.
 
     An angle is given by its cosine and sine, as the values of cos(phi) and sin(phi). What the branch is `assuming`
@@ -63,7 +64,7 @@ class Branch:
 
 
 @dataclass(frozen=True, eq=False)
-class Inverse(Displayed):
+class Inverse(Declared, Displayed):
     """The inverse of the formula `of`, case by case; the first branch that applies is taken.
 
     Its domain is all that satisfies what it is `assuming`. `gives` are the results of its kernel, in terms of the

@@ -7,6 +7,7 @@ from dataclasses import replace as with_fields
 
 from chasles.statements.hypotheses import Hypothesis
 from chasles.vocabulary import Node, plain
+from chasles.vocabulary.arguments import Declared
 
 __all__ = ["SIX", "Argument", "Kernel", "Packed", "Place", "Stack", "nodes_of", "places_of"]
 
@@ -18,7 +19,7 @@ Place = tuple[Node, int, int]
 
 
 @dataclass(frozen=True, slots=True)
-class Stack:
+class Stack(Declared):
     """An argument that holds several scalars, one below the other; raises TypeError if one of them is no scalar."""
 
     name: str
@@ -32,7 +33,7 @@ class Stack:
 
 
 @dataclass(frozen=True, slots=True)
-class Packed:
+class Packed(Declared):
     """A symmetric 3 x 3 matrix as (xx, xy, xz, yy, yz, zz), its own entries; raises TypeError for another shape."""
 
     matrix: Node
@@ -51,7 +52,7 @@ Argument = Node | Stack | Packed
 
 
 @dataclass(frozen=True, slots=True)
-class Kernel:
+class Kernel(Declared):
     """A request to emit the right side as a function `of` the given symbols and rates of symbols.
 
     `name` defaults to the statement's. With several `results`, the right side is a column of blocks, one for each.

@@ -92,8 +92,6 @@ def problem_of(statement: Decidable, form: str = "printed", standing: Standing =
     conditions: list[Goal] = []
     unknowns: dict[Symbol, None] = {}
     for given in statement.given:
-        if not isinstance(given, Statement):
-            raise TypeError(f"({statement.number}) is given ({given.number}), a {given.role}: name equations instead")
         left, right = standing(given)
         if isinstance(given, Condition) and given.solution is not None:
             raise TypeError(

@@ -12,6 +12,7 @@ from chasles.statements.forms import Form
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.kernel import Kernel
 from chasles.vocabulary import At, Group, Misfit, Node, Rate, Symbol, plain, replace
+from chasles.vocabulary.arguments import Declared
 from chasles.vocabulary.measure import added
 
 __all__ = [
@@ -31,7 +32,7 @@ Equation = tuple[Node, Node]
 
 
 @dataclass(frozen=True, eq=False)
-class Statement(Displayed):
+class Statement(Declared, Displayed):
     """An equation of the book, exactly as printed, with what it rests on.
 
     `number` is the book's; `part` tells apart the equations of one number. `given` names earlier statements, `assuming`
@@ -176,7 +177,7 @@ class Claim(Statement):
 
 
 @dataclass(frozen=True, eq=False)
-class Theorem(Displayed):
+class Theorem(Declared, Displayed):
     """A theorem of the book: its `forms` generate the equations that are decided."""
 
     role: ClassVar[str] = "theorem"

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
 
+from chasles.vocabulary.arguments import Declared
 from chasles.vocabulary.dimension import NO_DIMENSION
 from chasles.vocabulary.fitting import measured, word
 from chasles.vocabulary.layout import Block
@@ -22,14 +23,14 @@ __all__ = ["Entry", "Family", "Index", "Kronecker", "Member", "indices_of", "mem
 
 
 @dataclass(frozen=True, slots=True)
-class Index:
+class Index(Declared):
     """An index that runs over 1, 2, 3."""
 
     letter: str
 
 
 @dataclass(frozen=True, slots=True)
-class Family:
+class Family(Declared):
     """Three quantities with one letter: e_1, e_2, e_3; `mark` is printed behind the index, as a prime is."""
 
     letter: str

@@ -7,6 +7,7 @@ from contextvars import ContextVar
 from dataclasses import dataclass, field, fields
 from typing import Any, TypeVar, dataclass_transform
 
+from chasles.vocabulary.arguments import require
 from chasles.vocabulary.measure import Measure, Misfit
 
 __all__ = ["SCALAR", "Fitted", "measured", "printed", "square_measure", "word"]
@@ -29,15 +30,18 @@ class Fitted:
     _hash: int
 
     def __post_init__(self) -> None:
-        fault = next((part.fault for part in self._parts() if part.fault), None)
-        measure = None
-        if fault is None:
-            try:
-                measure = self._measured()
-            except Misfit as misfit:
-                if not _tolerant.get():
-                    raise
-                fault = str(misfit)
+        measure = fault = None
+        try:
+            fault = next((part.fault for part in self._parts() if part.fault), None)
+            measure = None if fault else self._measured()
+        except Misfit as misfit:
+            if not _tolerant.get():
+                raise
+            fault = str(misfit)
+        except (AttributeError, TypeError):
+            # Types are looked at only where something went wrong: words are made by the hundred thousand.
+            require(type(self), tuple(getattr(self, each.name) for each in fields(self)), {})  # type: ignore[arg-type]
+            raise
         object.__setattr__(self, "measure", measure)
         object.__setattr__(self, "fault", fault)
 

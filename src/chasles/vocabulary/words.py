@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from chasles.vocabulary.arguments import declaring
 from chasles.vocabulary.body import Integral
 from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
 from chasles.vocabulary.layout import At, Block, Call, Group, Rate
@@ -47,6 +48,7 @@ __all__ = [
 PI = Symbol("pi", r"\pi", uniform((1, 1)), "ratio of a circle's circumference to its diameter", constant=True)
 
 
+@declaring
 def scalar(
     name: str, letter: str, meaning: str, dimension: Dimension = NO_DIMENSION, *, constant: bool = False
 ) -> Symbol:
@@ -54,6 +56,7 @@ def scalar(
     return Symbol(name, letter, uniform((1, 1), dimension), meaning, constant)
 
 
+@declaring
 def vector(
     name: str, letter: str, meaning: str, dimension: Dimension = NO_DIMENSION, *, constant: bool = False
 ) -> Symbol:
@@ -61,6 +64,7 @@ def vector(
     return Symbol(name, _bold(letter), uniform((3, 1), dimension), meaning, constant)
 
 
+@declaring
 def square(
     name: str, letter: str, meaning: str, dimension: Dimension = NO_DIMENSION, *, constant: bool = False
 ) -> Symbol:
@@ -68,6 +72,7 @@ def square(
     return Symbol(name, _bold(letter), uniform((3, 3), dimension), meaning, constant)
 
 
+@declaring
 def array(name: str, letter: str, meaning: str, measure: Measure | Node) -> Symbol:
     """An array measured like the given expression, which says what its entries are; its letter is printed bold."""
     if isinstance(measure, Node):
@@ -76,6 +81,7 @@ def array(name: str, letter: str, meaning: str, measure: Measure | Node) -> Symb
     return Symbol(name, _bold(letter), measure, meaning)
 
 
+@declaring
 def abbreviation(name: str, letter: str, stands_for: Node, meaning: str) -> Symbol:
     """A letter that stands for an expression wherever it occurs."""
     assert stands_for.measure is not None
@@ -92,116 +98,139 @@ def _bold(letter: str) -> str:
     return (rf"\boldsymbol{{{stem}}}" if stem.startswith("\\") else rf"\mathbf{{{stem}}}") + rest
 
 
+@declaring
 def cos(angle: Node) -> Call:
     """The cosine of an angle in radians."""
     return Call("cos", angle)
 
 
+@declaring
 def sin(angle: Node) -> Call:
     """The sine of an angle in radians."""
     return Call("sin", angle)
 
 
+@declaring
 def cot(angle: Node) -> Quotient:
     """The cotangent of an angle in radians: its cosine divided by its sine."""
     return Quotient(cos(angle), sin(angle))
 
 
+@declaring
 def tan(angle: Node) -> Quotient:
     """The tangent of an angle in radians: its sine divided by its cosine."""
     return Quotient(sin(angle), cos(angle))
 
 
+@declaring
 def dot(left: Node, right: Node) -> Dot:
     """The scalar product."""
     return Dot(left, right)
 
 
+@declaring
 def cross(left: Node, right: Node) -> Cross:
     """The vector product."""
     return Cross(left, right)
 
 
+@declaring
 def norm(of: Node) -> Norm:
     """The Euclidean norm."""
     return Norm(of)
 
 
+@declaring
 def tr(of: Node) -> Trace:
     """The trace."""
     return Trace(of)
 
 
+@declaring
 def det(of: Node) -> Determinant:
     """The determinant."""
     return Determinant(of)
 
 
+@declaring
 def vect(of: Node) -> Vect:
     """The axial vector of a 3 x 3 matrix."""
     return Vect(of)
 
 
+@declaring
 def CPM(of: Node) -> Skew:
     """The cross-product matrix of a vector."""
     return Skew(of)
 
 
+@declaring
 def inverse(of: Node) -> Inverse:
     """The inverse of a square matrix."""
     return Inverse(of)
 
 
+@declaring
 def rate(of: Node) -> Rate:
     """The time derivative."""
     return Rate(of)
 
 
+@declaring
 def integral(of: Node, density: Symbol, *over: Symbol) -> Integral:
     """The integral over the body; the density and what it is taken `over` differ from element to element."""
     return Integral(of, density, over)
 
 
+@declaring
 def at(of: Node, argument: str = "t") -> At:
     """The quantity printed with its argument."""
     return At(of, argument)
 
 
+@declaring
 def number(value: int | Fraction) -> Node:
     """An exact number standing alone, as on the right side of an equation."""
     return lifted(value)
 
 
+@declaring
 def over(numerator: Node | int | Fraction, denominator: Node | int | Fraction) -> Quotient:
     """A quotient written on one line, with a slash."""
     return Quotient(lifted(numerator), lifted(denominator), slash=True)
 
 
+@declaring
 def paren(of: Node) -> Group:
     """The term in round brackets that the author chose to print."""
     return Group(of)
 
 
+@declaring
 def bracket(of: Node) -> Group:
     """The term in square brackets that the author chose to print."""
     return Group(of, "[]")
 
 
+@declaring
 def in_frame(of: Node, frame: str) -> Group:
     """The components in a coordinate frame, in square brackets that bear the frame's letter."""
     return Group(of, "[]", rf"\mathcal{{{frame}}}")
 
 
+@declaring
 def column(*blocks: Node | int) -> Block:
     """Blocks stacked one under the other."""
     return Block(tuple((lifted(block),) for block in blocks))
 
 
+@declaring
 def row(*blocks: Node | int) -> Block:
     """Blocks side by side."""
     return Block((tuple(lifted(block) for block in blocks),))
 
 
+@declaring
 def matrix(*rows: tuple[Node | int, ...]) -> Block:
     """A matrix of blocks, row by row."""
     return Block(tuple(tuple(lifted(block) for block in line) for line in rows))
