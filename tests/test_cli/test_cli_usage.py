@@ -31,6 +31,16 @@ def test_help_names_every_command(run) -> None:
     assert all(re.search(rf"^  {name} +\w", done.stdout, re.MULTILINE) for name in COMMANDS)
 
 
+def test_without_a_command_the_help_is_shown_as_it_is_laid_out(run) -> None:
+    done = run()
+    assert (done.exit_code, done.stderr) == (0, "")
+    assert done.stdout == run("--help").stdout
+
+
+def test_no_help_shows_its_marks(run) -> None:
+    assert not [name for name in COMMANDS if "\\b" in run(name, "--help").stdout]
+
+
 def test_version(run) -> None:
     assert run("--version").stdout == f"chasles, version {chasles.__version__}\n"
 

@@ -26,6 +26,7 @@ Example: chasles show 3.16
 
 @click.group(
     cls=Guarded,
+    invoke_without_command=True,
     modules={name: f"chasles.cli.commands.{name}" for name in COMMANDS},
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
     epilog=EXIT_STATUS,
@@ -36,5 +37,8 @@ Example: chasles show 3.16
     metavar="PACKAGE",
     help="Another chapter: a package of declarations, by name, also from the current folder, or by its folder's path.",
 )
-def main(chapter: str | None) -> None:
+@click.pass_context
+def main(context: click.Context, chapter: str | None) -> None:
     """A textbook chapter on rigid-body mechanics as checked code and fast kernels."""
+    if context.invoked_subcommand is None:
+        click.echo(context.get_help())

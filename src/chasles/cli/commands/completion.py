@@ -10,23 +10,25 @@ __all__ = ["command"]
 
 VARIABLE = "_CHASLES_COMPLETE"
 """What Click reads to know that a shell asks for words."""
+ABOUT = """Print what makes a shell complete commands, options, equation numbers, kernels and exercises.
+
+\b
+bash  eval "$(chasles completion bash)"         in ~/.bashrc; bash 4.4 or newer
+zsh   eval "$(chasles completion zsh)"          in ~/.zshrc, after compinit
+fish  chasles completion fish | source          in ~/.config/fish/config.fish
+"""
 
 
 @click.command(
     "completion",
+    help=ABOUT,
     short_help="Let a shell complete commands and numbers.",
     epilog='Example: chasles completion bash, or in a start-up file: eval "$(chasles completion bash)"',
 )
 @click.argument("shell", type=click.Choice(["bash", "zsh", "fish"]))
 @as_data
 def command(shell: str, json: bool) -> None:
-    r"""Print what makes a shell complete commands, options, equation numbers, kernels and exercises.
-
-    \b
-    bash  eval "$(chasles completion bash)"         in ~/.bashrc; bash 4.4 or newer
-    zsh   eval "$(chasles completion zsh)"          in ~/.zshrc, after compinit
-    fish  chasles completion fish | source          in ~/.config/fish/config.fish
-    """
+    """Print what makes a shell complete commands, options, equation numbers, kernels and exercises."""
     from click.shell_completion import get_completion_class
 
     group = click.get_current_context().find_root().command
