@@ -1,0 +1,209 @@
+"""Is the answer to an equation right? By values at points of our own, and at the point that the answer shows."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import islice
+from random import Random
+from typing import Any
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from .asking import Answer, ask, rejection
+from .equations import Equation, Point, entries, points
+from .series import Undefined, mp, mpf
+from .sympy_values import Values
+
+__all__ = ["Alarm", "Judged", "judge", "violations"]
+
+FAR, NEAR = mpf(10) ** -20, mpf(10) ** -30
+POINTS = 4
+
+
+@dataclass(frozen=True)
+class Alarm:
+    """What is wrong with an answer."""
+
+    kind: str
+    detail: str
+
+
+@dataclass(frozen=True)
+class Judged:
+    """An answer and what is wrong with it, if anything is."""
+
+    answer: Answer
+    alarm: Alarm | None
+    found: int = 0
+
+
+def judge(question: Equation, draw: Random) -> Judged:
+    """Ask, and hold the answer against the values of both sides."""
+    answer = ask(question)
+    if answer.name == "crash":
+        return Judged(answer, Alarm("crash", answer.words))
+    if answer.name == "untreatable":
+        alarm = None if question.lenient else Alarm("declined", answer.words)
+        return Judged(answer, alarm)
+    if answer.name == "undecided":
+        return Judged(answer, None)
+    seen = list(islice(points(question, draw, 3 * POINTS), POINTS))
+    alarm = next(_alarms(question, answer, seen, draw), None)
+    return Judged(answer, alarm, len(seen))
+
+
+def _alarms(question: Equation, answer: Answer, seen: list[Point], draw: Random) -> Iterator[Alarm]:
+    violated = next(violations(question, seen), None)
+    if answer.name == "contradictory":
+        if seen:
+            yield Alarm("false contradictory", f"satisfied at {shown(seen[0])}")
+        return
+    if answer.name == "ill-formed":
+        yield Alarm("ill-formed", answer.verdict.reason)
+        return
+    if question.satisfiable is False and not seen:
+        yield Alarm("verdict on nothing", f"nothing satisfies what is given, and the verdict is {answer.name}")
+    if answer.true:
+        if violated:
+            yield Alarm("false holds", violated)
+        yield from _incomplete_needs(question, answer, draw)
+    elif answer.name == "fails":
+        yield from _false_fails(question, answer, len(seen), violated, draw)
+    reason = rejection(question, answer.verdict)
+    if reason is not None and not (answer.name == "fails" and "only what holds has a certificate" in reason):
+        yield Alarm("own certificate rejected", reason)
+
+
+def violations(question: Equation, seen: list[Point]) -> Iterator[str]:
+    """Where the sides differ."""
+    for point in seen:
+        for place, (left, right) in enumerate(zip(entries(question.lhs), entries(question.rhs), strict=True)):
+            values = _both(left, right, point)
+            if values and _differ(*values):
+                yield f"entry {place}: {_number(values[0])} and {_number(values[1])} at {shown(point)}"
+
+
+def _both(left: Any, right: Any, point: Point) -> tuple[Any, Any] | None:
+    evaluate = Values(point, mpf(0))
+    try:
+        return evaluate(left)[0], evaluate(right)[0]
+    except Undefined:
+        return None
+
+
+def _differ(one: Any, other: Any) -> bool:
+    return bool(abs(one - other) > FAR * (1 + abs(one) + abs(other)))
+
+
+def _false_fails(question: Equation, answer: Answer, seen: int, violated: str | None, draw: Random) -> Iterator[Alarm]:
+    shown_point = answer.verdict.counterexample
+    if question.truth is True and not violated:
+        yield Alarm("false fails", f"it is true by construction; said to fail at {dict(shown_point.at)}")
+    found = 0
+    for point in islice(completions(question, shown_point.at, draw), 2):
+        found += 1
+        row, column = shown_point.entry
+        columns = question.lhs.shape[1] if isinstance(question.lhs, sp.MatrixBase) else 1
+        place = (row - 1) * columns + column - 1
+        values = _both(entries(question.lhs)[place], entries(question.rhs)[place], point)
+        if values is None:
+            yield Alarm("bad counterexample", f"a side is undefined at {dict(shown_point.at)}")
+        elif not _differ(*values):
+            yield Alarm("bad counterexample", f"the sides are equal at {dict(shown_point.at)}")
+    if not found:
+        kind = "bad counterexample" if violated or not seen else "false fails"
+        yield Alarm(kind, f"what is given is not satisfied at {dict(shown_point.at)}")
+
+
+def completions(question: Equation, at: Mapping[str, Any], draw: Random) -> Iterator[Point]:
+    """Points that satisfy all that is given and have the coordinates that a counterexample shows."""
+    fixed, extra = _read(question, at)
+    angles = [atom for atom in question.atoms if (atom, 0) not in fixed]
+    held = dict(fixed)
+    for cosine, value in extra:
+        unit, angle = cosine.args[0].as_coeff_Mul()
+        if angle in angles and isinstance(cosine, sp.cos):
+            sine = next((v for e, v in extra if e == sp.sin(cosine.args[0])), mp.sqrt(abs(1 - value**2)))
+            held[angle, 0] = mp.atan2(sine, value) / (mpf(int(unit.p)) / int(unit.q))
+        elif angle in angles and (angle, 0) not in held:
+            held[angle, 0] = mp.asin(value) / (mpf(int(unit.p)) / int(unit.q))
+    yield from points(question, draw, 4, held, extra)
+    if held != fixed:
+        near = {angle: float(held[angle, 0]) + draw.choice((0, 6.283185307)) for angle in angles if (angle, 0) in held}
+        yield from points(question, draw, 4, fixed, extra, near=near)
+
+
+def _read(question: Equation, at: Mapping[str, Any]) -> tuple[dict[Any, Any], tuple[tuple[Any, Any], ...]]:
+    names = {str(atom): (atom, 0) for atom in question.atoms}
+    for f in question.atoms:
+        if isinstance(f, AppliedUndef):
+            names |= {str(sp.Derivative(f, (f.args[0], k))): (f, k) for k in range(1, 12)}
+    numbers = Values({}, mpf(0))
+    fixed: dict[Any, Any] = {}
+    extra: list[tuple[Any, Any]] = []
+    for name, value in at.items():
+        number = numbers(sp.Rational(value.numerator, value.denominator) if not isinstance(value, sp.Basic) else value)[
+            0
+        ]
+        if name in names:
+            fixed[names[name]] = number
+        else:
+            extra.append((_expression(question, name), number))
+    return fixed, tuple((e, _exact(v)) for e, v in extra)
+
+
+def _expression(question: Equation, text: str) -> Any:
+    known = {str(a): a for a in question.atoms if isinstance(a, sp.Symbol)}
+    known |= {a.func.__name__: a.func for a in question.atoms if isinstance(a, AppliedUndef)}
+    return sp.sympify(text, locals=known)
+
+
+def _exact(value: Any) -> Any:
+    """The number so that its tree has 50 digits."""
+    return sp.Rational(str(mp.nstr(value, 60))) if not mp.isint(value) else sp.Integer(int(value))
+
+
+def _incomplete_needs(question: Equation, answer: Answer, draw: Random) -> Iterator[Alarm]:
+    """Where a side has no value, one of the needs is not met."""
+    for point in _troubled(question, draw):
+        evaluate = Values(point, mpf(0))
+        try:
+            met = all(_met(question, need, evaluate) for need in answer.needs)
+        except (Undefined, NotImplementedError, sp.SympifyError, SyntaxError, TypeError, ValueError, AttributeError):
+            continue
+        if met:
+            yield Alarm("needs incomplete", f"{answer.needs} allow {shown(point)}, where a side is undefined")
+
+
+def _troubled(question: Equation, draw: Random) -> Iterator[Point]:
+    """Points that satisfy what is given and at which a side is undefined: a divisor vanishes, or by chance."""
+    sides = [e for side in (question.lhs, question.rhs) for e in entries(side)]
+    below = {p.base for e in sides for p in e.atoms(sp.Pow) if p.exp.is_Rational and p.exp < 0 and p.base.free_symbols}
+    bare = question if not question.nonzero else Equation(question.lhs, question.rhs, question.given)
+    ways: list[tuple[tuple[Any, Any], ...]] = [(), *(((base, sp.Integer(0)),) for base in sorted(below, key=str)[:2])]
+    for extra in ways:
+        for point in points(bare, draw, 2 if extra else 8, extra=extra, spare=1):
+            if any(_both(e, sp.Integer(0), point) is None for e in sides):
+                yield point
+
+
+def _met(question: Equation, need: str, evaluate: Values) -> bool:
+    found = re.fullmatch(r"(.*\S) (!=|>=|<=|>|<) (\S.*)", need)
+    if not found:
+        return True
+    one, relation, other = found.groups()
+    kinds = {"!=": sp.Ne, ">=": sp.Ge, "<=": sp.Le, ">": sp.Gt, "<": sp.Lt}
+    sides = [_expression(question, side) for side in (one, other)]
+    return evaluate.truth(kinds[relation](*sides, evaluate=False))
+
+
+def shown(point: Point) -> str:
+    """The point in a few digits."""
+    return ", ".join(f"{atom}: [{', '.join(map(_number, values[:4]))}]" for atom, values in point.items())
+
+
+def _number(value: Any) -> str:
+    return str(mp.nstr(value, 8))
