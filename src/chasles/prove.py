@@ -47,7 +47,7 @@ def prove(lhs: Any, rhs: Any, given: Iterable[Any] = (), nonzero: Iterable[Any] 
     try:
         with within(EFFORT, budget):
             question = ask(lhs, rhs, given, nonzero)
-            return question if isinstance(question, IllFormed) else question.answered(_decided(question))
+            return question if isinstance(question, IllFormed) else _answered(question)
     except OutOfTime as error:
         return Undecided(str(error))
 
@@ -72,6 +72,13 @@ class _Entry:
 
     goal: Goal
     place: tuple[int, int]
+
+
+def _answered(question: Question) -> Verdict:
+    """The verdict; what algebra leaves open may fail at a point where both sides are bounded."""
+    verdict = question.answered(_decided(question))
+    found = question.sampling.counterexample() if question.sampling and isinstance(verdict, Undecided) else None
+    return Fails(found) if found else verdict
 
 
 def _decided(question: Question) -> Verdict:

@@ -10,12 +10,13 @@ import sympy
 
 from chasles.proof.from_sympy.complexes import Parts
 from chasles.proof.from_sympy.divisors import divisor_of
-from chasles.proof.from_sympy.given import Equations, Given, collected
+from chasles.proof.from_sympy.given import Equations, Given, collected, orders_of
 from chasles.proof.from_sympy.opening import Entries, opened
 from chasles.proof.from_sympy.question import Question, matrix_of
 from chasles.proof.from_sympy.reader import Reader
 from chasles.proof.from_sympy.readings import READINGS
 from chasles.proof.from_sympy.roots import resolve, words_of
+from chasles.proof.from_sympy.sampling import Sampling
 from chasles.proof.from_sympy.searching import search_for
 from chasles.proof.variables import Untreatable
 from chasles.proof.verdict import IllFormed
@@ -42,6 +43,8 @@ def ask(lhs: Any, rhs: Any, given: Iterable[Any], nonzero: Iterable[Any]) -> Que
     conditions, expressions = collected(given, spoken_of, parts)
     question = _Asking(conditions, expressions, len(declared), left.shape).question()
     question.search.rows = rows if left.shape[0] > rows else None
+    still = not any(orders_of(pair) for pair in conditions.stated)
+    question.sampling = Sampling(left, right, rows, conditions.stated, declared, tuple(parts.met), still)
     return question
 
 

@@ -38,10 +38,14 @@ class Equations:
 
 @dataclass(slots=True)
 class Given:
-    """The given equations, what they say of angles (used by substitution), and the triads among them."""
+    """The given equations, what they say of angles (used by substitution), and the triads among them.
+
+    `stated` are the pairs of sides as they were given.
+    """
 
     equations: list[Equations] = field(default_factory=list)
     substitutions: list[tuple[str, Any, Any]] = field(default_factory=list)
+    stated: list[Pair] = field(default_factory=list)
 
 
 def collected(given: Iterable[Any], spoken_of: Sequence[Any], parts: Parts) -> tuple[Given, list[Any]]:
@@ -53,6 +57,7 @@ def collected(given: Iterable[Any], spoken_of: Sequence[Any], parts: Parts) -> t
     for place, item in enumerate(given):
         said = sides(item, f"given[{place}]")
         pairs = list(dict.fromkeys(pair for one, other in said for pair in parts.pairs(one, other)))
+        result.stated += pairs
         if pairs:
             text = _text(item, place)
             taken = any(text == other.text for other in result.equations)

@@ -11,6 +11,7 @@ from sympy.core.function import AppliedUndef
 
 from chasles.proof.from_sympy.naming import angle_of, number_of, spelled, written
 from chasles.proof.from_sympy.reader import multiplied
+from chasles.proof.from_sympy.sampling import Sampling
 from chasles.proof.search import Search, entry_of
 from chasles.proof.surds import Exact
 from chasles.proof.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
@@ -38,6 +39,7 @@ class Question:
     origins: Mapping[Symbol, Any]
     roots: frozenset[Symbol]
     substituted: tuple[tuple[Any, Any], ...]
+    sampling: Sampling | None = None
 
     def variants(self) -> Iterator[Problem]:
         """Problems that say the same, and may be easier to prove.
