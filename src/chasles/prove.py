@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from math import inf
 from typing import Any
@@ -14,7 +13,7 @@ from chasles.proof.decide import decide_problem
 from chasles.proof.from_sympy import Question, ask
 from chasles.proof.root_sums import exact
 from chasles.proof.variables import Untreatable
-from chasles.proof.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
+from chasles.proof.verdict import Fails, Holds, HoldsUnder, Undecided, Verdict
 from chasles.statements import Goal
 
 __all__ = ["Rejected", "Untreatable", "prove", "recheck"]
@@ -23,7 +22,7 @@ EFFORT = 1e7
 """The work that a question may take, in products of terms."""
 
 
-def prove(lhs: Any, rhs: Any, given: Iterable[Any] = (), nonzero: Iterable[Any] = (), budget: float = inf) -> Verdict:
+def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float = inf) -> Verdict:
     """The verdict on `lhs == rhs`, for all real values of the symbols that satisfy the side conditions.
 
     Square roots are the nonnegative ones and are meant where they are real, fractions where no divisor vanishes.
@@ -31,15 +30,15 @@ def prove(lhs: Any, rhs: Any, given: Iterable[Any] = (), nonzero: Iterable[Any] 
     Args:
         lhs: a SymPy scalar or matrix.
         rhs: one of the same shape.
-        given: equations that hold, as `Eq(a, b)` or as expressions or matrices that are zero; between functions of
-            time they hold at all times.
+        given: equations that hold, as `Eq(a, b)` or as expressions or matrices that are zero, one or a list of them,
+            or the values of symbols as `{x: 1}`; between functions of time they hold at all times.
         nonzero: scalars that do not vanish. Divisors need not be named: the verdict's `needs` lists them.
         budget: seconds after which the verdict is `Undecided`. Without it only the work is limited, so that the verdict
             does not depend on the machine.
 
     Returns:
         `Holds` or `HoldsUnder(needs)`, with a certificate that `recheck` checks; `Fails`, with an exact counterexample;
-        `IllFormed`, if the shapes differ; or `Undecided`.
+        `Contradictory`, if nothing satisfies the side conditions; `IllFormed`, if the shapes differ; or `Undecided`.
 
     Raises:
         Untreatable: a ValueError that names what is not treated.
@@ -47,12 +46,12 @@ def prove(lhs: Any, rhs: Any, given: Iterable[Any] = (), nonzero: Iterable[Any] 
     try:
         with within(EFFORT, budget):
             question = ask(lhs, rhs, given, nonzero)
-            return question if isinstance(question, IllFormed) else _answered(question)
+            return _answered(question) if isinstance(question, Question) else question
     except OutOfTime as error:
         return Undecided(str(error))
 
 
-def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Iterable[Any] = (), nonzero: Iterable[Any] = ()) -> None:
+def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Any = (), nonzero: Any = ()) -> None:
     """The certificate of a verdict of `prove` proves what was asked; nothing of the search is used.
 
     Raises `Rejected` with the reason if it does not, and for a witness with roots of roots, which the checker cannot

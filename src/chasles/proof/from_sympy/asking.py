@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -10,7 +10,7 @@ import sympy
 
 from chasles.proof.from_sympy.complexes import Parts
 from chasles.proof.from_sympy.divisors import divisor_of
-from chasles.proof.from_sympy.given import Equations, Given, collected, orders_of
+from chasles.proof.from_sympy.given import Equations, Given, collected, impossible, orders_of
 from chasles.proof.from_sympy.opening import Entries, opened
 from chasles.proof.from_sympy.question import Question, matrix_of
 from chasles.proof.from_sympy.reader import Reader
@@ -18,8 +18,8 @@ from chasles.proof.from_sympy.readings import READINGS
 from chasles.proof.from_sympy.roots import resolve, words_of
 from chasles.proof.from_sympy.sampling import Sampling
 from chasles.proof.from_sympy.searching import search_for
-from chasles.proof.variables import Untreatable
-from chasles.proof.verdict import IllFormed
+from chasles.proof.from_sympy.side_conditions import nonvanishing
+from chasles.proof.verdict import Contradictory, IllFormed
 from chasles.statements import Goal, Hypothesis, Problem
 from chasles.vocabulary import Node
 from chasles.vocabulary import replace as put
@@ -27,20 +27,20 @@ from chasles.vocabulary import replace as put
 __all__ = ["ask"]
 
 
-def ask(lhs: Any, rhs: Any, given: Iterable[Any], nonzero: Iterable[Any]) -> Question | IllFormed:
+def ask(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> Question | IllFormed | Contradictory:
     """The question whether two sides are equal; raises `Untreatable` for what the procedure does not treat."""
     left, right = opened(lhs, "the left side"), opened(rhs, "the right side")
     if left.shape != right.shape:
         return IllFormed(f"cannot equate {left.size} (the left side) and {right.size} (the right side)")
-    for name, items in (("given", given), ("nonzero", nonzero)):
-        if not isinstance(items, Iterable) or isinstance(items, str):
-            raise Untreatable(f"{name} is {items}: a list is expected, {name}=[...]")
     parts = Parts()
-    declared = [parts.nonzero(entry) for place, item in enumerate(nonzero) for entry in _nonzero(item, place)]
+    declared = [parts.nonzero(scalar) for scalar in nonvanishing(nonzero)]
     rows = left.shape[0]
     left, right = parts.equal(left, right)
     spoken_of = [*declared, *_flat(left), *_flat(right), *parts.met]
     conditions, expressions = collected(given, spoken_of, parts)
+    false = impossible(conditions, declared)
+    if false:
+        return Contradictory((false,))
     question = _Asking(conditions, expressions, len(declared), left.shape).question()
     question.search.rows = rows if left.shape[0] > rows else None
     still = not any(orders_of(pair) for pair in conditions.stated)
@@ -50,16 +50,6 @@ def ask(lhs: Any, rhs: Any, given: Iterable[Any], nonzero: Iterable[Any]) -> Que
 
 def _flat(entries: Entries) -> list[Any]:
     return [entry for row in entries.rows for entry in row]
-
-
-def _nonzero(item: Any, place: int) -> Iterator[Any]:
-    what = f"nonzero[{place}]"
-    if isinstance(item, sympy.Unequality):
-        item = item.lhs - item.rhs
-    entries = opened(item, what)
-    if entries.shape != (1, 1):
-        raise Untreatable(f"{what} is {entries.size}: a scalar is expected, such as the square of a vector's length")
-    yield entries.rows[0][0]
 
 
 class _Asking:
@@ -86,7 +76,7 @@ class _Asking:
         words = words_of(roots.hypotheses)
         # Variables rank as they are met: a root above what is under it, so that its square is what leads.
         equations = [_with(hypothesis, dict(roots.rules)) for hypothesis in self.equations]
-        hypotheses = dict.fromkeys((*reversed(roots.hypotheses), *equations, *divisors.values()))
+        hypotheses = dict.fromkeys((*self._ranking(), *reversed(roots.hypotheses), *equations, *divisors.values()))
         evident = [divisor.text for divisor in reader.divisors.values() if divisor.evident]
         met = [divisor.text for node, divisor in reader.divisors.items() if node in self.met]
         return Question(
@@ -100,6 +90,13 @@ class _Asking:
             roots=frozenset((*words, *(root.word for root in reader.roots.values()))),
             substituted=tuple((atom, value) for _, atom, value in self.given.substitutions),
         )
+
+    def _ranking(self) -> Iterator[Hypothesis]:
+        """Rates of functions lead an equation between them, the highest first: it is what the equation determines."""
+        if any(item.moving for item in self.given.equations):
+            rates = [atom for atom in self.reader.atoms.words if isinstance(atom, sympy.Derivative)]
+            rates.sort(key=lambda rate: -rate.derivative_count)
+            yield Hypothesis("equation", tuple(map(self.reader, rates)), free=True)
 
     def _divisor(self, node: Node) -> Hypothesis:
         text = self.reader.divisors[node].text

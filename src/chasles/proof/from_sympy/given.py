@@ -12,12 +12,28 @@ from sympy.core.function import AppliedUndef
 from chasles.proof.from_sympy.complexes import Parts
 from chasles.proof.from_sympy.divisors import CIRCULAR
 from chasles.proof.from_sympy.opening import is_atom, sides
+from chasles.proof.from_sympy.pantelides import offsets
+from chasles.proof.from_sympy.side_conditions import listed
 from chasles.proof.from_sympy.triads import Triad, triads_of
 from chasles.proof.variables import Untreatable
 
-__all__ = ["Equations", "Given", "collected", "orders_of"]
+__all__ = ["Equations", "Given", "Moving", "collected", "impossible", "orders_of"]
 
 Pair = tuple[Any, Any]
+
+
+@dataclass(slots=True)
+class Moving:
+    """An equation between functions: which rates it has after being differentiated as often as it need be.
+
+    `rates` are those that its derivative determines together with the others' derivatives, taken down to the equation
+    itself: where the derivative has f'', and the equation was differentiated once, they are f'. `places` say where the
+    equation and its derivatives stand: under which text, and at which place there.
+    """
+
+    orders: dict[Any, int]
+    rates: dict[Any, int] = field(default_factory=dict)
+    places: list[tuple[str, int]] = field(default_factory=list)
 
 
 @dataclass(slots=True)
@@ -29,6 +45,7 @@ class Equations:
     sources: tuple[str, ...]
     triad: Triad | None = None
     derived: bool = False
+    moving: list[Moving] = field(default_factory=list)
 
     @property
     def sides(self) -> list[Any]:
@@ -48,18 +65,18 @@ class Given:
     stated: list[Pair] = field(default_factory=list)
 
 
-def collected(given: Iterable[Any], spoken_of: Sequence[Any], parts: Parts) -> tuple[Given, list[Any]]:
+def collected(given: Any, spoken_of: Sequence[Any], parts: Parts) -> tuple[Given, list[Any]]:
     """The given equations, complex ones by their parts, and what is spoken of with the given angles put in.
 
     Raises `Untreatable` for what is no equation, and for differential equations in several variables.
     """
     result = Given()
-    for place, item in enumerate(given):
-        said = sides(item, f"given[{place}]")
+    for place, (what, item) in enumerate(listed(given, "given")):
+        said = sides(item, what)
         pairs = list(dict.fromkeys(pair for one, other in said for pair in parts.pairs(one, other)))
         result.stated += pairs
         if pairs:
-            text = _text(item, place)
+            text = _text(item, what)
             taken = any(text == other.text for other in result.equations)
             result.equations.append(Equations(f"{text} [{place}]" if taken else text, pairs, (text,)))
     expressions = _without_given_angles(result, list(spoken_of))
@@ -68,11 +85,21 @@ def collected(given: Iterable[Any], spoken_of: Sequence[Any], parts: Parts) -> t
     return result, expressions
 
 
-def _text(item: Any, place: int) -> str:
+def impossible(given: Given, declared: Sequence[Any]) -> str | None:
+    """A condition that is false on its face: two numbers that differ set equal, or zero said not to vanish."""
+    for item in given.equations:
+        if any((left - right).is_zero is False and not (left - right).free_symbols for left, right in item.pairs):
+            return item.sources[0]
+    return next((f"{scalar} != 0" for scalar in declared if sympy.expand(scalar) == 0), None)
+
+
+def _text(item: Any, what: str) -> str:
     """How a need on it is spelled: the equation, or its place in the list if it is a matrix."""
     if isinstance(item, sympy.Equality) and isinstance(item.lhs, sympy.Expr):
         return f"{item.lhs} = {item.rhs}"
-    return f"{item} = 0" if isinstance(item, sympy.Expr) else f"given[{place}]"
+    if item is sympy.false:
+        return f"{what} (false to SymPy)"
+    return f"{item} = 0" if isinstance(item, sympy.Expr) else what
 
 
 def _without_given_angles(result: Given, expressions: list[Any]) -> list[Any]:
@@ -100,11 +127,16 @@ def _angles_in(expressions: Iterable[Any]) -> set[Any]:
 
 
 def _solved_for_angle(difference: Any, angles: set[Any]) -> tuple[Any, Any] | None:
-    """The angle that a linear equation with rational coefficients determines, and its value."""
+    """The angle that a linear equation with rational coefficients determines, and its value.
+
+    Nothing is lost by putting it in: the angle is no rate, and neither it nor a rate of it occurs in the value.
+    """
     terms = sympy.expand(difference).as_coefficients_dict()
     if not all(term is sympy.pi or is_atom(term) for term in terms):
         return None
-    candidates = sorted((term for term in terms if term in angles), key=str)
+    moved = [term.expr for term in terms if isinstance(term, sympy.Derivative)]
+    candidates = sorted((term for term in terms if term in angles and term not in moved), key=str)
+    candidates = [term for term in candidates if not isinstance(term, sympy.Derivative)]
     if not candidates:
         return None
     atom = candidates[-1]
@@ -132,24 +164,37 @@ def _state_triads(result: Given) -> None:
 
 
 def _differentiate(result: Given, expressions: list[Any]) -> None:
-    """Add the derivatives of the given equations, up to the highest order that the question asks for."""
-    moving = [(item, orders_of(item.sides)) for item in result.equations if orders_of(item.sides)]
-    variables = {argument for _, orders in moving for function in orders for argument in function.args}
-    wanted = orders_of(expressions)
-    for _, orders in moving:
-        for function, order in orders.items():
-            wanted[function] = max(wanted.get(function, 0), order)
-    times = max((wanted[f] - order for _, orders in moving for f, order in orders.items()), default=0)
-    if times and len(variables) != 1:
-        raise Untreatable(f"{moving[0][0].text}: given functions of several variables are not differentiated")
-    for item, _ in moving:
-        pairs, variable = item.pairs, next(iter(variables))
-        for count in range(1, times + 1):
-            pairs = [(sympy.diff(a, variable), sympy.diff(b, variable)) for a, b in pairs]
-            text = f"d{count if count > 1 else ''}/d{variable} ({item.text})"
-            changing = [pair for pair in pairs if pair[0] != pair[1]]
-            if changing:
-                result.equations.append(Equations(text, changing, item.sources, derived=True))
+    """Add derivatives of the given equations: all that say something of the rates that occur."""
+    rows: list[Moving] = []
+    for item in result.equations:
+        item.moving = [Moving(orders_of(pair)) for pair in item.pairs] if orders_of(item.sides) else []
+        rows += [row for row in item.moving if row.orders]
+    found = offsets([row.orders for row in rows])
+    more = max((0, *(order - found.highest.get(f, order) for f, order in orders_of(expressions).items())))
+    for row, times in zip(rows, found.times, strict=True):
+        row.rates = {f: order - times for f, order in found.highest.items() if order >= times}
+        row.places = [("", 0)] * (times + more + 1)
+    variables = {argument for row in rows for function in row.orders for argument in function.args}
+    for item in [item for item in result.equations if item.moving]:
+        for place, row in enumerate(item.moving):
+            row.places[:1] = [(item.text, place)]
+        _add_derivatives(result, item, variables)
+
+
+def _add_derivatives(result: Given, item: Equations, variables: set[Any]) -> None:
+    pairs = list(zip(item.pairs, item.moving, strict=True))
+    for count in range(1, max(len(row.places) for row in item.moving)):
+        if len(variables) != 1:
+            raise Untreatable(f"{item.text}: given functions of several variables are not differentiated")
+        (variable,) = variables
+        pairs = [((sympy.diff(a, variable), sympy.diff(b, variable)), row) for (a, b), row in pairs]
+        pairs = [(pair, row) for pair, row in pairs if count < len(row.places)]
+        changing = [(pair, row) for pair, row in pairs if pair[0] != pair[1]]
+        text = f"d{count if count > 1 else ''}/d{variable} ({item.text})"
+        for place, (_, row) in enumerate(changing):
+            row.places[count] = text, place
+        if changing:
+            result.equations.append(Equations(text, [pair for pair, _ in changing], item.sources, derived=True))
 
 
 def _functions(expression: Any) -> set[Any]:

@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
+from sympy.logic.boolalg import Boolean
 from sympy.matrices import MatrixBase, MatrixExpr
 
 from chasles.proof.variables import Untreatable
@@ -89,21 +90,24 @@ def _evaluated(entry: Any) -> Any:
 def sides(relation: Any, what: str) -> Iterator[tuple[Any, Any]]:
     """The pairs that an equation, or an expression that is zero, sets equal, entry by entry.
 
-    Raises `Untreatable` for inequalities and for what is false on its face.
+    What SymPy finds false is said as 0 = 1. Raises `Untreatable` for inequalities and for numbers that are not zero.
     """
-    if relation is True or relation is sympy.true:
+    if relation is sympy.true:
         return
-    if relation is False or relation is sympy.false:
-        raise Untreatable(f"{what} is false: an equation between two sides that SymPy knows to differ")
+    if relation is sympy.false:
+        yield sympy.S.Zero, sympy.S.One
+        return
     if isinstance(relation, sympy.Equality):
         left, right = opened(relation.lhs, what), opened(relation.rhs, what)
-    elif isinstance(relation, sympy.core.relational.Relational):
+    elif isinstance(relation, Boolean) and not isinstance(relation, sympy.Expr):
         raise Untreatable(
             f"{what} is {excerpt(relation)}, which is no equation: say `nonzero=[...]` for what does not vanish, "
             "and Symbol('m', positive=True) for what is positive"
         )
     else:
         left = opened(relation, what)
+        if left.shape == (1, 1) and left.rows[0][0].is_Rational and left.rows[0][0] != 0:
+            raise Untreatable(f"{what} is {relation}, which is not zero: write Eq(a, b) for an equation")
         right = Entries(tuple(tuple(sympy.S.Zero for _ in row) for row in left.rows), left.is_matrix)
     if left.shape != right.shape:
         raise Untreatable(f"{what} sets {left.size} equal to {right.size}")

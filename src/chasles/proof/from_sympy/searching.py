@@ -9,10 +9,10 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from chasles.proof.from_sympy.atoms import ASSUMPTIONS
-from chasles.proof.from_sympy.given import Equations, Given, orders_of
+from chasles.proof.from_sympy.given import Equations, Given, Moving, orders_of
 from chasles.proof.from_sympy.reader import Reader
 from chasles.proof.from_sympy.triads import Triad
-from chasles.proof.search import Frame, Motion, Search
+from chasles.proof.search import Block, Frame, Motion, Row, Search
 from chasles.proof.surds import Exact
 
 __all__ = ["search_for"]
@@ -39,23 +39,38 @@ def _names(reader: Reader, triad: Triad) -> tuple[tuple[str, ...], ...]:
 
 
 def _motion(reader: Reader, given: Given) -> Motion | None:
-    """What has to be looked at where given equations hold at all times, and rates occur."""
+    """What has to be looked at where given equations hold at all times; None where constants will do for functions."""
     atoms = reader.atoms.words
-    highest: dict[Any, int] = {}
-    equations: dict[str, int | None] = {}
-    for item in _moving(given):
-        for function, order in orders_of(item.sides).items():
-            highest[function] = max(highest.get(function, 0), order)
-        equations[item.text] = None if item.triad is None else item.triad.rank
-    if not equations or not any(isinstance(atom, sympy.Derivative) for atom in atoms):
+    moving = _moving(given)
+    times = {argument for item in moving for row in item.moving for f in row.orders for argument in f.args}
+    explicit = any(side.has(*times) for item in moving for side in map(_standing, item.sides)) if times else False
+    if not moving or not (explicit or any(isinstance(atom, sympy.Derivative) for atom in atoms)):
         return None
-    rates = [sympy.Derivative(f, (f.args[0], order)) if order else f for f, order in highest.items()]
-    return Motion(equations, [atoms[rate].name for rate in rates if rate in atoms])
+    functions = list(dict.fromkeys(f for item in moving for row in item.moving for f in row.orders))
+
+    def named(row: Moving) -> Row:
+        known = (atoms.get(_rate(f, row.rates[f])) if f in row.rates else None for f in functions)
+        labels = [f"{text} [{place}: 1, 1]" for text, place in row.places]
+        return Row(labels, ["" if word is None else word.name for word in known])
+
+    blocks = [Block([named(row)]) for item in moving if item.triad is None for row in item.moving if row.orders]
+    blocks.sort(key=lambda block: len(block.rows[0].labels))
+    blocks += [Block([named(row) for row in item.moving], item.triad.rank) for item in moving if item.triad]
+    return Motion(blocks)
+
+
+def _rate(function: Any, order: int) -> Any:
+    return sympy.Derivative(function, (function.args[0], order)) if order else function
+
+
+def _standing(side: Any) -> Any:
+    """What is left when functions, in whose arguments the time always occurs, are taken out."""
+    return side.xreplace({f: sympy.Dummy() for f in side.atoms(AppliedUndef, sympy.Derivative)})
 
 
 def _moving(given: Given) -> list[Equations]:
     """The given equations between functions."""
-    return [item for item in given.equations if not item.derived and orders_of(item.sides)]
+    return [item for item in given.equations if item.moving]
 
 
 def _is_blind(reader: Reader, given: Given) -> bool:

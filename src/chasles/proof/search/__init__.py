@@ -14,7 +14,7 @@ from chasles.proof.ratios import Ratio
 from chasles.proof.search.angles import Turning
 from chasles.proof.search.drawing import Drawing, Frame
 from chasles.proof.search.evaluation import Evaluation, entry_of
-from chasles.proof.search.motion import Motion
+from chasles.proof.search.motion import Block, Motion, Row
 from chasles.proof.search.stage import Stage, staged
 from chasles.proof.search.values import Values, sparse
 from chasles.proof.surds import Exact
@@ -22,7 +22,7 @@ from chasles.proof.verdict import Counterexample
 from chasles.statements import Goal
 from chasles.vocabulary import Node, Symbol
 
-__all__ = ["Frame", "Motion", "Search", "entry_of"]
+__all__ = ["Block", "Frame", "Motion", "Row", "Search", "entry_of"]
 
 ATTEMPTS = (150, 600)
 ENOUGH = 10
@@ -88,6 +88,8 @@ class Search:
         stage = staged(context)
         fallback: Values | None = None
         for count, values in enumerate(self._points(context, stage, ATTEMPTS[0], keep_some_time=False)):
+            if self.motion is not None and not self.motion.exists(context, stage, values):
+                continue
             if not values.irrational:
                 return _coordinates(stage, values)
             fallback = fallback or values

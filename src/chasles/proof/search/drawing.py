@@ -104,7 +104,7 @@ class Drawing:
             partials = [partial for partial in map(self.values.into, equations) if partial]
             if any(not unknowns([partial]) for partial in partials):
                 return False
-            if partials:
+            if partials and (eliminable(partials) or not roots.keys() & set(unknowns(partials))):
                 if not self._step(partials):
                     return False
             elif not roots:

@@ -1,78 +1,136 @@
 """Is there a motion through the point?
 
 Values of functions and their rates that satisfy equations at one instant only count if functions exist that satisfy
-them at all times. They do where the equations can be solved for as many of the highest rates as there are equations
-(implicit functions, then ordinary differential equations), and all that follows by differentiation holds there too.
+them at all times. Equations that can be solved at the point for a rate each, others being chosen freely, have such
+solutions (implicit functions, then ordinary differential equations). An equation that cannot be is to follow from
+these and from all that the equations are derivatives of: what does, and vanishes at the point, vanishes along the
+solution, for its derivatives are linear in it and its like.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 
+from chasles.proof.completion import stated
 from chasles.proof.context import Context
 from chasles.proof.search.stage import Stage
-from chasles.proof.search.values import Values, sparse
+from chasles.proof.search.values import Sparse, Values, sparse
 from chasles.proof.surds import Exact
 
-__all__ = ["Motion"]
+__all__ = ["Block", "Motion", "Row"]
 
 
 @dataclass(frozen=True, slots=True)
-class Motion:
-    """The texts of the given equations, with the number of independent ones among those of each (None for all).
+class Row:
+    """An equation: the labels of its generator and those of its derivatives, and the names of its highest rates.
 
-    `highest` are the names of the highest rates that occur in them, `angles` those of functions that occur as angles.
+    A rate that does not occur has no name.
     """
 
-    equations: Mapping[str, int | None]
-    highest: Sequence[str]
+    labels: Sequence[str]
+    rates: Sequence[str]
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """Equations of which `rank` are independent; None if all are meant to be."""
+
+    rows: Sequence[Row]
+    rank: int | None = None
+
+
+@dataclass(slots=True)
+class Motion:
+    """The given equations between functions."""
+
+    blocks: Sequence[Block]
+    _redundant: dict[frozenset[str], bool] = field(default_factory=dict)
 
     def exists(self, context: Context, stage: Stage, values: Values) -> bool:
-        """Whether the equations determine as many of the highest rates as there are independent equations."""
-        rows: list[list[Exact]] = []
-        wanted = 0
-        for text, rank in self.equations.items():
-            own = [g for g in context.generators if g.hypothesis is not None and g.hypothesis.text == text]
-            rows += [self._row(context, stage, values, g.polynomial) for g in own]
-            wanted += len(own) if rank is None else rank
-        for root in stage.roots:
-            name = stage.names[root]
-            generator = next(g for g in context.generators if g.hypothesis and str(g.hypothesis.subjects[0]) == name)
-            rows.append(self._row(context, stage, values, generator.polynomial))
-            wanted += 1
-        return _rank(rows) == wanted
+        """Whether functions exist that have these values and satisfy the equations at all times."""
+        generators = {g.label: g.polynomial for g in context.generators}
+        slopes = _Slopes(stage, values)
+        solved: list[tuple[int, list[Exact]]] = []
+        surplus: set[str] = set()
+        for block in self.blocks:
+            before, dependent = len(solved), set()
+            for row in block.rows:
+                if row.labels[0] in generators:
+                    entries = slopes(sparse(context.field.ring, generators[row.labels[0]]), row.rates)
+                    independent = None if entries is None else _take(entries, solved)
+                    if independent is None:
+                        return False
+                    dependent |= set() if independent else {row.labels[-1]}
+            gained = len(solved) - before
+            if block.rank is not None and gained not in (0, block.rank):
+                return False
+            surplus |= dependent if block.rank is None or not gained else set()
+        return not surplus or self._follow(context, frozenset(surplus))
 
-    def _row(self, context: Context, stage: Stage, values: Values, polynomial: object) -> list[Exact]:
-        """The derivatives by the highest rates and by the roots."""
-        ring = context.field.ring
-
-        def partial(place: int) -> Exact:
-            return values.of(sparse(ring, ring.derivative(polynomial, place)))
-
-        row = []
-        for name in self.highest:
-            total = partial(stage.place[name]) if name in stage.place else Exact({})
-            for angle in stage.angles:
-                if angle.symbol.name == name:
-                    turned = partial(angle.sine) * values[angle.cosine] - partial(angle.cosine) * values[angle.sine]
-                    total = total + turned * Exact.rational(angle.unit)
-            row.append(total)
-        return row + [partial(root) for root in stage.roots]
+    def _follow(self, context: Context, surplus: frozenset[str]) -> bool:
+        """Whether the equations of these labels are consequences of the others."""
+        if surplus not in self._redundant:
+            said = {label for block in self.blocks for row in block.rows for label in row.labels}
+            last = {row.labels[-1] for block in self.blocks for row in block.rows}
+            used = {g.label for g in context.generators} - said | (said - last) | (last - surplus)
+            kept = tuple(g.polynomial for g in context.generators if g.label in used)
+            basis = stated(context.field.ring, kept, complete=False)
+            rest = [g.polynomial for g in context.generators if g.label in surplus]
+            self._redundant[surplus] = all(basis.reduce(polynomial)[1] == 0 for polynomial in rest)
+        return self._redundant[surplus]
 
 
-def _rank(rows: list[list[Exact]]) -> int:
-    """The rank of a matrix; a pivot that cannot be inverted exactly is passed over, which can only lower it."""
-    rank = 0
-    for column in range(len(rows[0]) if rows else 0):
-        for r in range(rank, len(rows)):
-            inverse = rows[r][column].inverse()
-            if inverse is None:
-                continue
-            rows[rank], rows[r] = rows[r], rows[rank]
-            for other in range(rank + 1, len(rows)):
-                factor = rows[other][column] * inverse
-                rows[other] = [a - factor * b for a, b in zip(rows[other], rows[rank], strict=True)]
-            rank += 1
-            break
-    return rank
+class _Slopes:
+    """The derivatives of an equation by rates, of which angles and roots are functions."""
+
+    def __init__(self, stage: Stage, values: Values) -> None:
+        self.stage = stage
+        self.values = values
+
+    def __call__(self, terms: Sparse, rates: Sequence[str]) -> list[Exact] | None:
+        """The derivatives in turn; None where a root vanishes."""
+        found = [self._by(terms, name) for name in rates]
+        return None if None in found else [entry for entry in found if entry is not None]
+
+    def _by(self, terms: Sparse, name: str) -> Exact | None:
+        place = self.stage.place.get(name)
+        total = Exact({}) if place is None else self._partial(terms, place)
+        for angle in self.stage.angles:
+            if angle.symbol.name == name:
+                one, other = self._partial(terms, angle.sine), self._partial(terms, angle.cosine)
+                turned = one * self.values[angle.cosine] - other * self.values[angle.sine]
+                total = total + turned * Exact.rational(angle.unit)
+        for root, radicand in self.stage.roots.items():
+            slope = self._partial(terms, root)
+            inside = Exact({}) if slope.is_zero else self._by(radicand, name)
+            half = (self.values[root] + self.values[root]).inverse()
+            if inside is None or (half is None and not slope.is_zero):
+                return None
+            total = total + slope * inside * half if half is not None else total
+        return total
+
+    def _partial(self, terms: Sparse, place: int) -> Exact:
+        lowered = []
+        for monomial, factor in terms:
+            powers = dict(monomial)
+            exponent = powers.pop(place, 0)
+            if exponent:
+                rest = {**powers, place: exponent - 1} if exponent > 1 else powers
+                lowered.append((tuple(sorted(rest.items())), factor * exponent))
+        return self.values.of(lowered)
+
+
+def _take(row: list[Exact], solved: list[tuple[int, list[Exact]]]) -> bool | None:
+    """Add a row to a matrix in echelon form if it is independent; None if no entry left can be inverted exactly."""
+    for column, pivot in solved:
+        factor = row[column]
+        row = [a - factor * b for a, b in zip(row, pivot, strict=True)]
+    if all(entry.is_zero for entry in row):
+        return False
+    for column, entry in enumerate(row):
+        inverse = entry.inverse()
+        if inverse is not None:
+            solved.append((column, [other * inverse for other in row]))
+            return True
+    return None
