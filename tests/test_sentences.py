@@ -47,6 +47,7 @@ from chasles.vocabulary import (
     FREQUENCY,
     LENGTH,
     MASS,
+    Cofactor,
     Family,
     Identity,
     Index,
@@ -62,6 +63,7 @@ from chasles.vocabulary import (
     column,
     cos,
     cross,
+    det,
     dot,
     inverse,
     norm,
@@ -256,7 +258,7 @@ def test_a_restatement_restates_the_form_that_stands() -> None:
 
 def test_a_solution_is_put_into_the_equation() -> None:
     equation = Condition("1", Q @ p, a, on=(p,))
-    assert goals(Claim("2", p, inverse(Q) @ a, solves=equation)) == [(Q @ (inverse(Q) @ a), a)]
+    assert goals(Claim("2", p, inverse(Q) @ a, solves=equation)) == [(Q @ ((Cofactor(Q).T / det(Q)) @ a), a)]
     with pytest.raises(TypeError, match=r"\(3\) solves \(1\) for Q p, which is no symbol"):
         problem_of(Claim("3", Q @ p, a, solves=equation))
 

@@ -95,8 +95,8 @@ class Components:
 
     def determinant(self, rows: Rows) -> int:
         """The determinant, expanded along the first row."""
-        if len(rows) == 1:
-            return rows[0][0]
+        if len(rows) < 2:
+            return rows[0][0] if rows else self.builder.one
         total = self.builder.zero
         for j, entry in enumerate(rows[0]):
             if self.builder.value(entry) == 0:
@@ -107,5 +107,12 @@ class Components:
         return total
 
     def cofactors(self, m: Rows) -> Rows:
-        """The cofactor matrix of a 3 x 3 matrix."""
-        return tuple(self.cross(m[(i + 1) % 3], m[(i + 2) % 3]) for i in range(3))
+        """The cofactor matrix of a square matrix."""
+        if len(m) == 3:
+            return tuple(self.cross(m[(i + 1) % 3], m[(i + 2) % 3]) for i in range(3))
+
+        def cofactor(i: int, j: int) -> int:
+            minor = self.determinant(tuple(row[:j] + row[j + 1 :] for row in (*m[:i], *m[i + 1 :])))
+            return self.builder.negate(minor) if (i + j) % 2 else minor
+
+        return tuple(tuple(cofactor(i, j) for j in range(len(m))) for i in range(len(m)))

@@ -41,18 +41,11 @@ def determinant(m: Matrix) -> Ratio:
     """The determinant, by expansion along the first row while it has zeros to save, for at most 6 x 6."""
     if len(m) == 1:
         return m[0][0]
-    total: Ratio | None = None
-    for j, entry in enumerate(m[0]):
-        if entry.is_zero:
-            continue
-        minor = determinant([row[:j] + row[j + 1 :] for row in m[1:]])
-        term = entry * minor if j % 2 == 0 else -(entry * minor)
-        total = term if total is None else total + term
-    return total if total is not None else m[0][0]
+    terms = [entry * cofactor(m, 0, j) for j, entry in enumerate(m[0]) if not entry.is_zero]
+    return reduce(add, terms) if terms else m[0][0]
 
 
-def minor(m: Matrix, i: int, j: int) -> Ratio:
-    """The cofactor of an entry of a 3 x 3 matrix."""
-    a, b = (i + 1) % 3, (i + 2) % 3
-    c, d = (j + 1) % 3, (j + 2) % 3
-    return m[a][c] * m[b][d] - m[a][d] * m[b][c]
+def cofactor(m: Matrix, i: int, j: int) -> Ratio:
+    """The cofactor of an entry of a square matrix that has more than one."""
+    minor = determinant([row[:j] + row[j + 1 :] for row in (*m[:i], *m[i + 1 :])])
+    return -minor if (i + j) % 2 else minor

@@ -15,7 +15,7 @@ from chasles.proof.coordinates import Coordinates
 from chasles.proof.deadline import check
 from chasles.proof.differentiation import Rates
 from chasles.proof.divisors import Divisors, UndeclaredDivisor
-from chasles.proof.matrices import Matrix, determinant, each, equal, flipped, minor, plus, times
+from chasles.proof.matrices import Matrix, cofactor, determinant, each, equal, flipped, plus, times
 from chasles.proof.moments import Moments
 from chasles.proof.ratios import Field, Ratio
 from chasles.proof.variables import Untreatable, Variable, angle_multiples
@@ -159,7 +159,7 @@ class Unfolder:
                 return [[determinant(self(of))]]
             case Cofactor(of):
                 m = self(of)
-                return [[minor(m, i, j) for j in range(3)] for i in range(3)]
+                return [[cofactor(m, i, j) for j in range(len(m))] for i in range(len(m))]
             case _:
                 raise Untreatable(f"{plain(node)} ({type(node).__name__}) cannot stand here: it has no polynomial form")
 

@@ -12,6 +12,7 @@ from dataclasses import replace as with_fields
 from chasles.statements.angles import determined_angle, turning
 from chasles.statements.forms import Definite, OnlyWhere
 from chasles.statements.hypotheses import Hypothesis
+from chasles.statements.inverses import Inverses, reached
 from chasles.statements.lengths import Lengths
 from chasles.statements.rules import refuse_circles
 from chasles.statements.squares import relied_on
@@ -122,7 +123,7 @@ def problem_of(statement: Decidable, form: str = "printed", standing: Standing =
         goals = tuple(_goals(statement, form, standing))
     for goal in goals:
         added(measured(goal.left), measured(goal.right), (goal.left, goal.right), "equate")
-    return _with_simple_lengths(with_fields(problem, goals=goals))
+    return _with_simple_lengths(without_inverses(with_fields(problem, goals=goals)))
 
 
 def _angle_rules(
@@ -142,6 +143,19 @@ def _angle_rules(
             conditions.remove(goal)
             del unknowns[found[0]]
             yield found
+
+
+def without_inverses(problem: Problem) -> Problem:
+    """The same problem with every inverse in other words, under the hypotheses that there are such inverses."""
+    inverses = Inverses(problem.hypotheses, dict(problem.rules))
+    sides = [side for goal in (*problem.goals, *problem.conditions) for side in (goal.left, goal.right)]
+    at_work = reached(sides, dict(problem.rules))
+    rules = tuple((left, inverses(right) if left in at_work else right) for left, right in problem.rules)
+    goals = tuple(Goal(goal.label, inverses(goal.left), inverses(goal.right)) for goal in problem.goals)
+    conditions = tuple(Goal(goal.label, inverses(goal.left), inverses(goal.right)) for goal in problem.conditions)
+    presupposed = tuple(dict.fromkeys((*problem.presupposed, *inverses.used)))
+    hypotheses = (*inverses.needed, *map(inverses.hypothesis, problem.hypotheses))
+    return Problem(goals, rules, conditions, problem.unknowns, hypotheses, presupposed)
 
 
 def _with_simple_lengths(problem: Problem) -> Problem:
@@ -226,7 +240,9 @@ def _goals(statement: Statement, form: str, standing: Standing) -> Iterator[Goal
 
 
 def _equations(label: str, left: Node, right: Node) -> Iterator[Goal]:
-    """An equation as what it says without inverses and indices."""
+    """An equation as what it says of an inverse, and without indices."""
+    if isinstance(right, Inverse) and not isinstance(left, Inverse):
+        left, right = right, left
     if isinstance(left, Inverse):
         identity = Identity(left.shape[0])
         yield Goal(label or "the matrix times its inverse", Contract((left.of, right)), identity)

@@ -6,7 +6,7 @@ The message says where the author wrote it, what was written, what is expected t
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from fractions import Fraction
 from functools import cache, wraps
@@ -118,10 +118,10 @@ def fits(value: Any, hint: Any) -> bool:
         return True
     if origin in (Union, UnionType):
         return any(fits(value, one) for one in parts)
-    if origin is tuple:
-        every = isinstance(value, tuple) and _part(hint)
-        same = isinstance(value, tuple) and len(value) == len(parts)
-        return all(fits(one, every) for one in value) if every else same and all(map(fits, value, parts))
+    if origin in (tuple, Sequence):
+        known = isinstance(value, tuple if origin is tuple else tuple | list)
+        every = known and _part(hint)
+        return all(fits(one, every) for one in value) if every else known and _all_fit(value, parts)
     if origin is not None:
         return isinstance(value, origin)
     if getattr(hint, "_is_protocol", False):
@@ -129,10 +129,14 @@ def fits(value: Any, hint: Any) -> bool:
     return isinstance(value, hint) and not (isinstance(value, bool) and hint is not bool)
 
 
+def _all_fit(values: tuple[Any, ...], hints: tuple[Any, ...]) -> bool:
+    return len(values) == len(hints) and all(map(fits, values, hints))
+
+
 def _part(hint: Any) -> Any:
     """What each part of a tuple of any length is, also where something else may stand for the tuple; else None."""
     for one in (hint, *get_args(hint)):
-        if get_origin(one) is tuple and get_args(one)[1:] == (Ellipsis,):
+        if get_origin(one) is Sequence or (get_origin(one) is tuple and get_args(one)[1:] == (Ellipsis,)):
             return get_args(one)[0]
     return None
 
@@ -184,7 +188,7 @@ def _said(hint: Any) -> str:
     origin, parts = get_origin(hint), get_args(hint)
     if origin in (Union, UnionType):
         return " or ".join(_said(part) for part in parts if part is not type(None))
-    if origin is tuple:
+    if origin in (tuple, Sequence):
         every = _part(hint)
         return f"a tuple with {_said(every)} in each place" if every else f"a tuple ({', '.join(map(_said, parts))})"
     name = getattr(origin or hint, "__name__", str(hint))

@@ -24,6 +24,14 @@ def _times(one: Dimension | None, other: Dimension | None) -> Dimension | None:
     return None if one is None or other is None else one * other
 
 
+def _of_determinant(measure: Measure) -> Dimension | None:
+    """The dimension of the determinant; None if it is zero wherever the zeros are."""
+    grid = measure.grid
+    terms = ([row[j] for row, j in zip(grid, order, strict=True)] for order in permutations(range(len(grid))))
+    term = next((term for term in terms if None not in term), [None])
+    return reduce(_times, term)
+
+
 @word
 class Inverse(Node):
     """The inverse of a square matrix; a claim about it says that the product with the other side is the identity."""
@@ -40,7 +48,7 @@ class Inverse(Node):
 
 @word
 class Cofactor(Node):
-    """The cofactor matrix of a 3 x 3 matrix; a rotation equals its own."""
+    """The cofactor matrix of a square matrix; a rotation equals its own."""
 
     of: Node
 
@@ -48,10 +56,9 @@ class Cofactor(Node):
         return (self.of,)
 
     def _measured(self) -> Measure:
-        if square_measure(self.of, "a cofactor matrix").shape != (3, 3):
-            raise Misfit(f"the cofactor matrix is that of a 3 x 3 matrix, and {self.of} is not")
-        dimension = measured(self.of).the_dimension(self.of)
-        return uniform((3, 3), _times(dimension, dimension))
+        of = completed(square_measure(self.of, "a cofactor matrix"), self.of)
+        total = _of_determinant(of)
+        return uniform(of.shape, None) if total is None else entrywise(lambda d: total / d, of)
 
 
 @word
@@ -108,10 +115,7 @@ class Determinant(Node):
         return (self.of,)
 
     def _measured(self) -> Measure:
-        grid = completed(square_measure(self.of, "a determinant"), self.of).grid
-        terms = ([row[j] for row, j in zip(grid, order, strict=True)] for order in permutations(range(len(grid))))
-        term = next((term for term in terms if None not in term), [None])
-        return uniform(SCALAR, reduce(_times, term))
+        return uniform(SCALAR, _of_determinant(completed(square_measure(self.of, "a determinant"), self.of)))
 
 
 @word

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 
 from chasles.vocabulary.arguments import declaring
@@ -231,6 +232,6 @@ def row(*blocks: Node | int) -> Block:
 
 
 @declaring
-def matrix(*rows: tuple[Node | int, ...]) -> Block:
+def matrix(*rows: Sequence[Node | int]) -> Block:
     """A matrix of blocks, row by row."""
     return Block(tuple(tuple(lifted(block) for block in line) for line in rows))

@@ -55,8 +55,8 @@ def expanded(node: w.Node, of: Callable[[w.Node], Matrix]) -> Matrix:
         case w.Determinant(x):
             return [[determinant(of(x))]]
         case w.Cofactor(x):
-            m, pairs = of(x), ((1, 2), (2, 0), (0, 1))
-            return [[m[a][c] * m[b][d] - m[a][d] * m[b][c] for c, d in pairs] for a, b in pairs]
+            m = of(x)
+            return [[_cofactor(m, i, j) for j in range(len(m))] for i in range(len(m))]
         case _:
             raise Rejected(f"{node} ({type(node).__name__}) has no polynomial form")
 
@@ -85,9 +85,10 @@ def _skew(vector: Matrix) -> Matrix:
 
 def determinant(m: Matrix) -> Polynomial:
     """The determinant, by expansion along the first row."""
-    total = ZERO if m else ONE
-    for j, entry in enumerate(m[0] if m else []):
-        if entry:
-            minor = determinant([row[:j] + row[j + 1 :] for row in m[1:]])
-            total = total - entry * minor if j % 2 else total + entry * minor
-    return total
+    terms = (entry * _cofactor(m, 0, j) for j, entry in enumerate(m[0] if m else []) if entry)
+    return reduce(add, terms, ZERO) if m else ONE
+
+
+def _cofactor(m: Matrix, i: int, j: int) -> Polynomial:
+    minor = determinant([row[:j] + row[j + 1 :] for row in (*m[:i], *m[i + 1 :])])
+    return -minor if (i + j) % 2 else minor

@@ -1,0 +1,152 @@
+"""Inverses in other words: the transpose of a rotation, of a product the product of inverses, else cofactors.
+
+A matrix has an inverse where its determinant is not zero, and it is then the transpose of its cofactor matrix over the
+determinant (Cramer). That it is not zero is assumed wherever it does not follow from what a hypothesis says.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import replace as with_fields
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any
+
+from chasles.statements.hypotheses import Hypothesis, nonzero
+from chasles.statements.varied import opened_parts
+from chasles.vocabulary import (
+    At,
+    Block,
+    Cofactor,
+    Contract,
+    Determinant,
+    Group,
+    Identity,
+    Inverse,
+    Negative,
+    Node,
+    Number,
+    Power,
+    Quotient,
+    Scale,
+    Symbol,
+    Transpose,
+    Zero,
+    replace,
+)
+
+__all__ = ["Inverses", "reached"]
+
+
+class Inverses:
+    """Puts other words in the place of inverses; `used` are the hypotheses by which they say the same.
+
+    Those among them that nobody has assumed yet are `needed` too. Nothing is concluded from a hypothesis on what a
+    rule replaces.
+    """
+
+    def __init__(self, hypotheses: Collection[Hypothesis], rules: Mapping[Node, Node]) -> None:
+        self.used: dict[Hypothesis, None] = {}
+        self.needed: dict[Hypothesis, None] = {}
+        self._rules = rules
+        self._known = {(h.kind, h.subjects): h for h in hypotheses if not rules.keys() & {*h.subjects}}
+        self._nonzero = {node: hypothesis for hypothesis in hypotheses for node in hypothesis.nonvanishing}
+
+    def __call__(self, node: Node) -> Node:
+        """The node with every inverse in it said in other words."""
+        found = _inverses(node)
+        return replace(node, {inverse: self._inverse(inverse.of) for inverse in found}) if found else node
+
+    def hypothesis(self, said: Hypothesis) -> Hypothesis:
+        """The same said without inverses."""
+        places = tuple(map(self, said.nonvanishing))
+        equations = tuple((self(left), self(right)) for left, right in said.equations)
+        if (places, equations) == (said.nonvanishing, said.equations):
+            return said
+        return with_fields(said, subjects=tuple(map(self, said.subjects)), equations=equations, nonvanishing=places)
+
+    def _inverse(self, of: Node) -> Node:
+        """The inverse of a scalar or a matrix."""
+        found = self._by_parts(of)
+        if found is not None:
+            return found
+        if of.is_scalar:
+            self._need(of)
+            return Quotient(Number(Fraction(1)), self(of))
+        self._need(Determinant(of))
+        return Quotient(Transpose(Cofactor(self(of))), Determinant(self(of)))
+
+    def _by_parts(self, of: Node) -> Node | None:
+        """The inverse of what is made of others that have one, or is a rotation; None for anything else."""
+        match of:
+            case Group(inner) | At(inner) | Symbol(stands_for=Node() as inner):
+                return self._inverse(inner)
+            case Inverse(inner):
+                self._inverse(inner)
+                return self(inner)
+            case Identity():
+                return of
+            case Transpose(inner):
+                return Transpose(self._inverse(inner))
+            case Negative(term):
+                return Negative(self._inverse(term))
+            case Scale(factor, term) if not of.is_scalar:
+                return Scale(self._inverse(factor), self._inverse(term))
+            case Quotient(numerator, divisor) if not of.is_scalar:
+                return Scale(self(divisor), self._inverse(numerator))
+            case Power(base, exponent):
+                return Power(self._inverse(base), exponent)
+            case Contract(factors) if all(factor.shape == of.shape for factor in factors) and not of.is_scalar:
+                return Contract(tuple(map(self._inverse, reversed(factors))))
+            case Number(value) if value:
+                return Number(1 / value)
+            case Block(((a, b), (c, d))) if a.shape[0] == a.shape[1] and (_is_zero(b) or _is_zero(c)):
+                first, last = self._inverse(a), self._inverse(d)
+                upper = b if _is_zero(b) else Negative(Contract((first, self(b), last)))
+                lower = c if _is_zero(c) else Negative(Contract((last, self(c), first)))
+                return Block(((first, upper), (lower, last)))
+            case _ if of in self._rules and not isinstance(self._rules[of], Symbol):
+                return self._by_parts(self._rules[of])
+            case _:
+                return self._of_rotation(of)
+
+    def _of_rotation(self, of: Node) -> Node | None:
+        """The transpose, where a hypothesis says that the matrix, or the triad of its columns, is a rotation."""
+        said: list[tuple[Any, Any]] = [("rotation", (of,)), ("half_turn", (of,))]
+        if isinstance(of, Block) and len(of.rows) == 1:
+            said.append(("orthonormal", of.rows[0]))
+        for key in said:
+            if key in self._known:
+                self.used[self._known[key]] = None
+                return Transpose(of)
+        return None
+
+    def _need(self, divisor: Node) -> None:
+        """The divisor is not zero: that is assumed, if it is not yet."""
+        known = self._nonzero.get(divisor)
+        if known is None:
+            known = self._nonzero[divisor] = nonzero(divisor)
+            self.needed[known] = None
+        self.used[known] = None
+
+
+@lru_cache(maxsize=4096)
+def _inverses(node: Node) -> tuple[Inverse, ...]:
+    return tuple(dict.fromkeys(part for part in opened_parts(node) if isinstance(part, Inverse)))
+
+
+def _is_zero(block: Node) -> bool:
+    return isinstance(block, Zero) or (isinstance(block, Number) and not block.value)
+
+
+def reached(sides: Iterable[Node], rules: Mapping[Node, Node]) -> set[Node]:
+    """The left sides of the rules that are applied where these sides are read, rates of what occurs among them."""
+    found: set[Node] = set()
+    seen: set[Node] = set()
+    ahead = list(sides)
+    while ahead:
+        seen.update(opened_parts(ahead.pop()))
+        more = {left for left in rules if left not in found and not seen.isdisjoint(opened_parts(left))}
+        found |= more
+        ahead += [rules[left] for left in more]
+    return found
