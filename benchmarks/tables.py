@@ -45,6 +45,7 @@ INTRODUCTION = """# Benchmarks
 - `threads.py`: how much sooner several threads are done; `evidence/threads.json` has its last figures.
 - `cost.py`: what an operation takes here, and what the cost model says; its figures are in `evidence/cost.json`.
 - `errors.py`: the largest errors found beside what is proved (`ERRORS.md`), and over the angle; run by itself.
+- `identities/`: identities of SymPy's test suite and of textbooks, asked of `prove`; run by itself.
 - `adversarial/`: a million inputs that are apt to break a kernel, every result of every build decided; run by itself.
 
 Every peer is given the formula as the book prints it (`formulas.py`; `peers/` says how). Generated C and C++ is

@@ -267,7 +267,7 @@ def test_both_sides_have_one_shape() -> None:
         (sp.Symbol("A", commutative=False), {}, "^A does not commute"),
         (x + sp.Symbol("x", positive=True), {}, "^two different symbols are both called x"),
         (x**20000, {}, "its exponent is larger than 10000"),
-        (sp.MatrixSymbol("A", sp.Symbol("n"), 2), {}, "whose entries SymPy cannot write out"),
+        (sp.MatrixSymbol("A", sp.Symbol("n"), 2), {}, "entries that SymPy cannot write out"),
         ("x + 1", {}, r"^the left side is the text 'x \+ 1': hand in a SymPy expression"),
         (None, {}, "^the left side is None"),
         (Eq(x, 1), {}, "of type Equality: a scalar or a matrix is expected"),

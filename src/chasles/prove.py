@@ -11,7 +11,8 @@ from chasles.proof.context import build
 from chasles.proof.deadline import OutOfTime, remaining, within
 from chasles.proof.decide import decide_problem
 from chasles.proof.from_sympy import Question, ask
-from chasles.proof.root_sums import exact
+from chasles.proof.from_sympy.decimals import as_decimals
+from chasles.proof.root_sums import exact as number
 from chasles.proof.variables import Untreatable
 from chasles.proof.verdict import Fails, Holds, HoldsUnder, Undecided, Verdict
 from chasles.statements import Goal
@@ -22,7 +23,7 @@ EFFORT = 1e7
 """The work that a question may take, in products of terms."""
 
 
-def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float = inf) -> Verdict:
+def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float = inf, exact: bool = False) -> Verdict:
     """The verdict on `lhs == rhs`, for all real values of the symbols that satisfy the side conditions.
 
     Square roots are the nonnegative ones and are meant where they are real, fractions where no divisor vanishes.
@@ -35,6 +36,8 @@ def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float 
         nonzero: scalars that do not vanish. Divisors need not be named: the verdict's `needs` lists them.
         budget: seconds after which the verdict is `Undecided`. Without it only the work is limited, so that the verdict
             does not depend on the machine.
+        exact: whether a floating-point number is read as the decimal number that it is written as, 0.1 as 1/10; else
+            it is refused.
 
     Returns:
         `Holds` or `HoldsUnder(needs)`, with a certificate that `recheck` checks; `Fails`, with an exact counterexample;
@@ -45,13 +48,17 @@ def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float 
     """
     try:
         with within(EFFORT, budget):
-            question = ask(lhs, rhs, given, nonzero)
+            question = ask(*_asked(exact, lhs, rhs, given, nonzero))
             return _answered(question) if isinstance(question, Question) else question
     except OutOfTime as error:
         return Undecided(str(error))
 
 
-def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Any = (), nonzero: Any = ()) -> None:
+def _asked(exact: bool, *said: Any) -> Any:
+    return map(as_decimals, said) if exact else said
+
+
+def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), exact: bool = False) -> None:
     """The certificate of a verdict of `prove` proves what was asked; nothing of the search is used.
 
     Raises `Rejected` with the reason if it does not, and for a witness with roots of roots, which the checker cannot
@@ -59,10 +66,10 @@ def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Any = (), nonzero: Any 
     """
     if not isinstance(verdict, Holds | HoldsUnder):
         raise TypeError(f"the verdict is {verdict.name}: only what holds has a certificate")
-    question = ask(lhs, rhs, given, nonzero)
+    question = ask(*_asked(exact, lhs, rhs, given, nonzero))
     assert isinstance(question, Question)
     problems = [question.problem, *question.variants()]
-    check(problems[verdict.certificate["variant"]], "", verdict.certificate, number=exact)
+    check(problems[verdict.certificate["variant"]], "", verdict.certificate, number=number)
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,6 +11,7 @@ from sympy.core.function import AppliedUndef
 from sympy.logic.boolalg import Boolean
 from sympy.matrices import MatrixBase, MatrixExpr
 
+from chasles.proof.from_sympy.unevaluated import explicit, written_out
 from chasles.proof.variables import Untreatable
 
 __all__ = ["Entries", "excerpt", "is_atom", "opened", "sides"]
@@ -57,7 +58,7 @@ def opened(value: Any, what: str) -> Entries:
     except sympy.SympifyError:
         raise Untreatable(f"{what} is {value!r}, which is no SymPy expression or matrix") from None
     if isinstance(value, MatrixExpr):
-        value = _explicit(value, what)
+        value = _spelled_out(explicit, value)
     if isinstance(value, MatrixBase):
         if 0 in value.shape:
             raise Untreatable(f"{what} is an empty matrix, {value.shape[0]} x {value.shape[1]}")
@@ -69,11 +70,13 @@ def opened(value: Any, what: str) -> Entries:
     return Entries(((_evaluated(value),),), is_matrix=False)
 
 
-def _explicit(value: Any, what: str) -> Any:
+def _spelled_out(write: Callable[[Any], Any], value: Any) -> Any:
     try:
-        return value.as_explicit()
+        return write(value)
+    except Untreatable:
+        raise
     except (ValueError, TypeError, AttributeError, NotImplementedError) as error:
-        raise Untreatable(f"{what} is {excerpt(value)}, whose entries SymPy cannot write out: {error}") from None
+        raise Untreatable(f"{excerpt(value)} has entries that SymPy cannot write out: {error}") from None
 
 
 def _evaluated(entry: Any) -> Any:
@@ -84,7 +87,7 @@ def _evaluated(entry: Any) -> Any:
     for derivative in entry.atoms(sympy.Derivative):
         if not isinstance(derivative.expr, AppliedUndef):
             entry = entry.xreplace({derivative: derivative.doit()})
-    return entry
+    return _spelled_out(written_out, entry)
 
 
 def sides(relation: Any, what: str) -> Iterator[tuple[Any, Any]]:

@@ -1,0 +1,145 @@
+"""What SymPy leaves unevaluated is written out: matrix expressions, finite sums, factorials; decimals on request."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+import sympy as sp
+from sympy import (
+    Adjoint,
+    BlockMatrix,
+    Determinant,
+    Eq,
+    HadamardProduct,
+    Identity,
+    Inverse,
+    KroneckerProduct,
+    MatPow,
+    Matrix,
+    MatrixSymbol,
+    Product,
+    Rational,
+    Sum,
+    Trace,
+    Transpose,
+    ZeroMatrix,
+    binomial,
+    eye,
+    factorial,
+    zeros,
+)
+
+from chasles.proof.verdict import Fails, Holds, HoldsUnder
+from chasles.prove import Untreatable, prove, recheck
+
+A, B = MatrixSymbol("A", 2, 2), MatrixSymbol("B", 2, 2)
+C, D, u = MatrixSymbol("C", 3, 3), MatrixSymbol("D", 3, 3), MatrixSymbol("u", 3, 1)
+x, y = sp.symbols("x y", real=True)
+i, j = sp.symbols("i j", integer=True)
+n = sp.Symbol("n", integer=True, positive=True)
+M = Matrix([[x, y], [1, x]])
+
+
+def same(left: Any, right: Any, **more: Any) -> Any:
+    verdict = prove(left, right, **more)
+    assert isinstance(verdict, Holds | HoldsUnder), verdict
+    recheck(verdict, left, right, **more)
+    return verdict
+
+
+TRUE: list[tuple[Any, Any]] = [
+    (Determinant(A * B), Determinant(A) * Determinant(B)),
+    (Determinant(C * D), Determinant(D * C)),
+    (Determinant(C.T), Determinant(C)),
+    (Determinant(2 * C), 8 * Determinant(C)),
+    (Determinant(M), x**2 - y),
+    (Trace(A * B), Trace(B * A)),
+    (Trace(A + B), Trace(A) + Trace(B)),
+    (Trace(C.T), Trace(C)),
+    (Transpose(A * B), B.T * A.T),
+    (Adjoint(A), A.T),
+    (A**2 - Trace(A) * A + Determinant(A) * Identity(2), zeros(2, 2)),
+    (HadamardProduct(A, B), HadamardProduct(B, A)),
+    (BlockMatrix([[A, B], [B, A]]).T, BlockMatrix([[A.T, B.T], [B.T, A.T]])),
+    (BlockMatrix([[A, ZeroMatrix(2, 2)], [ZeroMatrix(2, 2), B]]).as_explicit().det(), Determinant(A) * Determinant(B)),
+    (KroneckerProduct(A, B).T, KroneckerProduct(A.T, B.T)),
+    ((A * B)[0, 1], A[0, 0] * B[0, 1] + A[0, 1] * B[1, 1]),
+    (MatPow(A, 3), A * A * A),
+    (MatPow(A, 0), eye(2)),
+    ((u.T * C * u)[0, 0], (u.T * C.T * u)[0, 0]),
+    (u.T * u, Trace(u * u.T) * Identity(1)),
+    (Sum(i**2, (i, 1, 5)), 55),
+    (Sum(x**i, (i, 0, 3)) * (1 - x), 1 - x**4),
+    (Sum(i * j, (i, 1, 2), (j, 1, 3)), 18),
+    (Sum(i, (i, 1, 0)), 0),
+    (Product(x + i, (i, 0, 2)), x**3 + 3 * x**2 + 2 * x),
+    (factorial(5, evaluate=False), 120),
+    (binomial(6, 2, evaluate=False), 15),
+]
+INVERSES: list[tuple[Any, Any, int]] = [
+    (Inverse(A * B), Inverse(B) * Inverse(A), 3),
+    (Inverse(C).T, Inverse(C.T), 1),
+    (Determinant(Inverse(C)), 1 / Determinant(C), 1),
+    (MatPow(A, -2), Inverse(A) * Inverse(A), 1),
+    (Inverse(M), M.adjugate() / M.det(), 1),
+    (Inverse(M) * M, eye(2), 1),
+]
+FALSE: list[tuple[Any, Any]] = [
+    (Determinant(A + B), Determinant(A) + Determinant(B)),
+    (Determinant(2 * A), 2 * Determinant(A)),
+    (Trace(A * B), Trace(A) * Trace(B)),
+    (A * B, B * A),
+    (Transpose(A * B), A.T * B.T),
+    (Inverse(A * B), Inverse(A) * Inverse(B)),
+    (Inverse(M), M),
+    (HadamardProduct(A, B), A * B),
+    (Sum(i**2, (i, 1, 5)), 54),
+    (Product(x + i, (i, 0, 2)), x**3),
+    (binomial(6, 2, evaluate=False), 14),
+]
+
+
+@pytest.mark.parametrize(("left", "right"), TRUE, ids=str)
+def test_what_is_written_out_is_proved(left: Any, right: Any) -> None:
+    assert isinstance(same(left, right), Holds)
+
+
+@pytest.mark.parametrize(("left", "right", "needs"), INVERSES, ids=str)
+def test_an_inverse_needs_its_determinant(left: Any, right: Any, needs: int) -> None:
+    assert len(same(left, right).needs) == needs
+
+
+@pytest.mark.parametrize(("left", "right"), FALSE, ids=str)
+def test_what_is_false_is_refuted(left: Any, right: Any) -> None:
+    assert isinstance(prove(left, right), Fails)
+
+
+@pytest.mark.parametrize(
+    ("left", "message"),
+    [
+        (Sum(i, (i, 1, n)), r"^Sum\(i, \(i, 1, n\)\) is not treated: only sums and products between given numbers"),
+        (Sum(i, (i, 3, 1)), "only sums and products between given numbers"),
+        (Sum(i, (i, 1, sp.oo)), "only sums and products between given numbers"),
+        (Sum(i, (i, 1, 5000)), "more than 1000 terms"),
+        (factorial(n), "only those of integers"),
+        (binomial(n, 2), "only those of integers"),
+        (factorial(Rational(1, 2), evaluate=False), "only those of integers"),
+        (Determinant(MatrixSymbol("E", n, n)), "has entries that SymPy cannot write out"),
+        (MatPow(A, n), "the exponent n is no small integer"),
+    ],
+    ids=str,
+)
+def test_what_cannot_be_written_out_is_refused(left: Any, message: str) -> None:
+    with pytest.raises(Untreatable, match=message):
+        prove(left, left + left)
+
+
+def test_decimals_are_read_on_request_only() -> None:
+    m = sp.Symbol("m", positive=True)
+    assert isinstance(same(0.5 * m * x**2, m * x**2 / 2, exact=True), Holds)
+    assert isinstance(same(Matrix([0.1 + x]), Matrix([x + Rational(1, 10)]), exact=True), Holds)
+    assert isinstance(same(x, 0.25, given=[Eq(x, 0.25)], exact=True), HoldsUnder)
+    assert isinstance(prove(0.3 * x, x / 3, exact=True), Fails)
+    with pytest.raises(Untreatable, match="floating-point"):
+        prove(0.5 * m * x**2, m * x**2 / 2)
