@@ -7,6 +7,7 @@ if __name__ != "chasles.derivations":
     )
 
 TITLE = "Fundamentals of Rigid-Body Mechanics"
+SOURCE = "J. Angeles, Fundamentals of Robotic Mechanical Systems, 4th edition, Springer, 2014, Chapter 3"
 SECTIONS = (
     "s02_screw",
     "s03_fixed_point",

@@ -58,7 +58,7 @@ def row(page: str, number: str) -> list[str]:
 
 
 def slip(page: str, number: str) -> str:
-    (found,) = [part for part in page.split("\n## ") if part.startswith(f"{number}\n")]
+    (found,) = [part for part in re.split(r"\n##+ ", page) if part.startswith(f"{number}\n")]
     return found
 
 
@@ -165,7 +165,7 @@ def test_the_slips_of_the_scan_are_named(whole: dict[str, str]) -> None:
 
 def test_only_what_does_not_stand_is_an_erratum() -> None:
     assert "There are none." in written(right_one, under)[1]
-    assert len(re.findall("^## ", written(*EVERYTHING)[1], re.MULTILINE)) == 4
+    assert len(re.findall("^### ", written(*EVERYTHING)[1], re.MULTILINE)) == 4
 
 
 def test_what_is_undecided_is_no_verdict() -> None:
@@ -197,7 +197,7 @@ def test_every_slip_of_the_chapter_is_there(whole: dict[str, str]) -> None:
     judge = Judge(book=load())
     for entry in load():
         part = f" part {entry.statement.part}" if entry.statement.part > 1 else ""
-        heading = f"\n## ({entry.number}){part}\n"
+        heading = f"\n### ({entry.number}){part}\n"
         assert (heading in whole["ERRATA.md"]) == (not judge.decide(entry.statement).verdict.true), entry.number
     assert "Nothing that stands instead" not in whole["ERRATA.md"]
 

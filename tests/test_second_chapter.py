@@ -256,7 +256,7 @@ def test_a_chapter_without_kernels_is_summed_up(write: Callable[..., Path]) -> N
     folder = write("without_kernels", __init__="SECTIONS = ('one',)", one=SMALL)
     done = run("summary", chapter=folder)
     assert done.exit_code == 0, done.stderr
-    assert "1 statements: 1 hold" in done.stdout
+    assert "1 statement: 1 hold" in done.stdout
     assert "0 kernels" in run("verify", chapter=folder).stdout
 
 

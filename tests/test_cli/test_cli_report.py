@@ -21,7 +21,7 @@ def test_both_files_are_written(run, chapter_is, tmp_path: Path) -> None:
     chapter_is(twice=TWICE)
     done = run("report", "--out", str(tmp_path / "deep" / "folder"))
     assert done.exit_code == 0, done.stderr
-    assert "1 statements: 1 hold" in done.stdout
+    assert "1 statement: 1 hold" in done.stdout
     assert sorted(path.name for path in (tmp_path / "deep" / "folder").iterdir()) == ["chapter.tex", "index.html"]
     assert ">(9.1)</a></h4>" in (tmp_path / "deep" / "folder" / "index.html").read_text("utf-8")
 

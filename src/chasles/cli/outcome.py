@@ -12,6 +12,7 @@ from chasles.proof.foresight import foresee
 from chasles.proof.judge import Decision, Judge
 from chasles.report.decisions import Decided
 from chasles.report.details import number_in_words
+from chasles.report.findings import slips_in_words
 from chasles.report.words import counted, seconds
 from chasles.statements import Chapter, Entry
 
@@ -36,7 +37,9 @@ class Outcome:
     def in_words(self) -> Iterator[str]:
         """Totals and times."""
         verdicts = [decision.verdict for _, decision in self.decided]
-        yield f"{len(verdicts)} statements: {counted(verdicts)}"
+        yield f"{len(verdicts)} statement{'s' * (len(verdicts) != 1)}: {counted(verdicts)}"
+        if found := slips_in_words(self.decided):
+            yield f"not true as printed: {found}"
         times = f"decided in {seconds(self.deciding)}"
         if self.rechecked is not None:
             proved, refuted = self.rechecked.certificates, self.rechecked.counterexamples

@@ -9,7 +9,16 @@ from chasles.proof.verdict import Counterexample, Fails, IllFormed
 from chasles.report.by_hand import worked_out
 from chasles.report.details import number_in_words
 from chasles.report.equations import in_latex, in_words
-from chasles.report.findings import Decisions, Standing, likely_slip, ordered, stands_in
+from chasles.report.findings import (
+    SLIPS,
+    Decisions,
+    Standing,
+    likely_slip,
+    ordered,
+    slips,
+    slips_in_words,
+    stands_in,
+)
 from chasles.report.markdown import code, displayed, escaped
 from chasles.report.words import point_in_words, said
 from chasles.statements import Chapter, Entry, Statement
@@ -30,16 +39,21 @@ satisfies the hypotheses. What stands instead is proved.
 def errata_page(book: Chapter, decisions: Decisions) -> str:
     """The page on all prints that do not stand; the same decisions and repairs give the same text."""
     decided = ordered(book, decisions)
-    wrong = [(entry, decision) for entry, decision in decided if not decision.verdict.true]
-    lines = [ABOUT, "", f"{len(wrong)} of {len(decided)} statements." if wrong else "There are none."]
-    for entry, decision in wrong:
-        lines += ["", *_slip(entry, decision)]
+    found = slips(decided)
+    wrong = sum(map(len, found.values()))
+    count = f"{wrong} of {len(decided)} statements are not true as printed: {slips_in_words(decided)}."
+    lines = [ABOUT, "", *([f"The book: {book.source}.", ""] if book.source else ())]
+    lines += [count if found else "There are none."]
+    for slip, pairs in found.items():
+        lines += ["", f"## {SLIPS[slip].capitalize()}"]
+        for entry, decision in pairs:
+            lines += ["", *_slip(entry, decision)]
     return "\n".join(lines) + "\n"
 
 
 def _slip(entry: Entry, decision: Decision) -> Iterator[str]:
     number = number_in_words(entry.number, entry.statement.part)
-    yield f"## {escaped(number)}"
+    yield f"### {escaped(number)}"
     yield ""
     yield f"Section {entry.section.number}. {escaped(entry.statement.says)}"
     yield ""

@@ -11,11 +11,27 @@ from chasles.report.lost_marks import lost_marks
 from chasles.statements import Chapter, Entry, Statement
 from chasles.vocabulary import Node, latex
 
-__all__ = ["Decisions", "Numbers", "Pairs", "Standing", "likely_slip", "numbers_of", "ordered", "stands_in"]
+__all__ = [
+    "SLIPS",
+    "Decisions",
+    "Numbers",
+    "Pairs",
+    "Standing",
+    "likely_slip",
+    "numbers_of",
+    "ordered",
+    "slips",
+    "slips_in_words",
+    "stands_in",
+]
 
 Decisions = Mapping[str, Decision]
 """By the name of the statement."""
 Pairs = Sequence[tuple[Entry, Decision]]
+
+
+SLIPS = {"print": "wrong in the book", "scan": "lost by the scan", "both": "lost by the scan and wrong in the book"}
+"""Whose slip it more likely is, in words."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,15 +92,36 @@ def stands_in(entry: Entry, decision: Decision) -> tuple[Standing, ...]:
     )
 
 
-def likely_slip(entry: Entry, decision: Decision) -> str:
-    """Whose slip it more likely is: a `reading` restores what the scan has lost, anything else changes the print."""
+def slips(decided: Pairs) -> dict[str, Pairs]:
+    """What does not stand as printed, by whose slip it more likely is; only what there is."""
+    wrong = [(entry, decision) for entry, decision in decided if not decision.verdict.true]
+    by_slip = {slip: [each for each in wrong if _slip(*each) == slip] for slip in SLIPS}
+    return {slip: pairs for slip, pairs in by_slip.items() if pairs}
+
+
+def slips_in_words(decided: Pairs) -> str:
+    """How many are wrong in the book, how many were lost by the scan, how many both; nothing if all stand."""
+    return ", ".join(f"{len(pairs)} {SLIPS[slip]}" for slip, pairs in slips(decided).items())
+
+
+def _slip(entry: Entry, decision: Decision) -> str:
+    """A `reading` restores what the scan has lost; what is not true with that is wrong in print too."""
     statement, correction = entry.statement, decision.correction
     if not isinstance(statement, Statement) or statement.reading is None:
+        return "print"
+    return "scan" if correction and correction.form == "reading" and correction.verdict.true else "both"
+
+
+def likely_slip(entry: Entry, decision: Decision) -> str:
+    """Whose slip it more likely is, and which marks the scan has lost."""
+    statement, slip = entry.statement, _slip(entry, decision)
+    if slip == "print":
         return "of the print"
+    assert isinstance(statement, Statement)
     lost = lost_marks(*(_in_latex(statement, form) for form in ("printed", "reading")))
     said = [f"has lost {_listed(lost.marks)}"] if lost.marks else []
     said += [f"has {_listed(lost.letters)}"] if lost.letters else []
-    if correction is not None and correction.form == "reading" and correction.verdict.true:
+    if slip == "scan":
         return "of the scan" + (f", which {' and '.join(said)}" if said else "")
     return f"of the scan, which {' and '.join(said) or 'has lost a mark'}, and another of the print"
 

@@ -12,7 +12,7 @@ from chasles.proof.judge import Decision
 from chasles.proof.verdict import Verdict
 from chasles.report.details import number_in_words, objections_to_print
 from chasles.report.equations import hypotheses_in_latex, in_latex
-from chasles.report.findings import Decisions, Pairs, Standing, likely_slip, ordered, stands_in
+from chasles.report.findings import Decisions, Pairs, Standing, likely_slip, ordered, slips_in_words, stands_in
 from chasles.report.html.exercises import WorkedView
 from chasles.report.latex_text import escaped
 from chasles.report.words import VERDICTS, counted
@@ -61,6 +61,8 @@ def latex_page(chapter: Chapter, decisions: Decisions, worked: Sequence[WorkedVi
     decided = ordered(chapter, decisions)
     values = {
         "title": escaped(chapter.title),
+        "source": escaped(chapter.source),
+        "slips": escaped(slips_in_words(decided)),
         "statements": len(decided),
         "totals": escaped(counted(decision.verdict for _, decision in decided)),
         "exercises": tuple(exercises_in_latex(worked)),

@@ -13,6 +13,7 @@ from rich.text import Text
 
 from chasles.report.decisions import Decided
 from chasles.report.details import number_in_words
+from chasles.report.findings import SLIPS, slips
 from chasles.report.screen import Screen
 from chasles.report.words import VERDICTS, seconds
 
@@ -94,10 +95,13 @@ def summary_table(screen: Screen, sections: Sequence[Tally]) -> Iterator[Rendera
 
 
 def prints_that_do_not_stand(decided: Sequence[Decided]) -> Iterator[RenderableType]:
-    """Their numbers, on one line; nothing if all stand."""
-    numbers = [number_in_words(e.number, e.statement.part) for e, decision in decided if not decision.verdict.true]
-    if numbers:
-        yield Text(f"not as printed: {', '.join(numbers)}; `chasles show` says why and what is right")
+    """Their numbers, on a line for each kind of slip; nothing if all stand."""
+    found = slips(decided)
+    for slip, pairs in found.items():
+        numbers = (number_in_words(entry.number, entry.statement.part) for entry, _ in pairs)
+        yield Text(f"{SLIPS[slip]}: {', '.join(numbers)}")
+    if found:
+        yield Text("`chasles show` says why, and what is right")
 
 
 def _cells(tally: Tally, shown: Sequence[str]) -> list[Text]:

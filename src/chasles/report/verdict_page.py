@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from chasles.proof.judge import Decision
 from chasles.report.details import number_in_words
-from chasles.report.findings import Decisions, Pairs, Standing, numbers_of, ordered, stands_in
+from chasles.report.findings import Decisions, Pairs, Standing, numbers_of, ordered, slips_in_words, stands_in
 from chasles.report.markdown import escaped, table
 from chasles.report.words import VERDICTS, counted
 from chasles.statements import Chapter, Entry, Section
@@ -60,8 +60,9 @@ def _totals(book: Chapter, decided: Pairs) -> Iterator[str]:
     found = [standing[0].found if (standing := stands_in(e, d)) else "nothing" for e, d in wrong]
     if wrong:
         yield (
-            f"Of the {len(wrong)} that do not stand as printed, {found.count('repair')} are repaired by the search, "
-            f"{found.count('declared')} by what is declared, {found.count('nothing')} by nothing."
+            f"{len(wrong)} are not true as printed: {slips_in_words(decided)}. "
+            f"{found.count('repair')} are repaired by the search, {found.count('declared')} by what is declared, "
+            f"{found.count('nothing')} by nothing."
         )
 
 

@@ -57,7 +57,7 @@ class Entry(Displayed):
 
 @dataclass(frozen=True)
 class Chapter(Displayed):
-    """The statements of a book, which the `package` declares.
+    """The statements of a book, which the `package` declares; `source` is the book: author, title, edition.
 
     Raises `DeclarationError` if two have one name, or one number and part, or if one rests on itself or a later one.
     """
@@ -65,6 +65,7 @@ class Chapter(Displayed):
     title: str
     entries: tuple[Entry, ...]
     package: str = BOOK
+    source: str = ""
 
     def __post_init__(self) -> None:
         seen: dict[tuple[str, int], str] = {}
@@ -155,7 +156,8 @@ def load(package: str | PathLike[str] = BOOK) -> Chapter:
             entries.append(entry)
     if not entries:
         raise DeclarationError(f"{book.__name__} has no statements: none of its SECTIONS declares one")
-    return Chapter(getattr(book, "TITLE", book.__name__), tuple(entries), book.__name__)
+    title, source = getattr(book, "TITLE", book.__name__), getattr(book, "SOURCE", "")
+    return Chapter(title, tuple(entries), book.__name__, source)
 
 
 def _modules(book: ModuleType) -> Iterator[ModuleType]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from chasles.report.findings import Numbers, Pairs, numbers_of, stands_in
+from chasles.report.findings import Numbers, Pairs, numbers_of, slips_in_words, stands_in
 from chasles.report.html.citing import Book, Link
 from chasles.report.html.shown import Badge, RoadView, badge_of
 from chasles.report.html.trusted import Trusted
@@ -37,8 +37,8 @@ class Row:
 class Overview:
     """The totals.
 
-    `wrong` counts what does not stand as printed, `found`, `declared` and `without` how it is repaired; `postulates`
-    are the laws that are assumed.
+    `wrong` counts what is not true as printed, `slips` says whose slips these more likely are, `found`, `declared` and
+    `without` how it is repaired; `postulates` are the laws that are assumed.
     """
 
     numbers: Numbers
@@ -47,6 +47,7 @@ class Overview:
     shares: tuple[Share, ...]
     rows: tuple[Row, ...]
     wrong: int
+    slips: str
     found: int
     declared: int
     without: int
@@ -70,6 +71,7 @@ def overview(book: Book, decided: Pairs, roads: tuple[RoadView, ...], trusted: T
         shares=shares,
         rows=tuple(_row(tally, shares) for tally in sections),
         wrong=len(wrong),
+        slips=slips_in_words(decided),
         found=how.count("repair"),
         declared=how.count("declared"),
         without=how.count("nothing"),

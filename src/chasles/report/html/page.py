@@ -75,6 +75,7 @@ def page(chapter: Chapter, decisions: Decisions, sources: Sources) -> str:
     figures = measured(sources.evidence, {name: kernel.place for name, kernel in kernels.items()})
     values = {
         "title": chapter.title,
+        "source": chapter.source,
         "version": __version__,
         "overview": overview(book, decided, sources.roads, sources.trusted),
         "sections": sections,
