@@ -1,7 +1,7 @@
 """A point that violates what is linear in free symbols is moved to where it does not, as a rule for a rate may demand.
 
 First what is linear in all that may move is made to vanish; then the rest, by moving only what occurs nowhere but
-linearly.
+linearly; at last the rates of hypotheses, one order after the other, by moving what no lower order speaks of.
 """
 
 from __future__ import annotations
@@ -46,7 +46,13 @@ def adjusted(context: Context, point: Point) -> bool:
             _solve(context, point, generators, moving)
             if satisfies(context, point):
                 return True
-    return False
+    moves = _moves(context, free + rates)
+    still = moves.places
+    for order in range(max((g.order for g in context.generators), default=0) + 1):
+        stated = [each for each, g in zip(moves.all, context.generators, strict=True) if g.order == order]
+        _solve(context, point, tuple(stated), still if order else frozenset())
+        still = still.difference(*(slopes for _, slopes in stated))
+    return satisfies(context, point)
 
 
 def _moves(context: Context, places: tuple[int, ...]) -> _Moves:

@@ -11,6 +11,9 @@ from chasles.vocabulary import Contract, Node, Rate, Skew, Symbol, undotted
 
 __all__ = ["bearing", "complete_subjects", "free_symbols", "is_turned"]
 
+Rates = dict[Node, list[tuple[int, set[Symbol]]]]
+"""For each symbol, of which of its rates a rule speaks and by which symbols."""
+
 
 def complete_subjects(problem: Problem, found: Variables) -> None:
     """Where an equation restricts a symbol that occurs, all the symbols of which it speaks occur."""
@@ -32,16 +35,18 @@ def bearing(problem: Problem, found: Variables) -> tuple[Hypothesis, ...]:
         for hypothesis in problem.hypotheses
         if not (hypothesis.equations and any(subject in rules for subject in hypothesis.subjects))
     }
-    rates: dict[Node, set[Symbol]] = {}
+    rates: Rates = {}
     for left, right in rules.items():
         base, order = undotted(left)
         if order:
-            rates[base] = rates.get(base, set()) | free_symbols(right, rules)
+            rates.setdefault(base, []).append((order, free_symbols(right, rules)))
     active: dict[Hypothesis, int] = {}
     changed = True
     while changed:
         occurring = set(found.orders) | set(found.angles)
-        now = {h: _order(found, h, own, rules) for h, own in symbols.items() if _bears_on(own, rates) & occurring}
+        now = {
+            h: _order(found, h, own, rates, rules) for h, own in symbols.items() if _bears_on(own, rates) & occurring
+        }
         changed = now != active
         active = now
         for hypothesis, order in active.items():
@@ -50,18 +55,29 @@ def bearing(problem: Problem, found: Variables) -> tuple[Hypothesis, ...]:
     return tuple(h for h in problem.hypotheses if h in active)
 
 
-def _bears_on(symbols: set[Symbol], rates: Mapping[Node, set[Symbol]]) -> set[Symbol]:
+def _bears_on(symbols: set[Symbol], rates: Rates) -> set[Symbol]:
     """The symbols on which an equation bears that restricts the given ones: those too that make up their rates."""
-    return symbols.union(*(rates[symbol] for symbol in symbols & rates.keys()))
+    while more := {s for symbol in symbols for _, told in rates.get(symbol, ()) for s in told} - symbols:
+        symbols = symbols | more
+    return symbols
 
 
-def _order(found: Variables, hypothesis: Hypothesis, symbols: set[Symbol], rules: Mapping[Node, Node]) -> int:
-    """Up to which rate the equations of a hypothesis say something of use: a rule for a rate asks for it too."""
+def _order(
+    found: Variables, hypothesis: Hypothesis, symbols: set[Symbol], rates: Rates, rules: Mapping[Node, Node]
+) -> int:
+    """Up to which rate the equations of a hypothesis say something of use."""
     if not hypothesis.equations or hypothesis.kind == "given" or is_turned(hypothesis, rules):
         return 0
-    orders = [found.reached.get(symbol, 0) for symbol in symbols]
-    orders += [order for node, order in map(undotted, rules) if node in symbols]
-    return max(orders, default=0)
+    return max((_reached(found, symbol, rates, frozenset()) for symbol in symbols), default=0)
+
+
+def _reached(found: Variables, symbol: Symbol, rates: Rates, through: frozenset[Symbol]) -> int:
+    """Up to which rate a symbol is asked for: by what occurs, by a rule for a rate, and by what that rule speaks of."""
+    reached = found.reached.get(symbol, 0)
+    for order, told in rates.get(symbol, ()):
+        further = (_reached(found, other, rates, through | {symbol}) for other in told - through - {symbol})
+        reached = max(reached, order + max(further, default=0))
+    return reached
 
 
 def is_turned(hypothesis: Hypothesis, rules: Mapping[Node, Node]) -> bool:

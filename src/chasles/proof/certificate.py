@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from math import gcd
 from typing import Any
 
+from chasles.proof.recheck.division import Division, divided, solved_for
 from chasles.proof.recheck.quantities import squeezed
 from chasles.proof.recheck.reading import Reading
-from chasles.proof.recheck.sparse import ONE, ZERO, Polynomial, Rejected, cleared, exponents, number, variable
+from chasles.proof.recheck.sparse import ONE, ZERO, Polynomial, Rejected, cleared, number, variable
 from chasles.proof.recheck.witness import point_of, require
 from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import problems_of_inverse
@@ -21,11 +21,6 @@ from chasles.statements.problem import Standing, default_sides
 from chasles.statements.spins import with_spins
 
 __all__ = ["Rejected", "check"]
-
-Division = tuple[int, Polynomial]
-"""The factors of a term, and what the term equals."""
-MOST_REPLACED = 10**6
-"""So many terms are replaced at most when a polynomial is divided."""
 
 
 def check(
@@ -84,30 +79,9 @@ def _division(reading: Reading, label: str, term: str) -> Division:
     if label not in reading.vanishing:
         raise Rejected(f"the certificate divides by {label!r}, which the statement does not assume")
     (factors,) = _parsed(reading, f"1*{term}").terms
-    terms = reading.vanishing[label].terms
-    if factors not in terms:
+    if factors not in reading.vanishing[label].terms:
         raise Rejected(f"the certificate solves {label!r} for {term}, which does not occur in it")
-    common = gcd(*terms.values())
-    rest = {monomial: -c // common for monomial, c in terms.items() if monomial != factors}
-    return factors, Polynomial(rest, terms[factors] // common)
-
-
-def _divided(polynomial: Polynomial, divisions: list[Division]) -> Polynomial:
-    """What is left when each of the terms is replaced by what it equals, in turn, until none occurs any more."""
-    replaced, before = 0, -1
-    while before < replaced:
-        before = replaced
-        for factors, equal in divisions:
-            guard = sum(128 << 8 * place for place, _ in exponents(factors))
-            # No bit of the guard is borrowed from where the exponents of the factors are not larger.
-            while found := {m for m in polynomial.terms if (m | guard) - factors & guard == guard}:
-                quotient = {monomial - factors: polynomial.terms[monomial] for monomial in found}
-                kept = {monomial: c for monomial, c in polynomial.terms.items() if monomial not in found}
-                polynomial = Polynomial(kept, polynomial.below) + Polynomial(quotient, polynomial.below) * equal
-                replaced += len(found)
-                if replaced > MOST_REPLACED:
-                    raise Rejected("there is no end to the division that the certificate asks for")
-    return polynomial
+    return solved_for(factors, reading.vanishing[label])
 
 
 def _follows(
@@ -120,7 +94,7 @@ def _follows(
             raise Rejected(f"{what} is said to follow from {label!r}, which the statement does not assume")
         occurring |= reading.vanishing[label].places
         total += _parsed(reading, cofactor) * reading.vanishing[label]
-    if _divided(cleared(claim - total * _over(reading, said), reading.atoms)[0], divisions):
+    if divided(cleared(claim - total * _over(reading, said), reading.atoms)[0], divisions):
         raise Rejected(f"{what} does not follow")
     return occurring
 

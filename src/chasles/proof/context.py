@@ -6,33 +6,40 @@ at the witness and at every counterexample.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
-from itertools import chain
 from typing import Any
 
 from chasles.proof.bearing import bearing, complete_subjects, free_symbols, is_turned
 from chasles.proof.completion import Basis, stated
+from chasles.proof.matrices import each
 from chasles.proof.ratios import Field, Ratio
-from chasles.proof.rings import Polynomial, make_ring
+from chasles.proof.rings import Polynomial, Ring, make_ring
 from chasles.proof.scanning import scan
 from chasles.proof.unfold import Matrix, UndeclaredDivisor, Unfolder
-from chasles.proof.variables import Untreatable, Variable, Variables
+from chasles.proof.variables import Unlisted, Untreatable, Variable, Variables
 from chasles.statements import Goal, Hypothesis, Problem
-from chasles.vocabulary import PI, Norm, Rate, Symbol, plain, symbols_of
+from chasles.vocabulary import PI, Norm, Symbol, plain
 
 __all__ = ["Context", "Generator", "build", "describe", "difference", "entries"]
+
+MOST_ORDERS = 8
+"""So often a hypothesis is differentiated at most, to see where its rates say nothing new."""
 
 
 @dataclass(frozen=True, slots=True)
 class Generator:
-    """A polynomial that vanishes, and why: a hypothesis, an identity of cosine and sine, a norm, a condition."""
+    """A polynomial that vanishes, and why: a hypothesis, an identity of cosine and sine, a norm, a condition.
+
+    `order` is how often the hypothesis was differentiated.
+    """
 
     label: str
     polynomial: Polynomial
     hypothesis: Hypothesis | None = None
+    order: int = 0
 
 
 @dataclass(slots=True)
@@ -73,7 +80,7 @@ def build(problem: Problem) -> Context:
     order = "grevlex" if any(h.kind in ("rotation", "half_turn", "orthonormal") for h in active) else "lex"
     unfold, atoms = _door(problem, found, active, order)
     variables, ring = unfold.variables, unfold.field.ring
-    generators = tuple(_generators(unfold, variables, active, found))
+    generators = tuple(_generators(unfold, variables, active))
     basis = stated(ring, tuple(g.polynomial for g in generators), complete=order == "grevlex")
     _refuse_restrictions(problem, active, unfold, basis, found)
     bare = {k for k, v in enumerate(variables) if v.kind == "entry" and v.order == 0 and v.symbol in found.angles}
@@ -163,15 +170,12 @@ def _declare_atoms(
 
 
 def _generators(
-    unfold: Unfolder, variables: tuple[Variable, ...], active: tuple[Hypothesis, ...], found: Variables
+    unfold: Unfolder, variables: tuple[Variable, ...], active: tuple[Hypothesis, ...]
 ) -> Iterator[Generator]:
     ring = unfold.field.ring
     place = {variable.name: k for k, variable in enumerate(variables)}
     for hypothesis in active:
-        still = hypothesis.kind == "given" or is_turned(hypothesis, unfold.rules)
-        symbols = () if still else chain.from_iterable(map(symbols_of, hypothesis.subjects))
-        order = max((found.reached.get(symbol, 0) for symbol in symbols), default=0)
-        yield from _hypothesis_generators(unfold, hypothesis, order)
+        yield from _hypothesis_generators(unfold, hypothesis, 0 if is_turned(hypothesis, unfold.rules) else MOST_ORDERS)
     for variable in variables:
         if variable.kind == "cos":
             name = variable.name.removeprefix("cos")
@@ -189,19 +193,35 @@ def _generators(
                 yield Generator(f"norm {variable.name}", total.numerator)
 
 
-def _hypothesis_generators(unfold: Unfolder, hypothesis: Hypothesis, order: int) -> Iterator[Generator]:
+def _hypothesis_generators(unfold: Unfolder, hypothesis: Hypothesis, most: int) -> Iterator[Generator]:
+    """What its equations say, and their rates, until there is no variable for a rate or they say nothing new."""
     for number, (left, right) in enumerate(hypothesis.equations):
-        for dots in range(order + 1):
-            one, other = left, right
-            for _ in range(dots):
-                one, other = Rate(one), Rate(other)
+        matrix = _minus(unfold(left), unfold(right))
+        known: list[Polynomial] = []
+        for dots in range(most + 1):
             label = hypothesis.text + (f" ({'d' * dots}ot)" if dots else "")
-            seen: list[Polynomial] = []
-            for i, j, entry in entries(_minus(unfold(one), unfold(other))):
+            new: dict[str, Polynomial] = {}
+            for i, j, entry in entries(matrix):
                 numerator = entry.numerator
-                if numerator != 0 and not any(numerator == old or numerator == -old for old in seen):
-                    seen.append(numerator)
-                    yield Generator(f"{label} [{number}: {i + 1}, {j + 1}]", numerator, hypothesis)
+                if numerator != 0 and not any(numerator == old or numerator == -old for old in new.values()):
+                    new[f"{label} [{number}: {i + 1}, {j + 1}]"] = numerator
+            if dots and _follow(unfold.field.ring, new.values(), known):
+                break
+            yield from (Generator(name, polynomial, hypothesis, dots) for name, polynomial in new.items())
+            known += new.values()
+            try:
+                matrix = each(matrix, unfold.rate)
+            except Unlisted:
+                break
+
+
+def _follow(ring: Ring, new: Collection[Polynomial], known: Sequence[Polynomial]) -> bool:
+    """Whether division by what is known leaves nothing of what is new, which speaks of nothing else."""
+    occurring = {k for p in known for exponents, _ in ring.terms(p) for k, power in enumerate(exponents) if power}
+    if any(power and k not in occurring for p in new for exps, _ in ring.terms(p) for k, power in enumerate(exps)):
+        return False
+    basis = stated(ring, tuple(known), complete=False)
+    return all(basis.reduce(polynomial)[1] == 0 for polynomial in new)
 
 
 def _minus(left: Matrix, right: Matrix) -> Matrix:

@@ -12,6 +12,8 @@ from chasles.proof.conditions import Solved
 from chasles.proof.context import Context, entries
 from chasles.proof.evaluation import measured
 from chasles.proof.ratios import Ratio
+from chasles.proof.recheck.sparse import Rejected
+from chasles.proof.refutation import check_counterexample
 from chasles.proof.rings import Polynomial, Ring
 from chasles.proof.values import is_zero, shown
 from chasles.proof.verdict import Counterexample
@@ -39,15 +41,28 @@ class Suspect(Protocol):
 def refute(context: Context, solved: tuple[Solved, ...], suspects: Sequence[Suspect]) -> Counterexample | None:
     """The counterexample that is easiest to evaluate by hand among those that a number of sample points give.
 
-    Points of axes, quarter turns, ones and zeros come first; others are tried if none of these refutes.
+    Points of axes, quarter turns, ones and zeros come first; others are tried if none of these refutes, and then such
+    as give a value to all that occurs. Only what the checker accepts refutes.
     """
     used = _used_by_each(context, solved, suspects)
+    gone = {s.variable for s in solved} | _unmeasured(context)
+    whole = [sorted(v.name for v in context.variables if v.name not in gone)] * len(suspects)
     ratios = solved_ratios(context, solved)
-    for drawn in (points.plain(context, ratios, PLAIN), islice(points.sample(context, ratios), SAMPLES)):
-        found = _easiest(context, suspects, used, drawn)
-        if found is not None:
-            return found
+    for names in (used, whole):
+        for drawn in (points.plain(context, ratios, PLAIN), islice(points.sample(context, ratios), SAMPLES)):
+            for found in _easiest(context, suspects, names, drawn):
+                if _is_accepted(context, found):
+                    return found
     return None
+
+
+def _is_accepted(context: Context, found: Counterexample) -> bool:
+    """Whether the checker, which shares nothing with the search, finds a motion through the point that refutes."""
+    try:
+        check_counterexample(context.problem, found)
+    except Rejected:
+        return False
+    return True
 
 
 def solved_ratios(context: Context, solved: tuple[Solved, ...]) -> dict[str, tuple[Polynomial, Polynomial]]:
@@ -57,8 +72,10 @@ def solved_ratios(context: Context, solved: tuple[Solved, ...]) -> dict[str, tup
 
 def _easiest(
     context: Context, suspects: Sequence[Suspect], used: Sequence[Sequence[str]], drawn: Iterator[points.Point]
-) -> Counterexample | None:
+) -> list[Counterexample]:
+    """Counterexamples, each easier than those that come after it."""
     best: tuple[int, Counterexample] | None = None
+    easier: list[Counterexample] = []
     fruitless = 0
     for point in drawn:
         fruitless += 1
@@ -73,7 +90,8 @@ def _easiest(
                 cost = least + 2 * (len(found.left) + len(found.right))
                 if best is None or cost < best[0]:
                     best, fruitless = (cost, found), 0
-    return best[1] if best else None
+                    easier.insert(0, found)
+    return easier
 
 
 def _refuted(context: Context, entry: Suspect, point: points.Point, names: Sequence[str]) -> Counterexample | None:
@@ -140,9 +158,14 @@ def _used(context: Context, solved: tuple[Solved, ...], suspects: Sequence[Suspe
     places = places.union(*(_places(ring, polynomial) for polynomial in polynomials))
     while more := [tied for tied in ties if tied & places and not tied <= places]:
         places = places.union(*more)
-    multiples = {k for k in context.transcendental if context.pi_measures and context.variables[k].symbol != PI}
-    gone = {s.variable for s in solved} | {context.variables[k].name for k in context.transcendental - multiples}
+    gone = {s.variable for s in solved} | _unmeasured(context)
     return sorted(context.variables[k].name for k in places if context.variables[k].name not in gone)
+
+
+def _unmeasured(context: Context) -> set[str]:
+    """What has no value but itself: pi, and an angle beside its own cosine and sine where pi does not measure it."""
+    multiples = {k for k in context.transcendental if context.pi_measures and context.variables[k].symbol != PI}
+    return {context.variables[k].name for k in context.transcendental - multiples}
 
 
 def _places(ring: Ring, polynomial: Polynomial) -> set[int]:

@@ -11,7 +11,7 @@ from chasles.proof.matrices import Matrix, each, flipped, times
 from chasles.proof.moments import Moments
 from chasles.proof.ratios import Field, Ratio
 from chasles.proof.rings import Polynomial
-from chasles.proof.variables import Untreatable, Variable
+from chasles.proof.variables import Unlisted, Untreatable, Variable
 from chasles.vocabulary import Node, Norm, Rate, plain
 
 
@@ -69,8 +69,10 @@ class Rates:
             if place in self._sought:
                 raise Untreatable(f"the rate of {self.variables[place].name} is said by itself: leave out a rule")
             self._sought.add(place)
-            self._known[place] = self._find(self.variables[place])
-            self._sought.remove(place)
+            try:
+                self._known[place] = self._find(self.variables[place])
+            finally:
+                self._sought.remove(place)
         return self._known[place]
 
     def _find(self, variable: Variable) -> Ratio:
@@ -90,7 +92,7 @@ class Rates:
                 return self.entries(self.rules[node])[variable.row][variable.column]
             rate = self.coordinates.entry(symbol, variable.order + 1, variable.row, variable.column)
             if rate is None:
-                raise Untreatable(f"a condition determines {plain(symbol)}, and speaks of its rate")
+                raise Unlisted(f"a condition determines {plain(symbol)}, and speaks of its rate")
             return rate
         speed = self.entries(Rate(symbol))[0][0] * self.field.constant(self.coordinates.unit(symbol))
         cosine, sine = self.coordinates.circular(symbol)

@@ -11,6 +11,7 @@ from fractions import Fraction
 from math import isqrt
 from typing import Protocol
 
+from chasles.proof.recheck.motion import require_motion
 from chasles.proof.recheck.reading import Reading
 from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected, cleared, product
 from chasles.proof.recheck.witness import Point, point_of, require, value_at
@@ -78,10 +79,11 @@ def _objection(reading: Reading, goal: Goal, shown: Shown) -> str:
     if not (1 <= row <= rows and 1 <= column <= columns):
         return f"the equation has no entry {row}, {column}"
     sides = [reading(side)[row - 1][column - 1] for side in (goal.left, goal.right)]
-    relevant = _connected(reading, sides[0].places | sides[1].places)
+    relevant = _bound(reading, sides[0].places | sides[1].places)
     try:
         point = _completed(reading, shown.at, relevant)
         require(reading, point, relevant)
+        require_motion(reading, point)
         left, right = (_quotient(reading, side, point) for side in sides)
     except Rejected as error:
         return str(error)
@@ -93,14 +95,10 @@ def _objection(reading: Reading, goal: Goal, shown: Shown) -> str:
     return ""
 
 
-def _connected(reading: Reading, places: set[int]) -> set[int]:
-    """The variables on which the sides, the conditions and all hypotheses on these variables depend."""
-    relevant = places.union(*(condition.places for condition in reading.conditions))
-    relevant = relevant.union(*(reading.atoms[k].places for k in relevant if k < len(reading.atoms)))
-    known = [polynomial.places for polynomial in (*reading.vanishing.values(), *reading.atoms)]
-    while more := [places for places in known if places & relevant and not places <= relevant]:
-        relevant = relevant.union(*more)
-    return {place for place in relevant if place >= len(reading.atoms)}
+def _bound(reading: Reading, places: set[int]) -> set[int]:
+    """The variables in these places, and all those of which anything is assumed."""
+    assumed = (*reading.vanishing.values(), *reading.atoms, *(positive for _, positive in reading.positive))
+    return {place for place in places.union(*(p.places for p in assumed)) if place >= len(reading.atoms)}
 
 
 def _completed(reading: Reading, at: Mapping[str, Fraction], relevant: set[int]) -> Point:
@@ -131,6 +129,8 @@ def _choose(reading: Reading, point: Point, relevant: set[int]) -> None:
     for place, (kind, *what) in enumerate(reading.variables):
         if kind == "norm" and place in point:
             wanted.append(((what[0],), (point[place][0], *[0] * (what[0].shape[0] - 1))))
+        elif kind == "cos" and point.keys().isdisjoint((reading.places.get(what[0].name), place, place + 1)):
+            point |= {place: (Fraction(1), 0), place + 1: (Fraction(0), 0)}
     for subjects, numbers in wanted:
         entries = [entry for subject in subjects for row in reading(subject) for entry in row]
         places = [place for entry in entries for place in entry.places]

@@ -54,9 +54,8 @@ def scan(found: Variables, node: Node, order: int, rules: Mapping[Node, Node]) -
             scan(found, numerator, order, rules)
             _scan_divisor(found, denominator, order, rules)
         case At(of, argument):
-            found.instants.add(argument)
-            if len(found.instants) > 1:
-                raise Untreatable(f"{plain(node)}: one instant is treated, and there are {sorted(found.instants)}")
+            if argument != "t":
+                raise Untreatable(f"{plain(node)} is of another instant than t: declare it as a constant of its own")
             scan(found, of, order, rules)
         case Norm(of):
             scan(found, of, order, rules)

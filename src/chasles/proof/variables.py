@@ -25,6 +25,7 @@ from chasles.vocabulary import (
 
 __all__ = [
     "Factors",
+    "Unlisted",
     "Untreatable",
     "Variable",
     "Variables",
@@ -41,6 +42,10 @@ Factors = tuple[tuple[str, int], ...]
 
 class Untreatable(ValueError):
     """An expression that the decision procedure does not treat; the message names it."""
+
+
+class Unlisted(Untreatable):
+    """A rate for which a problem has no variable."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +79,6 @@ class Variables:
     angles: dict[Symbol, Fraction] = field(default_factory=dict)
     angle_orders: dict[Symbol, int] = field(default_factory=dict)
     norms: dict[Node, None] = field(default_factory=dict)
-    instants: set[str] = field(default_factory=set)
     running: frozenset[Symbol] = frozenset()
     densities: frozenset[str] = frozenset()
     body: str | None = None
@@ -144,7 +148,7 @@ def _linear(node: Node, scale: Fraction, rules: Mapping[Node, Node]) -> Iterator
     match node:
         case _ if node in rules:
             yield from _linear(rules[node], scale, rules)
-        case Symbol(stands_for=Node() as of) | At(of):
+        case Symbol(stands_for=Node() as of) | At(of, "t"):
             yield from _linear(of, scale, rules)
         case Symbol():
             yield node, scale
@@ -159,5 +163,7 @@ def _linear(node: Node, scale: Fraction, rules: Mapping[Node, Node]) -> Iterator
             yield from _linear(term, scale * value, rules)
         case Quotient(numerator, Number(value)):
             yield from _linear(numerator, scale / value, rules)
+        case At():
+            raise Untreatable(f"{plain(node)} is of another instant than t: declare it as a constant of its own")
         case _:
             raise Untreatable(f"{plain(node)} is no angle: an angle is a sum of rational multiples of symbols")

@@ -56,7 +56,7 @@ def _multiples(node: Node) -> Multiples | None:
 
 def _linear(node: Node, scale: Fraction) -> Iterator[tuple[Symbol, Fraction] | None]:
     match node:
-        case Symbol(stands_for=Node() as of) | At(of) | Group(of):
+        case Symbol(stands_for=Node() as of) | At(of, "t") | Group(of):
             yield from _linear(of, scale)
         case Symbol():
             yield node, scale

@@ -67,7 +67,7 @@ class Lengths:
 
     def _length(self, of: Node) -> Node:
         match of:
-            case Group(inner) | Negative(inner) | At(inner):
+            case Group(inner) | Negative(inner) | At(inner, "t"):
                 return self._length(inner)
             case Scale(Number(value), inner):
                 return Scale(Number(abs(value)), self._length(inner))

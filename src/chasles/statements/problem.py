@@ -14,7 +14,7 @@ from chasles.statements.forms import Definite, OnlyWhere
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.inverses import Inverses, reached
 from chasles.statements.lengths import Lengths
-from chasles.statements.rules import refuse_circles
+from chasles.statements.rules import behind, passed_on, rated, refuse_circles
 from chasles.statements.squares import relied_on
 from chasles.statements.statement import Claim, Condition, Definition, Equation, Statement, Theorem, bare, is_rule
 from chasles.statements.varied import demands, visible
@@ -25,7 +25,6 @@ from chasles.vocabulary import (
     Misfit,
     Negative,
     Node,
-    Rate,
     Sum,
     Symbol,
     column,
@@ -112,7 +111,7 @@ def problem_of(statement: Decidable, form: str = "printed", standing: Standing =
                 f"({statement.number}) is given ({given.number}), whose left side {left} is no symbol: "
                 "state it as a Condition on what it determines"
             )
-    rules += _angle_rules(statement, form, rules, conditions, unknowns)
+    rules = passed_on([*rules, *_angle_rules(statement, form, rules, conditions, unknowns)])
     refuse_circles(statement.number, rules, unknowns)
     hypotheses = tuple(dict.fromkeys((*_hypotheses(statement), *_agreeing(dict(rules)))))
     problem = Problem((), tuple(rules), tuple(conditions), tuple(unknowns), hypotheses)
@@ -198,13 +197,9 @@ def _presupposed(statement: Theorem, problem: Problem) -> Iterator[Hypothesis]:
 def _agreeing(rules: Mapping[Node, Node]) -> Iterator[Hypothesis]:
     """Where both a quantity and its rate are given, the rate of what is given for the other."""
     for left, right in rules.items():
-        base, dots = left, 0
-        while isinstance(base, Rate) and (not dots or base not in rules):
-            base, dots = base.of, dots + 1
+        base, dots = behind(left, rules)
         if dots and base in rules:
-            rate = rules[base]
-            for _ in range(dots):
-                rate = Rate(rate)
+            rate = rated(rules[base], dots)
             text = f"{plain(left)} is the rate of {plain(base)}"
             yield Hypothesis("given", (Sum((rate, Negative(right))),), ((rate, right),), (), "", text)
 

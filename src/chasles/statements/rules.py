@@ -7,7 +7,33 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from chasles.statements.statement import Equation
 from chasles.vocabulary import Node, Rate, Symbol, children, walk
 
-__all__ = ["refuse_circles"]
+__all__ = ["behind", "passed_on", "rated", "refuse_circles"]
+
+
+def passed_on(rules: Sequence[Equation]) -> list[Equation]:
+    """What is given for the rate of a quantity is given for the rate of the symbol that the quantity is."""
+    table = dict(rules)
+    passed: list[Equation] = []
+    for left, right in rules:
+        base, dots = behind(left, table)
+        symbol = table.get(base)
+        on = dots and isinstance(symbol, Symbol) and symbol.stands_for is None and not symbol.constant
+        other = rated(symbol, dots) if on and symbol is not None and symbol not in table else left
+        passed.append((left if other in {*table, *dict(passed)} else other, right))
+    return passed
+
+
+def behind(left: Node, rules: Mapping[Node, Node]) -> tuple[Node, int]:
+    """The quantity of whose rate a rule speaks, of a lower rate if a rule says that too; and how often it is dotted."""
+    base, dots = left, 0
+    while isinstance(base, Rate) and (not dots or base not in rules):
+        base, dots = base.of, dots + 1
+    return base, dots
+
+
+def rated(node: Node, dots: int) -> Node:
+    """The rate of a quantity, of so many dots."""
+    return rated(Rate(node), dots - 1) if dots else node
 
 
 def refuse_circles(number: str, rules: Sequence[Equation], unknowns: Collection[Symbol]) -> None:

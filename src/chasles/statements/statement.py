@@ -195,7 +195,7 @@ class Theorem(Declared, Displayed):
 def bare(node: Node) -> Node:
     """The quantity without the argument or the brackets with which it is printed: p for p(t), also under a rate."""
     match node:
-        case At(of) | Group(of):
+        case At(of, "t") | Group(of):
             return bare(of)
         case Rate(of):
             return Rate(bare(of))

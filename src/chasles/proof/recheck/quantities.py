@@ -42,9 +42,9 @@ class Quantities:
 
     def _entries(self, node: w.Node) -> Matrix:
         match node:
-            case w.Symbol(stands_for=w.Node() as of) | w.At(of) | w.Group(of):
+            case w.Symbol(stands_for=w.Node() as of) | w.At(of, "t") | w.Group(of):
                 return self(of)
-            case w.Rate(w.At(of) | w.Group(of)):
+            case w.Rate(w.At(of, "t") | w.Group(of)):
                 return self(w.Rate(of))
             case w.Symbol() | w.Rate():
                 return self._symbol(node)
@@ -215,7 +215,7 @@ class Quantities:
         match self.rules.get(node, node):
             case w.Negative(term):
                 return -self.inverse(term)
-            case w.Group(of) | w.At(of):
+            case w.Group(of) | w.At(of, "t"):
                 return self.inverse(of)
             case w.Scale(factor, term):
                 return self.inverse(factor) * self.inverse(term)

@@ -6,16 +6,44 @@ What a hypothesis declares nonzero has its inverse as a variable, so that every 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
 from fractions import Fraction
 
 from chasles import vocabulary as w
+from chasles.proof.recheck.division import Division, divided, solved_for
 from chasles.proof.recheck.expansion import determinant
 from chasles.proof.recheck.quantities import Quantities
-from chasles.proof.recheck.sparse import Polynomial, cleared, product
+from chasles.proof.recheck.sparse import Polynomial, Rejected, cleared, product
 from chasles.statements import Hypothesis, Problem
 
 __all__ = ["Reading"]
+
+MOST_ORDERS = 8
+"""So often what is assumed is differentiated at most, to see where its rates say nothing new."""
+PROPER_ORTHOGONAL = ("rotation", "orthonormal")
+"""Of these six of 27 equations, on and above the diagonal of the first, say all near where they all hold."""
+REPEATING = ("symmetric", "definite")
+"""What these say of an entry above the diagonal they repeat below it."""
+
+
+@dataclass(slots=True)
+class Said:
+    """A polynomial that is zero and why; whether it `counts`, or follows near the point from others that do.
+
+    What says nothing new is a combination of what was said before, and so are all its rates.
+    """
+
+    label: str
+    place: str
+    polynomial: Polynomial
+    counts: bool = True
+    is_new: bool = True
+
+    @property
+    def ties(self) -> bool:
+        """Whether something new is said of rates."""
+        return self.counts and self.is_new
 
 
 class Reading(Quantities):
@@ -32,6 +60,9 @@ class Reading(Quantities):
         self.problem = problem
         self.conditions: list[Polynomial] = []
         self.positive: list[tuple[str, Polynomial]] = []
+        self.ahead: list[Polynomial] = []
+        self.unclosed: list[str] = []
+        self.highest = 0
         divisors = [(h, node) for h in problem.hypotheses for node in h.nonvanishing]
         for place, (hypothesis, _) in enumerate(divisors):
             self.variable(f"{place + 1}. {hypothesis.text}", "inverse", place)
@@ -40,8 +71,7 @@ class Reading(Quantities):
             self._positive(hypothesis)
         for goal in problem.goals:
             self.difference(goal.left, goal.right)
-        self._conditions()
-        self._hypotheses()
+        self._close([*self._conditions(), *self._hypotheses()])
 
     def _positive(self, hypothesis: Hypothesis) -> None:
         """What is greater than zero: a positive scalar, the leading minors of a positive-definite matrix."""
@@ -50,35 +80,68 @@ class Reading(Quantities):
             minor, below = cleared(determinant([row[:size] for row in entries[:size]]), self.atoms)
             self.positive.append((hypothesis.text, minor * product(self.atoms, below)))
 
-    def _conditions(self) -> None:
-        """What the conditions say, and its rates up to the highest order of an unknown that occurs."""
-        orders = [what[2] for what in self.variables if what[0] == "entry" and what[1] in self.problem.unknowns]
+    def _conditions(self) -> Iterator[Said]:
         for goal in self.problem.conditions:
             for i, j, entry in self.difference(goal.left, goal.right):
                 if entry:
                     self.conditions.append(cleared(entry, self.atoms)[0])
-                    label = f"{len(self.conditions)}. {goal.label}"
-                    self._always_zero(entry, max(orders, default=0), label, f"[{i + 1}, {j + 1}]")
+                    yield Said(f"{len(self.conditions)}. {goal.label}", f"[{i + 1}, {j + 1}]", entry)
 
-    def _hypotheses(self) -> None:
-        """What the hypotheses say, and its rates up to the highest order that occurs, or of which a rule speaks."""
-        highest = max((what[2] for what in self.variables if what[0] == "entry"), default=0)
-        ruled = {of: order for of, order in map(w.undotted, self.rules) if order}
+    def _hypotheses(self) -> Iterator[Said]:
         for hypothesis in self.problem.hypotheses:
             for place, (left, right) in enumerate(hypothesis.equations):
-                entries = self.difference(left, right)
-                symbols = {self.variables[k][1] for _, _, entry in entries for k in entry.places}
-                last = max(highest, *(ruled[symbol] for symbol in symbols & ruled.keys()), 0)
-                for i, j, entry in entries:
-                    order = 0 if hypothesis.kind == "given" else last
-                    self._always_zero(entry, order, hypothesis.text, f"[{place}: {i + 1}, {j + 1}]")
+                for i, j, entry in self.difference(left, right):
+                    counts = i < j or hypothesis.kind not in REPEATING
+                    if hypothesis.kind in PROPER_ORTHOGONAL:
+                        counts = place == 0 and i <= j
+                    yield Said(hypothesis.text, f"[{place}: {i + 1}, {j + 1}]", entry, counts)
 
-    def _always_zero(self, polynomial: Polynomial, last: int, label: str, place: str) -> None:
-        """From here on, this is zero and so are its rates, up to the last order."""
-        for order in range(last + 1):
-            polynomial = self.rate(polynomial) if order else polynomial
+    def _open_rules(self) -> bool:
+        """Read what rules say of rates of all that occurs; whether anything that occurs moves."""
+        rates = {left: right for left, right in self.rules.items() if isinstance(left, w.Rate)}
+        moves = any(what[0] == "entry" and what[2] for what in self.variables)
+        while found := [left for left in rates if w.undotted(left)[0] in {what[1] for what in self.variables}]:
+            for left in found:
+                self(rates.pop(left))
+            moves = True
+        return moves
+
+    def _close(self, said: list[Said]) -> None:
+        """All that is said is zero from here on, and so are its rates, until they say nothing new or are of new rates.
+
+        What then is `ahead` determines the new rates; of what is `unclosed` it was not found out where it ends.
+        """
+        moves = self._open_rules()
+        self.highest = max((what[2] for what in self.variables if what[0] == "entry"), default=0)
+        known: list[Division] = []
+        for order in range(MOST_ORDERS + 1):
             dots = f" ({'d' * order}ot)" if order else ""
-            self.vanish(f"{label}{dots} {place}", polynomial)
+            for each in said:
+                polynomial = cleared(each.polynomial, self.atoms)[0]
+                self.vanish(f"{each.label}{dots} {each.place}", polynomial)
+                if moves and (each.counts or order > self.highest):
+                    each.is_new = each.is_new and bool(divided(polynomial, known))
+                if moves and polynomial:
+                    known.append(solved_for(max(polynomial.terms), polynomial))
+            said = [each for each in said if moves and self._derived(each, order)]
+        self.unclosed += [each.label for each in said if each.ties]
+
+    def _derived(self, said: Said, order: int) -> bool:
+        """Whether the rate of what is said is to be zero too, which takes its place."""
+        try:
+            said.polynomial = self.rate(said.polynomial)
+        except Rejected:
+            self.unclosed += [said.label] if said.ties else []
+            return False
+        if not said.polynomial or not (said.is_new or order < self.highest):
+            return False
+        kinds = [self.variables[place] for place in said.polynomial.places]
+        if said.ties and any(kind == "moment" for kind, *_ in kinds):
+            self.unclosed.append(said.label)
+        is_ahead = any(what[0] == "entry" and what[2] > self.highest for what in kinds)
+        if is_ahead and said.ties:
+            self.ahead.append(cleared(said.polynomial, self.atoms)[0])
+        return not is_ahead
 
     def settle(self, values: Mapping[int, Polynomial]) -> None:
         """From here on, these variables have these values."""
