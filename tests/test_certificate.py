@@ -272,7 +272,7 @@ def test_the_witness_satisfies_what_is_divided_by() -> None:
 def test_a_division_without_end_is_refused() -> None:
     labels = ("e is perpendicular to f [0: 1, 1]", "f is perpendicular to e [0: 1, 1]")
     circular = [[label, term] for label, term in zip(labels, ("e_3*f_3", "e_1*f_1"), strict=True)]
-    third = matrix(*([number(int(i == j == 2)) for j in range(3)] for i in range(3)))
+    third = matrix(*(tuple(number(int(i == j == 2)) for j in range(3)) for i in range(3)))
     turning = claim("0.0", dot(e, third @ f), zero, perpendicular(e, f), perpendicular(f, e))
     for division, reason in ((circular[:1], "does not follow"), (circular, "there is no end to the division")):
         with pytest.raises(Rejected, match=reason):
@@ -310,7 +310,7 @@ def and_more(goal: Goal, row: int, column: int) -> Node:
     rows, columns = goal.left.shape
     dimension = measured(goal.left).grid[row][column]
     more = scalar("more", "more", "something more", dimension)
-    ones = [[number(int((i, j) == (row, column))) for j in range(columns)] for i in range(rows)]
+    ones = [tuple(number(int((i, j) == (row, column))) for j in range(columns)) for i in range(rows)]
     return Sum((goal.right, more if goal.left.is_scalar else Scale(more, matrix(*ones))))
 
 
