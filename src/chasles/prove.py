@@ -82,9 +82,19 @@ class _Entry:
 
 def _answered(question: Question) -> Verdict:
     """The verdict; what algebra leaves open may fail at a point where both sides are bounded."""
+    sampling = question.sampling
+    found = sampling.counterexample(few=True) if sampling and question.formal else None
+    if found:
+        return Fails(found)
     verdict = question.answered(_decided(question))
-    found = question.sampling.counterexample() if question.sampling and isinstance(verdict, Undecided) else None
-    return Fails(found) if found else verdict
+    if sampling and isinstance(verdict, Undecided):
+        found = sampling.counterexample()
+        return Fails(found) if found else verdict
+    if sampling and question.formal and isinstance(verdict, Holds | HoldsUnder):
+        point = sampling.point()
+        nowhere = Undecided("it follows from what is given, but no point was found that satisfies all of it")
+        return nowhere if point is None else replace(verdict, witness=point)
+    return verdict
 
 
 def _decided(question: Question) -> Verdict:

@@ -8,8 +8,11 @@ from typing import Any
 
 import sympy
 
+from chasles.proof.from_sympy.arcs import turned
+from chasles.proof.from_sympy.atoms import Atoms
 from chasles.proof.from_sympy.complexes import Parts
 from chasles.proof.from_sympy.divisors import divisor_of
+from chasles.proof.from_sympy.elementary import Elementary
 from chasles.proof.from_sympy.given import Equations, Given, collected, impossible, orders_of
 from chasles.proof.from_sympy.opening import Entries, opened
 from chasles.proof.from_sympy.question import Question, matrix_of
@@ -41,11 +44,31 @@ def ask(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> Question | IllFormed | 
     false = impossible(conditions, declared)
     if false:
         return Contradictory((false,))
-    question = _Asking(conditions, expressions, len(declared), left.shape).question()
+    derived = [pair for item in conditions.equations if item.derived for pair in item.pairs]
+    elementary = Elementary()
+    expressions = _rewritten(elementary, expressions, conditions)
+    first, size = len(declared), left.shape[0] * left.shape[1]
+    for k in range(first, first + size):
+        expressions[k], expressions[k + size] = turned(expressions[k], expressions[k + size], elementary.arcs)
+    question = _Asking(conditions, expressions, len(declared), left.shape, elementary).question()
     question.search.rows = rows if left.shape[0] > rows else None
     still = not any(orders_of(pair) for pair in conditions.stated)
-    question.sampling = Sampling(left, right, rows, conditions.stated, declared, tuple(parts.met), still)
+    question.sampling = Sampling(left, right, rows, [*conditions.stated, *derived], declared, tuple(parts.met), still)
     return question
+
+
+def _rewritten(elementary: Elementary, expressions: list[Any], given: Given) -> list[Any]:
+    """Everything in variables that stand for exponentials and logarithms, and what roots of higher order satisfy."""
+    pairs = [pair for item in given.equations for pair in item.pairs]
+    found = elementary([*expressions, *(side for pair in pairs for side in pair)])
+    named = Atoms()
+    for atom in elementary.atoms:
+        named.word(atom)
+    sides = iter(found[len(expressions) :])
+    for item in given.equations:
+        item.pairs = [(next(sides), next(sides)) for _ in item.pairs]
+    given.equations += [Equations(f"{a} = {b}", [(a, b)], ()) for a, b in elementary.equations]
+    return [*found[: len(expressions)], *elementary.defined]
 
 
 def _flat(entries: Entries) -> list[Any]:
@@ -55,7 +78,10 @@ def _flat(entries: Entries) -> list[Any]:
 class _Asking:
     """Reads everything that belongs to a question in one go, and puts it together."""
 
-    def __init__(self, given: Given, expressions: list[Any], declared: int, shape: tuple[int, int]) -> None:
+    def __init__(
+        self, given: Given, expressions: list[Any], declared: int, shape: tuple[int, int], elementary: Elementary
+    ) -> None:
+        self.elementary = elementary
         self.reader = reader = Reader(READINGS)
         self.given = given
         for expression in expressions[:declared]:
@@ -79,16 +105,20 @@ class _Asking:
         hypotheses = dict.fromkeys((*self._ranking(), *reversed(roots.hypotheses), *equations, *divisors.values()))
         evident = [divisor.text for divisor in reader.divisors.values() if divisor.evident]
         met = [divisor.text for node, divisor in reader.divisors.items() if node in self.met]
+        higher = [item.text for item in self.given.equations if not item.sources]
+        search = search_for(reader, self.given)
+        search.blind = search.blind or bool(self.elementary.origins)
         return Question(
             problem=Problem((self.goal,), roots.rules, (), words, tuple(hypotheses)),
             own=(*equations, *(divisors[node] for node in divisors if node in self.declared)),
-            search=search_for(reader, self.given),
-            needs=(*(text for text, _, _ in self.given.substitutions), *met, *roots.domains),
-            hidden=frozenset((*evident, *(h.text for h in roots.hypotheses))),
-            sources={item.text: item.sources for item in self.given.equations},
+            search=search,
+            needs=(*(text for text, _, _ in self.given.substitutions), *self.elementary.needs, *met, *roots.domains),
+            hidden=frozenset((*evident, *higher, *(h.text for h in roots.hypotheses))),
+            sources={item.text: item.sources for item in self.given.equations if item.sources},
             origins=reader.atoms.origins,
             roots=frozenset((*words, *(root.word for root in reader.roots.values()))),
             substituted=tuple((atom, value) for _, atom, value in self.given.substitutions),
+            formal=bool(self.elementary.origins),
         )
 
     def _ranking(self) -> Iterator[Hypothesis]:

@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy
 
-from chasles.proof.from_sympy.opening import is_atom
+from chasles.proof.from_sympy.opening import Signed, Word, is_atom
 
 __all__ = ["CIRCULAR", "Divisor", "divides", "divisor_of", "in_sines", "is_reciprocal"]
 
@@ -28,7 +28,8 @@ class Divisor:
 
 def divisor_of(expression: Any) -> Divisor:
     """What is said of a divisor: of a positive symbol that it is positive; nothing of a number."""
-    evident = not expression.free_symbols or bool(expression.is_nonzero and not is_atom(expression))
+    named = is_atom(expression) and not (isinstance(expression, Word) and not isinstance(expression, Signed))
+    evident = not expression.free_symbols or bool(expression.is_nonzero and not named)
     return Divisor(f"{expression} {'> 0' if expression.is_positive else '!= 0'}", evident)
 
 

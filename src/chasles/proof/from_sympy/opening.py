@@ -14,9 +14,17 @@ from sympy.matrices import MatrixBase, MatrixExpr
 from chasles.proof.from_sympy.unevaluated import explicit, written_out
 from chasles.proof.variables import Untreatable
 
-__all__ = ["Entries", "excerpt", "is_atom", "opened", "sides"]
+__all__ = ["Entries", "Signed", "Word", "excerpt", "is_atom", "opened", "sides"]
 
 LONGEST_EXCERPT = 80
+
+
+class Word(sympy.Symbol):  # type: ignore[misc]
+    """The variable that stands for a function's value; its name is that value in SymPy's spelling."""
+
+
+class Signed(Word):
+    """The variable for what is positive only where the question is meant."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -27,7 +27,8 @@ class Question:
 
     `needs` are reported whatever the proof uses: divisors, the domains of roots, substituted angles. `hidden` texts are
     true by themselves. `sources` give the texts of what the user said for that of what follows from it, `origins` what
-    each word stands for; `roots` follow from the other coordinates of a point, and so do the atoms `substituted`.
+    each word stands for; `roots` follow from the other coordinates of a point, and so do the atoms `substituted`. If it
+    is `formal`, words stand for values of functions: a point of the problem need not be one of the question.
     """
 
     problem: Problem
@@ -40,6 +41,7 @@ class Question:
     roots: frozenset[Symbol]
     substituted: tuple[tuple[Any, Any], ...]
     sampling: Sampling | None = None
+    formal: bool = False
 
     def variants(self) -> Iterator[Problem]:
         """Problems that say the same, and may be easier to prove.
@@ -68,7 +70,7 @@ class Question:
         match verdict:
             case Holds() | HoldsUnder():
                 needs = tuple(text for text in self._said((*self.needs, *verdict.needs)) if text not in self.hidden)
-                unused = tuple(text for text in self._said(verdict.unused) if text not in needs)
+                unused = tuple(text for text in self._said(verdict.unused) if text not in (*needs, *self.hidden))
                 certificate = {
                     **verdict.certificate,
                     "names": self._names(),

@@ -33,7 +33,7 @@ class Sampling:
     """Both sides, what is given to be equal and not to vanish, and the expressions that have to be defined.
 
     If the sides have more than `rows` rows, those below are imaginary parts. `still` says that no functions of time are
-    given, so that every value at an instant is possible.
+    given, so that every value at an instant is possible: else nothing is refuted.
     """
 
     left: Entries
@@ -48,7 +48,7 @@ class Sampling:
     def counterexample(self, few: bool = False) -> Counterexample | None:
         """A point at which an entry of the two sides differs; None if none was found."""
         sides = [[[self._named(entry) for entry in row] for row in side.rows] for side in (self.left, self.right)]
-        for enclosures in self._points(*(FEW if few else MANY)):
+        for enclosures in self._points(*(FEW if few else MANY)) if self.still else ():
             for i, (one, other) in enumerate(zip(*sides, strict=True)):
                 for j, (a, b) in enumerate(zip(one, other, strict=True)):
                     try:
@@ -64,8 +64,6 @@ class Sampling:
         return None if found is None else self._coordinates(found)
 
     def _points(self, enough: int, attempts: int) -> Iterator[Enclosures]:
-        if not self.still:
-            return
         sides = [entry for side in (self.left, self.right) for row in side.rows for entry in row]
         given = [(self._named(one), self._named(other)) for one, other in self.given]
         nonzero = [self._named(e) for e in self.nonzero]
