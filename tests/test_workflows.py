@@ -105,3 +105,16 @@ def test_as_many_wheels_are_counted_as_there_are_systems() -> None:
     systems = wheels["compiled"]["strategy"]["matrix"]["os"]
     counted = wheels["all"]["steps"][-1]["run"]
     assert re.findall(r"-eq (\d+)", counted) == [str(len(systems)), str(len(systems)), "2"]
+
+
+@pytest.mark.parametrize(
+    "form", sorted((ROOT / ".github" / "ISSUE_TEMPLATE").glob("*.yml")), ids=lambda path: path.stem
+)
+def test_an_issue_form_asks_for_what_it_takes(form: Path) -> None:
+    said = yaml.safe_load(form.read_text("utf-8"))
+    assert said["name"]
+    assert said["description"]
+    asked = {field["id"]: field for field in said["body"]}
+    assert len(asked) == len(said["body"]) >= 2
+    assert all(field["attributes"]["label"] for field in asked.values())
+    assert any(field.get("validations", {}).get("required") for field in asked.values())
