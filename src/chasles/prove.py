@@ -11,6 +11,7 @@ from chasles.proof.context import build
 from chasles.proof.deadline import OutOfTime, remaining, within
 from chasles.proof.decide import decide_problem
 from chasles.proof.from_sympy import Question, ask
+from chasles.proof.from_sympy.contradiction import contradiction
 from chasles.proof.from_sympy.decimals import as_decimals
 from chasles.proof.root_sums import exact as number
 from chasles.proof.variables import Untreatable
@@ -99,6 +100,9 @@ def _answered(question: Question) -> Verdict:
 
 def _decided(question: Question) -> Verdict:
     """The verdict; where it is open, a variant of the question may do."""
+    evident = contradiction(question, effort=0)
+    if evident is not None:
+        return evident
     try:
         verdict = decide_problem(question.problem, question.own, search=question.search)
     except OutOfTime:
@@ -107,6 +111,9 @@ def _decided(question: Question) -> Verdict:
         return _refuted(question)
     found: tuple[int, Verdict] = 0, verdict
     if isinstance(verdict, Undecided):
+        impossible = contradiction(question)
+        if impossible is not None:
+            return impossible
         blind = replace(question.search, blind=True)
         for number, problem in enumerate(question.variants(), 1):
             again = decide_problem(problem, question.own, search=blind)

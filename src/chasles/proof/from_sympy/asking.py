@@ -11,10 +11,10 @@ import sympy
 from chasles.proof.from_sympy.arcs import turned
 from chasles.proof.from_sympy.atoms import Atoms
 from chasles.proof.from_sympy.complexes import Parts
-from chasles.proof.from_sympy.divisors import divisor_of
+from chasles.proof.from_sympy.divisors import Divisor, divisor_of
 from chasles.proof.from_sympy.elementary import Elementary
-from chasles.proof.from_sympy.given import Equations, Given, collected, impossible, orders_of
-from chasles.proof.from_sympy.opening import Entries, opened
+from chasles.proof.from_sympy.given import Equations, Given, collected, evident, impossible, orders_of
+from chasles.proof.from_sympy.opening import Entries, is_atom, opened
 from chasles.proof.from_sympy.question import Question, matrix_of
 from chasles.proof.from_sympy.reader import Reader
 from chasles.proof.from_sympy.readings import READINGS
@@ -93,6 +93,8 @@ class _Asking:
         size = shape[0] * shape[1]
         self.goal = Goal("", matrix_of(nodes[:size], shape), matrix_of(nodes[size : 2 * size], shape))
         self.equations = [self._hypothesis(item) for item in given.equations]
+        for divisor in evident(given, expressions[declared : declared + 2 * size] if size == 1 else ()):
+            reader.declare(reader(divisor), Divisor(divisor_of(divisor).text, not is_atom(divisor)))
 
     def question(self) -> Question:
         """All that was read, as a problem, with what to say of it."""
@@ -103,17 +105,21 @@ class _Asking:
         # Variables rank as they are met: a root above what is under it, so that its square is what leads.
         equations = [_with(hypothesis, dict(roots.rules)) for hypothesis in self.equations]
         hypotheses = dict.fromkeys((*self._ranking(), *reversed(roots.hypotheses), *equations, *divisors.values()))
-        evident = [divisor.text for divisor in reader.divisors.values() if divisor.evident]
+        unsaid = [divisor.text for divisor in reader.divisors.values() if divisor.evident]
         met = [divisor.text for node, divisor in reader.divisors.items() if node in self.met]
         higher = [item.text for item in self.given.equations if not item.sources]
         search = search_for(reader, self.given)
         search.blind = search.blind or bool(self.elementary.origins)
         return Question(
             problem=Problem((self.goal,), roots.rules, (), words, tuple(hypotheses)),
-            own=(*equations, *(divisors[node] for node in divisors if node in self.declared)),
+            own=(
+                *(h for h, item in zip(equations, self.given.equations, strict=True) if item.sources),
+                *(divisors[node] for node in divisors if node in self.declared),
+            ),
             search=search,
             needs=(*(text for text, _, _ in self.given.substitutions), *self.elementary.needs, *met, *roots.domains),
-            hidden=frozenset((*evident, *higher, *(h.text for h in roots.hypotheses))),
+            hidden=frozenset((*unsaid, *higher, *(h.text for h in roots.hypotheses))),
+            assumed=frozenset(item.text for item in self.given.equations if item.assumed),
             sources={item.text: item.sources for item in self.given.equations if item.sources},
             origins=reader.atoms.origins,
             roots=frozenset((*words, *(root.word for root in reader.roots.values()))),

@@ -12,11 +12,11 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
-from chasles.proof.from_sympy.opening import excerpt
+from chasles.proof.from_sympy.opening import excerpt, is_atom
 from chasles.proof.variables import Untreatable
 from chasles.vocabulary import PI, Symbol, scalar
 
-__all__ = ["ASSUMPTIONS", "Atoms"]
+__all__ = ["ASSUMPTIONS", "Atoms", "nonzero_by_sign", "real_copy"]
 
 # What SymPy may know of a quantity that its values at a point have to respect.
 ASSUMPTIONS = (
@@ -87,3 +87,21 @@ def _stem(atom: Any) -> str:
             return f"{stem}_{'d' * len(atom.variables)}ot"
         return "_".join([stem, *map(str, atom.variables)])
     return str(atom.func.__name__) if isinstance(atom, AppliedUndef) else str(atom)
+
+
+def real_copy(expression: Any) -> Any:
+    """The expression with every atom a real symbol of which SymPy assumes the same."""
+    copies: dict[Any, Any] = {}
+    walk = sympy.preorder_traversal(expression)
+    for part in walk:
+        if is_atom(part):
+            walk.skip()
+            known = {key: is_so for key in ASSUMPTIONS if (is_so := getattr(part, f"is_{key}")) is not None}
+            copies.setdefault(part, sympy.Dummy(**{**known, "real": True}))
+    return expression.xreplace(copies)
+
+
+def nonzero_by_sign(expression: Any) -> bool:
+    """Whether SymPy sees that a real expression is positive, or negative."""
+    copy = real_copy(expression)
+    return bool(copy.is_positive or copy.is_negative)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
 
+from chasles.proof.from_sympy.atoms import nonzero_by_sign, real_copy
 from chasles.proof.from_sympy.complexes import Parts
 from chasles.proof.from_sympy.divisors import CIRCULAR
 from chasles.proof.from_sympy.opening import is_atom, sides
@@ -17,9 +18,11 @@ from chasles.proof.from_sympy.side_conditions import listed
 from chasles.proof.from_sympy.triads import Triad, triads_of
 from chasles.proof.variables import Untreatable
 
-__all__ = ["Equations", "Given", "Moving", "collected", "impossible", "orders_of"]
+__all__ = ["Equations", "Given", "Moving", "collected", "evident", "impossible", "orders_of"]
 
 Pair = tuple[Any, Any]
+MOST_TERMS = 30
+"""Longer polynomials are not factored."""
 
 
 @dataclass(slots=True)
@@ -38,13 +41,17 @@ class Moving:
 
 @dataclass(slots=True)
 class Equations:
-    """Equations under one name; `sources` are what the user gave, `derived` if they follow by differentiation."""
+    """Equations under one name, of which the `sources` are what the user gave.
+
+    They are `derived` if they follow by differentiation, `assumed` if SymPy is told so of a symbol.
+    """
 
     text: str
     pairs: list[Pair]
     sources: tuple[str, ...]
     triad: Triad | None = None
     derived: bool = False
+    assumed: bool = False
     moving: list[Moving] = field(default_factory=list)
 
     @property
@@ -79,6 +86,11 @@ def collected(given: Any, spoken_of: Sequence[Any], parts: Parts) -> tuple[Given
             text = _text(item, what)
             taken = any(text == other.text for other in result.equations)
             result.equations.append(Equations(f"{text} [{place}]" if taken else text, pairs, (text,)))
+    sides_of_all = [side for item in result.equations for side in item.sides]
+    for atom in sorted({part for e in (*spoken_of, *sides_of_all) for part in _zeros_in(e)}, key=str):
+        result.equations.append(
+            Equations(f"{atom} is zero", [(atom, sympy.S.Zero)], (f"{atom} is zero",), assumed=True)
+        )
     expressions = _without_given_angles(result, list(spoken_of))
     _state_triads(result)
     _differentiate(result, expressions)
@@ -89,8 +101,32 @@ def impossible(given: Given, declared: Sequence[Any]) -> str | None:
     """A condition that is false on its face: two numbers that differ set equal, or zero said not to vanish."""
     for item in given.equations:
         if any((left - right).is_zero is False and not (left - right).free_symbols for left, right in item.pairs):
-            return item.sources[0]
+            return (item.sources or (item.text,))[0]
     return next((f"{scalar} != 0" for scalar in declared if sympy.expand(scalar) == 0), None)
+
+
+def _zeros_in(expression: Any) -> Iterator[Any]:
+    """The atoms that SymPy is told to be zero."""
+    return (part for part in expression.atoms(sympy.Symbol, AppliedUndef) if part.is_zero)
+
+
+def evident(given: Given, sides: Sequence[Any]) -> Iterator[Any]:
+    """What does not vanish because of signs: factors of given equations, and the sum of sides that are positive."""
+    for item in given.equations:
+        for one, other in item.pairs if item.triad is None and not item.derived else ():
+            if len(sympy.Add.make_args(one - other)) <= MOST_TERMS:
+                yield from (factor for factor in _factors(one - other) if nonzero_by_sign(factor))
+    if len(sides) == 2 and given.equations and all(real_copy(side).is_nonnegative for side in sides):
+        yield from (total for total in [sides[0] + sides[1]] if nonzero_by_sign(total))
+
+
+def _factors(difference: Any) -> list[Any]:
+    """The factors of a polynomial that has several."""
+    try:
+        _, factors = sympy.factor_list(difference)
+    except sympy.PolynomialError:
+        return []
+    return [factor for factor, _ in factors] if len(factors) > 1 else []
 
 
 def _text(item: Any, what: str) -> str:
