@@ -45,7 +45,9 @@ def decisions() -> tuple[Judge, list[Decision]]:
 
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Where earlier runs keep what they found, of a chapter that brings nothing along."""
     monkeypatch.setenv("CHASLES_CACHE", str(tmp_path / "kept"))
+    monkeypatch.setattr(cache, "shipped", lambda package: {})
     return tmp_path / "kept"
 
 
@@ -106,6 +108,11 @@ def test_nothing_else_is_made_of_data() -> None:
 def test_what_is_remembered_is_what_was_decided(decisions: tuple[Judge, list[Decision]]) -> None:
     judge, found = decisions
     kept = as_text(judge.memory.as_data(10_000))
+    # The claims by which a definition is repaired are decided when the repair is recalled.
+    once = Judge(book=BOOK, memory=Memory(kept))
+    for entry in BOOK:
+        once.decide(entry.statement)
+    kept = as_text(once.memory.as_data(10_000))
     again = Judge(book=BOOK, memory=Memory(kept))
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("chasles.proof.judge.decide_problem", forbidden)
@@ -144,15 +151,18 @@ def test_another_question_is_not_answered_by_the_old_answer() -> None:
 def test_what_is_not_decided_is_asked_again() -> None:
     memory = Memory()
     memory.remember("key", Undecided("no time"))
-    memory.remember("other", ())
     assert memory.as_data(10) == {}
+    memory.remember("other", ())
+    assert memory.as_data(10) == {"other": ["tuple"]}
 
 
 def test_old_answers_give_way_to_new_ones() -> None:
     memory = Memory({str(k): ["tuple"] for k in range(5)})
-    memory.recalled("3")
+    memory.settle("3", True)
     assert list(memory.as_data(3)) == ["3", "0", "1"]
     assert memory.recalled("7") is None
+    memory.settle("3", False)
+    assert "3" not in memory.as_data(5)
 
 
 def test_foresight_changes_no_verdict(decisions: tuple[Judge, list[Decision]], monkeypatch: pytest.MonkeyPatch) -> None:
@@ -316,6 +326,8 @@ def test_another_engine_has_another_cache(folder: Path, monkeypatch: pytest.Monk
 def test_a_verdict_that_is_rejected_without_a_cache_is_a_failure(monkeypatch: pytest.MonkeyPatch) -> None:
     from chasles.cli import rechecking
 
+    monkeypatch.setattr(cache, "shipped", lambda package: {})
+    monkeypatch.setenv("CHASLES_CACHE", "")
     monkeypatch.setattr(rechecking, "spread", lambda work, pieces, seconds: ["not proved" for _ in pieces])
     found, _ = decide(section("3.3"), BOOK)
     assert any("is rejected: not proved" in line for line in found.failures)

@@ -1,4 +1,6 @@
-"""Where verdicts are kept from one run to the next: a file for this version of the engine, written whole or not at all.
+"""What is known before anything is decided: what the chapter brings along, and what earlier runs found.
+
+Verdicts are kept from one run to the next in a file for this version of the engine, written whole or not at all.
 
 CHASLES_CACHE names another folder; empty, it turns the cache off. Nothing in the file is believed: what comes from it
 is checked again like everything else.
@@ -15,9 +17,12 @@ from typing import Any
 
 from chasles import keeping
 from chasles.cli.files import replace_whole
+from chasles.proof.judge import Judge
 from chasles.proof.memory import Memory
+from chasles.proof.shipped import shipped
+from chasles.statements import Chapter
 
-__all__ = ["forget", "recalled", "retained"]
+__all__ = ["forget", "judge_of", "retained"]
 
 ENGINE = ("vocabulary", "statements", "proof")
 """The packages on which a verdict depends."""
@@ -26,14 +31,19 @@ MOST = 4096
 """Answers that are kept: some ten books of this size."""
 
 
-def recalled() -> Memory:
+def judge_of(book: Chapter, anew: bool = False) -> Judge:
+    """A judge who knows what the chapter brings, and what was decided in earlier runs; nothing where all is `anew`."""
+    return Judge(book=book, memory=None if anew else Memory(_recalled(), shipped(book.package)))
+
+
+def _recalled() -> dict[str, Any]:
     """What was decided in earlier runs by this engine; nothing where nothing can be read."""
     path = _path()
     kept: Any = {}
     if path is not None:
         with suppress(OSError, ValueError):
             kept = json.loads(path.read_text(encoding="utf-8"))
-    return Memory(kept if isinstance(kept, dict) else {})
+    return kept if isinstance(kept, dict) else {}
 
 
 def retained(memory: Memory) -> None:

@@ -13,22 +13,18 @@ from pathlib import Path
 from chasles.cli.book import BOOK
 from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.statements import Chapter
+from chasles.statements.packages import generated_package
 
-__all__ = ["GENERATED", "generated_folder", "generated_package", "installed_folders"]
+__all__ = ["GENERATED", "generated_folder", "installed_folders"]
 
 GENERATED = "generated"
 DERIVATIONS = "derivations"
 
 
-def generated_package(book: Chapter) -> str:
-    """The name under which what was emitted of a chapter is imported."""
-    return f"chasles.{GENERATED}" if book.package == BOOK else f"{book.package}.{GENERATED}"
-
-
 def installed_folders(book: Chapter) -> tuple[Path, ...]:
     """Where what was emitted of a chapter is imported from; none where nothing was."""
     try:
-        return tuple(map(Path, import_module(generated_package(book)).__path__))
+        return tuple(map(Path, import_module(generated_package(book.package)).__path__))
     except ModuleNotFoundError:
         return ()
 

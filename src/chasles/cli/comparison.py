@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 
 from chasles.cli.book import BOOK
-from chasles.cli.checkout import generated_package
 from chasles.cli.failures import BAD_INPUT, Failure, complain, nearest
 from chasles.lowering.lower import lower
 from chasles.lowering.refusal import LoweringError
@@ -20,6 +19,7 @@ from chasles.numerics import Evidence, Request, Unsatisfiable, request_of, reque
 from chasles.proof.judge import Judge
 from chasles.report.waiting import watched
 from chasles.statements import Chapter, Entry, Inverse, Kernel, Theorem
+from chasles.statements.packages import generated_package
 
 __all__ = ["PRECISIONS", "Asked", "asking", "backend_of", "compared", "installed_kernels"]
 
@@ -34,7 +34,7 @@ def installed_kernels(book: Chapter) -> ModuleType:
     """
     if book.package != BOOK:
         asks = any(entry.kernels for entry in book)
-        return _written_out(generated_package(book)) if asks else ModuleType(generated_package(book))
+        return _written_out(generated_package(book.package)) if asks else ModuleType(generated_package(book.package))
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:

@@ -63,26 +63,27 @@ class Outcome:
             yield f"so are those on {_numbers([entry for entry, _ in rejected[SHOWN:]])}"
 
 
-def decide(entries: Sequence[Entry], book: Chapter, recheck: bool = True) -> tuple[Outcome, Judge]:
+def decide(entries: Sequence[Entry], book: Chapter, recheck: bool = True, anew: bool = False) -> tuple[Outcome, Judge]:
     """Decide the statements and, unless told otherwise, check the verdicts again without the prover.
 
-    What was decided in an earlier run is only checked again. Where that is not asked for, or something is rejected, all
-    is decided anew.
+    What the chapter brings along, and what was decided in an earlier run, is only checked. Where all is to be decided
+    `anew`, that is not asked for, or something is rejected, everything is decided.
     """
+    from chasles.cli.cache import forget, judge_of, retained
+
     started = perf_counter()
+    judge = judge_of(book, anew or not recheck)
+    memory = judge.memory
+    decided = _decided(entries, judge)
+    deciding = perf_counter() - started - memory.seconds
     if not recheck:
-        judge = Judge(book=book)
-        return Outcome(_decided(entries, judge), perf_counter() - started), judge
-    from chasles.cli.cache import forget, recalled, retained
+        return Outcome(decided, deciding), judge
     from chasles.cli.rechecking import recheck as check_again
 
-    memory = recalled()
-    judge = Judge(book=book, memory=memory)
-    decided = _decided(entries, judge)
-    outcome = Outcome(decided, perf_counter() - started, check_again(decided))
+    outcome = Outcome(decided, deciding, check_again(decided, memory))
     if outcome.rechecked and outcome.rechecked.rejected and memory.has_recalled:
         forget()
-        return decide(entries, book)
+        return decide(entries, book, anew=True)
     retained(memory)
     return outcome, judge
 

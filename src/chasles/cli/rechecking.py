@@ -8,9 +8,10 @@ from time import perf_counter
 
 from chasles.proof.certificate import Rejected, check
 from chasles.proof.judge import Decision
+from chasles.proof.memory import Memory
 from chasles.proof.refutation import check_counterexample
 from chasles.proof.spreading import spread
-from chasles.proof.verdict import Fails
+from chasles.proof.verdict import Fails, Verdict
 from chasles.report.decisions import Decided
 from chasles.statements import Entry, Inverse, problem_of
 
@@ -31,15 +32,24 @@ class Rechecked:
     rejected: tuple[tuple[Entry, str], ...]
 
 
-def recheck(decided: Sequence[Decided]) -> Rechecked:
-    """Check every certificate and every counterexample again."""
+def recheck(decided: Sequence[Decided], memory: Memory) -> Rechecked:
+    """Check every certificate and every counterexample that the memory has not checked when it recalled it."""
     started = perf_counter()
     certified = [(entry, decision, _prove) for entry, decision in decided if decision.certificate is not None]
     refuted = [(entry, decision, _refute) for entry, decision in decided if _is_refuted(decision)]
-    asked = [*certified, *refuted]
+    asked = [
+        (entry, decision, check_again)
+        for entry, decision, check_again in (*certified, *refuted)
+        if not memory.has_checked(decision.verdict if check_again is _refute else _standing(decision))
+    ]
     reasons = spread(_rejection, [(check_again, decision) for _, decision, check_again in asked], A_CHECK)
     rejected = tuple((entry, why) for (entry, _, _), why in zip(asked, reasons, strict=True) if why is not None)
-    return Rechecked(len(certified), len(refuted), perf_counter() - started, rejected)
+    return Rechecked(len(certified), len(refuted), memory.seconds + perf_counter() - started, rejected)
+
+
+def _standing(decision: Decision) -> Verdict:
+    """The verdict on what stands."""
+    return decision.correction.verdict if decision.correction and not decision.verdict.true else decision.verdict
 
 
 def _rejection(asked: tuple[Callable[[Decision], None], Decision]) -> str | None:

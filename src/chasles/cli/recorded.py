@@ -5,9 +5,9 @@ from __future__ import annotations
 import tomllib
 from importlib.resources import files
 
-from chasles.cli.checkout import generated_package
 from chasles.cli.failures import Failure
 from chasles.statements import Chapter
+from chasles.statements.packages import generated_package
 from chasles.targets import MANIFEST
 
 __all__ = ["manifest"]
@@ -16,7 +16,7 @@ __all__ = ["manifest"]
 def manifest(book: Chapter) -> str:
     """The manifest's text; nothing where nothing was emitted. Raises Failure for one that cannot be read."""
     try:
-        text = files(generated_package(book)).joinpath(MANIFEST).read_text("utf-8")
+        text = files(generated_package(book.package)).joinpath(MANIFEST).read_text("utf-8")
         tomllib.loads(text)
     except (ModuleNotFoundError, FileNotFoundError):
         return ""

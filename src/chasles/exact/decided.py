@@ -10,10 +10,13 @@ from chasles.exact.formulas import note, stated
 from chasles.exact.solution import Citation, Step
 from chasles.proof.decision import Decision, DoesNotStand
 from chasles.proof.judge import Judge
+from chasles.proof.memory import Memory
 from chasles.proof.road import walk
+from chasles.proof.shipped import shipped
 from chasles.proof.verdict import Fails, Undecided
 from chasles.statements import Claim, Inverse, Statement, Theorem, load
 from chasles.statements.derivation import Derivation
+from chasles.statements.packages import BOOK
 from chasles.vocabulary import Node, plain, replace
 
 __all__ = ["Decided", "Refuted", "Sentence"]
@@ -29,7 +32,7 @@ class Refuted(AssertionError):
 
 @cache
 def _judge() -> Judge:
-    return Judge(book=load())
+    return Judge(book=load(), memory=Memory(shipped=shipped(BOOK)))
 
 
 def _decided(sentence: Sentence) -> Decision:

@@ -5,13 +5,16 @@ Only the memory of the judge is filled: what it decides afterwards, one by one, 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from time import perf_counter
 
 from chasles.proof.decision import Sentence
 from chasles.proof.judge import Judge
+from chasles.proof.kept_answers import verdict_stands
+from chasles.proof.memory import Memory
 from chasles.proof.repair import Repair
 from chasles.proof.spreading import spread
-from chasles.proof.verdict import Fails, Verdict
+from chasles.proof.verdict import Fails
 from chasles.statements import Claim, Condition, Hypothesis, Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import problems_of_inverse
 from chasles.vocabulary import Misfit
@@ -19,7 +22,7 @@ from chasles.vocabulary import Misfit
 __all__ = ["foresee"]
 
 Question = tuple[Problem, tuple[Hypothesis, ...]]
-A_VERDICT, A_REPAIR = 0.004, 0.06
+A_VERDICT, A_REPAIR, A_CHECK = 0.004, 0.06, 0.002
 """About how many seconds each takes."""
 
 
@@ -27,26 +30,22 @@ def foresee(judge: Judge, sentences: Iterable[Sentence]) -> None:
     """Let the judge remember the verdicts on these sentences, and the repairs of those that do not stand."""
     memory = judge.memory
     asked = {s: {memory.key_of_verdict(*question): question for question in _questions(s)} for s in sentences}
-    questions = {
-        key: question
-        for of_sentence in asked.values()
-        for key, question in of_sentence.items()
-        if memory.recalled(key) is None
-    }
-
-    def verdict_on(question: Question) -> Verdict:
-        return judge.verdict_on(*question)
-
-    for key, verdict in zip(questions, spread(verdict_on, list(questions.values()), A_VERDICT), strict=True):
+    questions = {key: question for of_sentence in asked.values() for key, question in of_sentence.items()}
+    _check(memory, questions)
+    left = [key for key in questions if not memory.knows(key)]
+    verdicts = spread(lambda key: judge.verdict_on(*questions[key]), left, A_VERDICT)
+    for key, verdict in zip(left, verdicts, strict=True):
         memory.remember(key, verdict)
     if not judge.searches:
         return
 
-    def repairs_of(statement: Statement) -> tuple[str, tuple[Repair, ...]] | None:
+    def repairs_of(statement: Statement) -> tuple[str, tuple[Repair, ...] | None] | None:
+        """Their key, and the repairs unless they were kept from another time."""
         try:
-            return judge.search(statement)
+            key, found = judge.search(statement)
         except TypeError:
             return None
+        return key, None if memory.has_accepted(key) else found
 
     wrong = [
         sentence
@@ -54,9 +53,22 @@ def foresee(judge: Judge, sentences: Iterable[Sentence]) -> None:
         if isinstance(sentence, Statement)
         and (sentence.fault or any(isinstance(memory.recalled(key), Fails) for key in keys))
     ]
-    for found in spread(repairs_of, wrong, A_REPAIR):
-        if found is not None:
-            memory.remember(*found)
+    for key, repairs in filter(None, spread(repairs_of, wrong, A_REPAIR)):
+        if repairs is None:
+            memory.settle(key, True)
+        else:
+            memory.settle(key, False)
+            memory.remember(key, repairs)
+
+
+def _check(memory: Memory, questions: Mapping[str, Question]) -> None:
+    """Let the verdicts that are kept from another time be checked."""
+    started = perf_counter()
+    kept = [key for key in questions if not memory.knows(key) and memory.kept(key) is not None]
+    stand = spread(lambda key: verdict_stands(questions[key][0], memory.kept(key)), kept, A_CHECK)
+    for key, stands in zip(kept, stand, strict=True):
+        memory.settle(key, stands)
+    memory.seconds += perf_counter() - started
 
 
 def _questions(sentence: Sentence) -> Iterator[Question]:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace as with_fields
+from functools import partial
 from time import perf_counter
 from typing import Any
 
 from chasles.proof.decide import BUDGET, decide_problem, determining, pose
 from chasles.proof.decision import Correction, Decision, DoesNotStand, Sentence, Used, key_of
+from chasles.proof.kept_answers import repairs_stand, verdict_stands
 from chasles.proof.memory import Memory
 from chasles.proof.repair import Repair, repair
 from chasles.proof.verdict import Assumed, Defined, Holds, HoldsUnder, IllFormed, Undecided, Verdict
@@ -38,7 +40,8 @@ class Judge:
     """Decides sentences, each once; a given claim that fails is used in the form that stands in for it.
 
     With `book`, what does not stand as printed is repaired: what the book says about a symbol tells which freedom it
-    has, and claims that rest on a definition tell what it is. What is in `memory` is not decided again.
+    has, and claims that rest on a definition tell what it is. What is in `memory` is not decided again; what it
+    has from another time is checked.
     """
 
     def __init__(self, budget: float = BUDGET, book: Chapter | None = None, memory: Memory | None = None) -> None:
@@ -109,11 +112,7 @@ class Judge:
 
     def _repairs(self, sentence: Statement) -> tuple[Repair, ...]:
         """What the search finds, if there is a book to search."""
-        if not self.searches:
-            return ()
-        key, found = self.search(sentence)
-        self.memory.remember(key, found)
-        return found
+        return self.search(sentence)[1] if self.searches else ()
 
     def search(self, sentence: Statement) -> tuple[str, tuple[Repair, ...]]:
         """The repairs of a statement, and the key by which they are remembered.
@@ -124,18 +123,17 @@ class Judge:
         before = self._book[: None if isinstance(sentence, Definition) else self._place.get(id(sentence))]
         used = [self.standing(given) for given in sentence.relied_on]
         key = self.memory.key_of_repairs(sentence, used, before)
-        known = self.memory.recalled(key)
-        if isinstance(known, tuple):
-            return key, known
-        return key, repair(sentence, self.standing, beside=before)
+
+        def stand(repairs: Any) -> bool:
+            return repairs_stand(sentence, repairs, self.standing, before, self.verdict_on)
+
+        return key, self.memory.answer(key, stand, lambda: repair(sentence, self.standing, beside=before))
 
     def verdict_on(self, problem: Problem, own: tuple[Hypothesis, ...] = ()) -> Verdict:
         """The verdict on a problem; `own` are the hypotheses whose use it reports."""
         key = self.memory.key_of_verdict(problem, own)
-        found = self.memory.recalled(key)
-        if not isinstance(found, Verdict):
-            found = decide_problem(problem, own, self.budget)
-            self.memory.remember(key, found)
+        stands = partial(verdict_stands, problem)
+        found: Verdict = self.memory.answer(key, stands, lambda: decide_problem(problem, own, self.budget))
         return found
 
     def _form(self, sentence: Statement | Theorem) -> Verdict:

@@ -26,6 +26,8 @@ NODES = tuple(
 )
 WORDS = (Dimension, Measure, Family, Index, *NODES)
 CLASSES: dict[str, type] = {each.__name__: each for each in (*VERDICTS, *WORDS)}
+IN_PI = " pi"
+"""Behind a coordinate of a point that pi measures."""
 VERBATIM = ("certificate",)
 """Fields that hold plain data already."""
 
@@ -36,11 +38,11 @@ def to_data(value: Any) -> Any:
         case None | bool() | int() | str():
             return value
         case Fraction():
-            return [type(value).__name__, str(Fraction(value))]
+            return ["Fraction", str(value)]
         case tuple():
             return ["tuple", *map(to_data, value)]
         case Mapping():
-            return ["dict", *([key, to_data(held)] for key, held in value.items())]
+            return {key: f"{Fraction(held)}{IN_PI * isinstance(held, InPi)}" for key, held in value.items()}
         case _ if is_dataclass(value) and CLASSES.get(type(value).__name__) is type(value):
             held = ((each.name, getattr(value, each.name)) for each in fields(value))
             return [type(value).__name__, *(one if name in VERBATIM else to_data(one) for name, one in held)]
@@ -53,12 +55,12 @@ def from_data(data: Any) -> Any:
     match data:
         case None | bool() | int() | str():
             return data
-        case ["Fraction" | "InPi" as name, str() as text]:
-            return InPi(text) if name == "InPi" else Fraction(text)
+        case ["Fraction", str() as text]:
+            return Fraction(text)
         case ["tuple", *parts]:
             return tuple(map(from_data, parts))
-        case ["dict", *pairs]:
-            return {key: from_data(held) for key, held in pairs}
+        case dict():
+            return {key: (InPi if IN_PI in held else Fraction)(held.removesuffix(IN_PI)) for key, held in data.items()}
         case [str() as name, *held] if name in CLASSES:
             made = CLASSES[name]
             assert is_dataclass(made)

@@ -23,7 +23,7 @@ from chasles.statements.problem import Standing, default_sides
 from chasles.vocabulary import Misfit, Node, plain, walk
 from chasles.vocabulary.families import indices_of
 
-__all__ = ["EFFORT", "Repair", "repair"]
+__all__ = ["EFFORT", "Repair", "claims_of", "repair"]
 
 EFFORT = 2e7
 """The work that the search for a repair, its proofs included, may take, in products of terms."""
@@ -78,6 +78,18 @@ def repair(
     except OutOfTime:
         pass
     return tuple(found)
+
+
+def claims_of(statement: Statement, repair: Repair, beside: Iterable[Statement]) -> list[list[Statement]]:
+    """What a repair says is true: the statement as it would be, or the claims that hold with what was meant.
+
+    One of each group is true; that of the first is what the repair's verdict is on.
+    """
+    meant = statement.saying(repair.left, repair.right)
+    if not isinstance(statement, Definition):
+        return [[meant]]
+    users = _users(statement, (claim for claim in beside if isinstance(claim, Claim)))
+    return [[_with(meant, user) for user in users if user.number == number] for number in repair.by]
 
 
 def _of_claim(near: Nearest) -> Iterator[Repair]:
@@ -166,7 +178,7 @@ def _verdict(near: Nearest, claim: Statement) -> Holds | HoldsUnder | None:
 def _of_definition(near: Nearest) -> Iterator[Repair]:
     """What a definition that does not fit together was meant to be: that with which claims that rest on it hold."""
     statement = near.statement
-    users = [claim for claim in near.beside if any(_same(statement, given) for given in claim.given)]
+    users = _users(statement, near.beside)
     if not statement.fault or not users:
         return
     found = False
@@ -185,8 +197,18 @@ def _of_definition(near: Nearest) -> Iterator[Repair]:
 
 def _with_meant(near: Nearest, user: Claim, meant: Statement) -> Holds | HoldsUnder | None:
     """The verdict on a claim that rests on the definition, if that is what is meant and it holds."""
+    return _verdict(near, _with(meant, user))
+
+
+def _users(statement: Statement, claims: Iterable[Claim]) -> list[Claim]:
+    """The claims that rest on a definition."""
+    return [claim for claim in claims if any(_same(statement, given) for given in claim.given)]
+
+
+def _with(meant: Statement, user: Claim) -> Statement:
+    """A claim, resting on what was meant."""
     given = tuple(meant if _same(meant, other) else other for other in user.given)
-    return _verdict(near, with_fields(user.saying(*default_sides(user)), given=given))
+    return with_fields(user.saying(*default_sides(user)), given=given)
 
 
 def _says_something(claim: Claim) -> bool:

@@ -9,7 +9,7 @@ from importlib.util import find_spec, module_from_spec, spec_from_file_location
 from pathlib import Path
 from types import ModuleType
 
-__all__ = ["BOOK", "DeclarationError", "folder_of", "imported"]
+__all__ = ["BOOK", "DeclarationError", "folder_of", "generated_package", "imported"]
 
 BOOK = "chasles.derivations"
 
@@ -26,6 +26,11 @@ def imported(package: str | os.PathLike[str]) -> ModuleType:
     """
     folder = folder_of(package)
     return import_module(str(package)) if folder is None else _imported_from(folder)
+
+
+def generated_package(package: str) -> str:
+    """The name under which what was emitted of a chapter is imported."""
+    return "chasles.generated" if package == BOOK else f"{package}.generated"
 
 
 def folder_of(package: str | os.PathLike[str]) -> Path | None:

@@ -25,9 +25,13 @@ __all__ = ["command"]
 @as_data
 @click.option("--brief", is_flag=True, help="Show findings and totals only.")
 @click.option("--recheck/--no-recheck", default=True, help="Check the verdicts again without the prover (default).")
-def command(numbers: tuple[str, ...], sections: tuple[str, ...], json: bool, brief: bool, recheck: bool) -> int:
+@click.option("--anew", is_flag=True, help="Search for all proofs again; do not check what is known.")
+def command(
+    numbers: tuple[str, ...], sections: tuple[str, ...], json: bool, brief: bool, recheck: bool, anew: bool
+) -> int:
     """Decide whether equations are right: all of them, or those named.
 
+    Verdicts that the chapter brings along, or that an earlier run found, are checked; what is new is searched for.
     A print that is wrong is a finding, no failure. Status 1 says that something could not be decided, that what is
     declared to stand in for a print is not proved, or that a verdict was rejected when it was checked again.
     """
@@ -35,7 +39,7 @@ def command(numbers: tuple[str, ...], sections: tuple[str, ...], json: bool, bri
     from chasles.report.records import as_json, record
 
     book = chapter()
-    outcome, _ = decide(chosen(book, numbers, sections), book, recheck=recheck)
+    outcome, _ = decide(chosen(book, numbers, sections), book, recheck=recheck, anew=anew)
     if json:
         click.echo(as_json({"statements": [record(entry, decision) for entry, decision in outcome.decided]}))
     else:

@@ -25,8 +25,8 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> int:
 
     Without a number, all roads are walked and named, a line each. The exit status is 1 if a step does not hold.
     """
+    from chasles.cli.cache import judge_of, retained
     from chasles.cli.roads import chosen_roads
-    from chasles.proof.judge import Judge
     from chasles.proof.road import walk
     from chasles.report.records import as_json
     from chasles.report.road_page import road_line, road_page, road_record
@@ -34,8 +34,9 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> int:
     from chasles.report.waiting import watched
 
     book = chapter()
-    chosen, judge = chosen_roads(book, numbers), Judge(book=book)
+    chosen, judge = chosen_roads(book, numbers), judge_of(book)
     walked = {name: walk(road, judge) for name, road in watched(iter(chosen.items()), len(chosen), "Walking")}
+    retained(judge.memory)
     if json:
         click.echo(as_json({"roads": [road_record(name, road) for name, road in walked.items()]}))
     else:

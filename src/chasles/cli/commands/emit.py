@@ -20,20 +20,22 @@ __all__ = ["command"]
 
 @click.command("emit", short_help="Write the kernels in every language.", epilog="Example: chasles emit --check")
 @click.option("--check", is_flag=True, help="Change nothing; name the files that are not as they would be emitted.")
+@click.option("--anew", is_flag=True, help="Search for all proofs again; do not check what is known.")
 @click.option(
     "--out",
     type=click.Path(path_type=Path, file_okay=False),
     help="The folder to write to, rather than generated/ of the checkout, or of the chapter's package.",
 )
 @as_data
-def command(check: bool, out: Path | None, json: bool) -> int:
-    """Write the kernels of all statements that stand, in every language.
+def command(check: bool, anew: bool, out: Path | None, json: bool) -> int:
+    """Write the kernels of all statements that stand, in every language, and what was found of the statements.
 
     A kernel is refused unless its program is proved equal to its statement. Either all files are written or none; a
     file that is as it should be keeps its time. Status 1: something was refused or, with --check, is stale.
     """
+    from chasles.cli.answers import answers
+    from chasles.cli.cache import judge_of
     from chasles.cli.emission import commissioned, emitted
-    from chasles.proof.judge import Judge
     from chasles.report.pages import pages
     from chasles.report.words import seconds
     from chasles.targets import EmissionError
@@ -41,9 +43,9 @@ def command(check: bool, out: Path | None, json: bool) -> int:
     started = perf_counter()
     book = chapter()
     folder = out or generated_folder(book, Path.cwd())
-    judge = Judge(book=book)
+    judge = judge_of(book, anew)
     kernels = commissioned(book.entries, judge, *installed_folders(book), folder)
-    texts = emitted(kernels, pages(book, judge))
+    texts = emitted(kernels, pages(book, judge) | answers(book, judge))
     head = f"{len(kernels)} kernels, each proved equal to its statement"
     try:
         if check:

@@ -23,13 +23,15 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:
     Without a number, all prints that do not stand are repaired. What stands as printed has nothing to repair, and
     nothing may be found: both are said, and neither is a failure.
     """
-    from chasles.proof.judge import Judge
+    from chasles.cli.cache import judge_of, retained
     from chasles.report.records import as_json
     from chasles.report.repair_page import repair_page, repair_record
     from chasles.report.screen import Screen
 
     book = chapter()
-    decided = list(decisions(chosen(book, numbers, ()), Judge(book=book)))
+    judge = judge_of(book)
+    decided = list(decisions(chosen(book, numbers, ()), judge))
+    retained(judge.memory)
     shown = [(entry, found) for entry, found in decided if numbers or not found.verdict.true]
     if json:
         click.echo(as_json({"statements": [repair_record(entry, found) for entry, found in shown]}))

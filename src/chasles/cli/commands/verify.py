@@ -37,10 +37,10 @@ def command(names: tuple[str, ...], points: tuple[str, ...], samples: int, stric
     larger than its inputs explain. Near a singular set a formula may do so as the book prints it, which is a finding;
     status 1 says that a kernel does so at large. With names, the error bounds that are proved stand beside.
     """
+    from chasles.cli.cache import judge_of
     from chasles.cli.comparison import asking, installed_kernels
     from chasles.cli.recorded import manifest
     from chasles.cli.verification import verified
-    from chasles.proof.judge import Judge
     from chasles.report.emitted import emitted_kernels, proved
     from chasles.report.evidence import evidence_table, losses
     from chasles.report.records import as_json
@@ -48,7 +48,7 @@ def command(names: tuple[str, ...], points: tuple[str, ...], samples: int, stric
 
     book = chapter()
     asked = asking(book, names)
-    found = verified(asked, installed_kernels(book), tuple(dict.fromkeys(points)), samples, Judge(book=book))
+    found = verified(asked, installed_kernels(book), tuple(dict.fromkeys(points)), samples, judge_of(book))
     emitted = emitted_kernels(manifest(book))
     recorded = {kernel.name: emitted[kernel.name] for _, kernel in asked if kernel.name in emitted}
     if json:

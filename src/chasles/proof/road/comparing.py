@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 
-from chasles.proof.road.combine import combined
 from chasles.proof.road.products import without_brackets
 from chasles.proof.road.state import Equation, State, rules_behind
 from chasles.proof.road.tidy import tidied
@@ -115,7 +114,7 @@ def _one_form(
     chosen: tuple[Equation, ...] = ()
     if step.free:
         problem = with_fields(environment, conditions=(Goal("", found[1], sides[1]),), unknowns=step.free)
-        chosen = tuple((symbol, combined(symbol, (number(1),), problem)) for symbol in step.free)
+        chosen = tuple((symbol, state.combination(symbol, (number(1),), problem)) for symbol in step.free)
         values: dict[Node, Node] = dict(chosen)
         found = found[0], tidied(replace(found[1], values))
     verdict: Verdict | None = None

@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace as with_fields
 
 from chasles.proof.coefficients import ONE
-from chasles.proof.road.combine import combined
 from chasles.proof.road.isolate import alone
 from chasles.proof.road.state import Equation, State
 from chasles.proof.verdict import Verdict
@@ -52,7 +51,7 @@ def solve_linear_system(
         Goal("equation", left, right) for left, right in (*state.equations, *_rates(environment, unknowns))
     )
     problem = with_fields(environment, conditions=conditions, unknowns=tuple(names.values()))
-    values = {u: combined(name, terms or (ONE,), problem) for u, name in names.items()}
+    values = {u: state.combination(name, terms or (ONE,), problem) for u, name in names.items()}
     only = [(f"{unknown} can be nothing else", names[unknown], value) for unknown, value in values.items()]
     verdict = state.decide(only, problem)
     if verdict.true:

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
+from functools import partial
 
-from chasles.proof.decide import decide_problem
 from chasles.proof.judge import Judge
+from chasles.proof.kept_answers import combination_fits
+from chasles.proof.road.combine import combined
 from chasles.proof.road.products import without_brackets
 from chasles.proof.unfold import UndeclaredDivisor
 from chasles.proof.variables import Untreatable
@@ -69,11 +71,19 @@ class State:
         if not made:
             return Holds({"entries": {}}, {})
         try:
-            return decide_problem(with_fields(problem, goals=made), (), self.judge.budget)
+            return self.judge.verdict_on(with_fields(problem, goals=made))
         except Misfit as error:
             return IllFormed(str(error))
         except (UndeclaredDivisor, Untreatable) as error:
             return Undecided(str(error))
+
+    def combination(self, node: Node, terms: Sequence[Node], problem: Problem) -> Node:
+        """The expression written with the terms: a conjecture. Raises `NoCombination`."""
+        memory = self.judge.memory
+        fits = partial(combination_fits, node)
+        key = memory.key_of_combination(node, terms, problem)
+        found: Node = memory.answer(key, fits, lambda: combined(node, terms, problem))
+        return found
 
 
 def cited(statement: Statement) -> str:

@@ -6,7 +6,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from chasles.proof.road.combine import combined
 from chasles.proof.road.isolate import CannotIsolate, alone, before
 from chasles.proof.road.matching import occurs, put_for
 from chasles.proof.road.products import multiplied_out, without_brackets
@@ -157,7 +156,7 @@ def _unchanged(equations: Sequence[Equation], after: Sequence[Equation]) -> list
 def _factor(step: Factor, state: State) -> Outcome:
     problem = state.environment(step.using)
     terms = tuple(map(without_brackets, step.terms))
-    after = tuple((left, combined(right, terms, problem)) for left, right in state.equations)
+    after = tuple((left, state.combination(right, terms, problem)) for left, right in state.equations)
     zero = all(str(right) == "0" for _, right in after)
     alone = "nothing is left" if zero else "a function of angles"
     said = f"in {', '.join(map(str, step.terms))}" if step.terms else alone

@@ -69,7 +69,9 @@ class Road(Displayed):
 
 def walk(derivation: Derivation, judge: Judge) -> Road:
     """The road of a derivation; the first step that is not true, or cannot be made, is its last."""
-    return Road(derivation, tuple(_passages(derivation, State(derivation, judge))))
+    road = Road(derivation, tuple(_passages(derivation, State(derivation, judge))))
+    # What another time took for a combination is decided step by step; where it was none, the road is walked without.
+    return walk(derivation, judge) if not road.arrives and judge.memory.forget_conjectures() else road
 
 
 def _passages(derivation: Derivation, state: State) -> Iterator[Passage]:

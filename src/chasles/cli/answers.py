@@ -1,0 +1,49 @@
+"""What a chapter brings along: the answers on its statements, its roads, and what its exercises say themselves."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import partial
+from typing import Any
+
+from chasles.cli.roads import all_roads
+from chasles.proof.judge import Judge
+from chasles.proof.memory import Memory
+from chasles.proof.road import walk
+from chasles.proof.shipped import ANSWERS, as_text
+from chasles.report.waiting import watched
+from chasles.statements import Chapter
+from chasles.statements.exercises import sentences_of_exercises
+from chasles.statements.packages import BOOK
+
+__all__ = ["answers"]
+
+
+def answers(book: Chapter, judge: Judge) -> dict[str, str]:
+    """The file of the answers, by its name: each stands with what asks for it first, in the order of the book.
+
+    What the judge has found is asked as those will ask who have it from here: all that is checked then is there too.
+    """
+    memory = Memory(judge.memory.everything)
+    asking = list(_asking(book, Judge(book=book, memory=memory)))
+    known: set[str] = set()
+    groups: dict[str, dict[str, Any]] = {}
+    for name, ask in watched(iter(asking), len(asking), "Walking"):
+        memory.asked.clear()
+        ask()
+        new = [key for key in memory.asked if memory.knows(key) and key not in known]
+        known.update(new)
+        if new:
+            groups[name] = {key: memory.data_of(key) for key in new}
+    return {ANSWERS: as_text(groups)}
+
+
+def _asking(book: Chapter, judge: Judge) -> Iterator[tuple[str, Callable[[], object]]]:
+    """What asks questions: by name, and how it does."""
+    for entry in book:
+        yield f"({entry.number}) {entry.name}", partial(judge.decide, entry.statement)
+    for name, road in all_roads(book).items():
+        yield f"road {name}", partial(walk, road, judge)
+    if book.package == BOOK:
+        for name, sentence in sentences_of_exercises().items():
+            yield f"exercise {name}", partial(judge.decide, sentence)
