@@ -62,7 +62,7 @@ def report(name: str, seed: int, number: int, question: Any, alarm: Alarm, whole
     def persists(other: Any) -> bool:
         try:
             found = language.judge(other, Random(0)).alarm
-        except (ArithmeticError, NotImplementedError, TypeError, ValueError, AttributeError):
+        except (ArithmeticError, NotImplementedError, TypeError, ValueError, AttributeError, LookupError):
             return False
         return found is not None and found.kind == alarm.kind
 

@@ -5,14 +5,22 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from chasles.proof.certificate import check
+from chasles.proof.judge import Judge
+from chasles.proof.refutation import check_counterexample
+from chasles.proof.verdict import Fails
 from chasles.prove import Rejected, Untreatable, prove, recheck
+from chasles.statements import Statement, Theorem, problem_of
 
 from .equations import Equation
 
-__all__ = ["PATIENCE", "Answer", "ask", "rejection"]
+__all__ = ["PATIENCE", "Answer", "ask", "ask_statement", "rejection", "statement_rejection"]
 
 PATIENCE = 3.0
 """Seconds for one question: what is undecided is counted and is no alarm."""
+
+WORK = 3e6
+"""Products of terms for one statement."""
 
 
 @dataclass(frozen=True)
@@ -47,6 +55,29 @@ def rejection(question: Equation, verdict: Any) -> str | None:
     """Why the checker does not accept the verdict on the question; None if it does."""
     try:
         recheck(verdict, question.lhs, question.rhs, question.given, question.nonzero)
+    except Rejected as reason:
+        return f"Rejected: {reason}"
+    except Exception as error:
+        return f"crash: {type(error).__name__}: {error}"
+    return None
+
+
+def ask_statement(statement: Statement | Theorem) -> Answer:
+    """The product's verdict on a declared statement as it stands."""
+    try:
+        verdict = Judge(budget=WORK).decide(statement).verdict
+    except Exception as error:
+        return Answer("crash", None, f"{type(error).__name__}: {error}")
+    return Answer(verdict.name, verdict, getattr(verdict, "reason", ""))
+
+
+def statement_rejection(statement: Statement | Theorem, verdict: Any) -> str | None:
+    """Why the checker does not accept the verdict on a statement; None if it does."""
+    try:
+        if isinstance(verdict, Fails):
+            check_counterexample(problem_of(statement), verdict.counterexample)
+        else:
+            check(statement, "printed", verdict.certificate)
     except Rejected as reason:
         return f"Rejected: {reason}"
     except Exception as error:

@@ -17,6 +17,8 @@ __all__ = ["refined", "solved"]
 
 Residuals = Callable[[Sequence[Any]], list[Any]]
 STEPS, REFINEMENTS = 25, 14
+STUCK = 7
+"""A search that has not come nearer in so many steps is given up."""
 SMALL = mpf(10) ** -40
 
 
@@ -27,6 +29,7 @@ def solved(residuals: Residuals, start: Sequence[float]) -> list[Any] | None:
         return refined(residuals, [], None)
     inverse = None
     size = np.inf
+    sizes: list[float] = []
     with np.errstate(all="ignore"):
         for _ in range(STEPS):
             try:
@@ -37,6 +40,9 @@ def solved(residuals: Residuals, start: Sequence[float]) -> list[Any] | None:
                 return None
             at, slope = found
             size = float(np.max(np.abs(at), initial=0.0))
+            sizes.append(size)
+            if len(sizes) > STUCK and size > 0.3 * sizes[-1 - STUCK]:
+                return None
             inverse = np.linalg.pinv(slope, rcond=1e-9)
             step = inverse @ at
             if not np.all(np.isfinite(step)) or np.max(np.abs(values)) > 1e4:

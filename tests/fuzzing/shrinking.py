@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from time import process_time
 from typing import Any, TypeVar
 
 import sympy as sp
@@ -14,6 +15,8 @@ from .equations import Equation
 __all__ = ["shrunk", "smaller"]
 
 Q = TypeVar("Q")
+SECONDS = 20.0
+"""Processor time for one alarm: it is for people to read, and no verdict depends on it."""
 SIMPLEST = (sp.Integer(0), sp.Integer(1))
 
 
@@ -21,12 +24,12 @@ def shrunk(
     question: Q, ways: Callable[[Q], Iterator[Q]], persists: Callable[[Q], bool], most: int = 150
 ) -> tuple[Q, int]:
     """The question made smaller as long as the alarm persists, with at most so many tries, and how many it took."""
-    tries = 0
+    tries, end = 0, process_time() + SECONDS
     while True:
         for smaller_one in ways(question):
             tries += 1
-            if tries > most:
-                return question, most
+            if tries > most or process_time() > end:
+                return question, tries
             if persists(smaller_one):
                 question = smaller_one
                 break
