@@ -12,6 +12,7 @@ import numpy as np
 from mpmath.ctx_mp import MPContext
 
 __all__ = [
+    "NOTHING",
     "Series",
     "Undefined",
     "absolute",

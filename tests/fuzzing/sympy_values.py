@@ -11,7 +11,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from . import series
-from .series import Series, Undefined, constant, mp, mpc, mpf
+from .series import NOTHING, Series, Undefined, constant, mp, mpc, mpf
 
 __all__ = ["Values", "atoms_of", "orders_of"]
 
@@ -77,7 +77,11 @@ class Values:
             return series.exponential(self(exponent, n))
         if isinstance(exponent, sp.Rational):
             return series.power(self(base, n), int(exponent.p), int(exponent.q))
-        return series.exponential(series.times(self(exponent, n), series.logarithm(self(base, n))))
+        below, above = self(base, n), self(exponent, n)
+        whole = int(mp.nint(above[0])) if n == 0 and not _array(above[0]) and abs(mp.im(above[0])) < NOTHING else None
+        if whole is not None and abs(above[0] - whole) < NOTHING:
+            return series.power(below, whole)
+        return series.exponential(series.times(above, series.logarithm(below)))
 
     def _function(self, name: str, one: Series) -> Series:
         match name:
@@ -128,7 +132,7 @@ class Values:
     def _atan2(self, y: Series, x: Series) -> Series:
         if _array(x[0]):
             return [np.arctan2(y[0], x[0])]
-        if len(x) > 1 or (abs(x[0]) < series.NOTHING and abs(y[0]) < series.NOTHING):
+        if len(x) > 1 or (abs(x[0]) < NOTHING and abs(y[0]) < NOTHING):
             raise Undefined("the angle of nothing, or its rate")
         return [mp.atan2(y[0], x[0])]
 
@@ -150,7 +154,7 @@ class Values:
         if isinstance(difference, np.ndarray):
             difference = float(difference.flat[0])
         difference = mp.re(difference)
-        rounded = abs(difference) < series.NOTHING
+        rounded = abs(difference) < NOTHING
         match relation:
             case sp.Eq():
                 return bool(rounded)
