@@ -69,7 +69,7 @@ FALSE: list[tuple[Any, Any]] = [
 ]
 Z = sp.Symbol("Z", complex=True)
 REFUSED: list[Any] = [
-    sqrt(z), conjugate(sqrt(z)), Abs(sqrt(z) + 1), 
+    sqrt(z), conjugate(sqrt(z)), Abs(sqrt(z) + 1),
     sp.log(z), im(sp.asin(z)), re(sp.sign(z)), im(sp.Function("h")(z)), im(sp.besselj(0, z)),
     im(Z), re(Z), conjugate(Z), Abs(Z), Z, sp.arg(Z), im(sp.Symbol("j", imaginary=True)), x**z, z**x, (-1) ** x,
     im((-1) ** x), sp.Max(re(sqrt(z)), 1), z**40, sp.cbrt(-1) + x,
