@@ -18,7 +18,7 @@ from chasles.proof.plain_draw import PlainDraw
 from chasles.proof.rational import CIRCLE, Numbers, circle, free
 from chasles.proof.rational_norms import give_norm
 from chasles.proof.rings import Polynomial
-from chasles.proof.satisfying import bind
+from chasles.proof.satisfying import bind, in_order
 from chasles.proof.values import divided
 from chasles.vocabulary import Symbol
 
@@ -67,7 +67,7 @@ def _try(
         if variable.kind == "entry" and variable.symbol is not None:
             orders[variable.symbol] = max(orders.get(variable.symbol, 0), variable.order)
     bound: set[Symbol] = set()
-    for hypothesis in context.active:
+    for hypothesis in in_order(context.active):
         bound |= bind(hypothesis, orders, values, draw, rich)
     for symbol, highest in orders.items():
         for order in range(highest + 1):

@@ -7,6 +7,7 @@ not `rich` is of axes, quarter turns, zeros and ones as far as may be.
 from __future__ import annotations
 
 from fractions import Fraction
+from math import isqrt
 from random import Random
 
 Numbers = list[list[Fraction]]
@@ -60,6 +61,22 @@ def unit_vector(draw: Random, rich: bool) -> tuple[Fraction, ...]:
     return 2 * a / below, 2 * b / below, (below - 2) / below
 
 
+def on_sphere(size: int, draw: Random, rich: bool) -> list[Fraction]:
+    """So many numbers whose squares add to one; what the first of them leave of it is a square too."""
+    if size == 1:
+        return [Fraction(draw.choice((1, -1)))]
+    cosine, sine = circle(draw) if rich else draw.choice(CIRCLE)
+    return [cosine, *(sine * entry for entry in on_sphere(size - 1, draw, rich))]
+
+
+def root_of(square: Fraction) -> Fraction | None:
+    """The rational square root, if there is one."""
+    if square < 0:
+        return None
+    above, below = isqrt(square.numerator), isqrt(square.denominator)
+    return Fraction(above, below) if above * above == square.numerator and below * below == square.denominator else None
+
+
 def rotation(draw: Random, rich: bool) -> Numbers:
     """A rotation from a quaternion of integers; half of them have rational Euler-Rodrigues parameters too."""
     reach = 3 if rich else 1
@@ -84,8 +101,9 @@ def half_turn(draw: Random, rich: bool) -> Numbers:
     return [[2 * u[i] * u[j] - (i == j) for j in range(3)] for i in range(3)]
 
 
-def definite(size: int, draw: Random, rich: bool) -> Numbers:
+def definite(shape: tuple[int, int], draw: Random, rich: bool) -> Numbers:
     """A symmetric, positive-definite matrix: a diagonal one, or 1 + G^T G."""
+    size = shape[0]
     if not rich:
         return [[Fraction(draw.randint(1, 3) if i == j else 0) for j in range(size)] for i in range(size)]
     g = free((size, size), draw, rich)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from math import isqrt
 from random import Random
 
 from chasles.proof.context import Context
 from chasles.proof.evaluation import Point, ratio_at
+from chasles.proof.rational import root_of
 from chasles.proof.ratios import Ratio
 from chasles.proof.unfold import Matrix
 from chasles.vocabulary import Node, Symbol
@@ -30,7 +30,7 @@ def give_norm(
     """Give a norm its value, moving a free vector to make it rational if need be."""
     rows = context.unfold(node)
     value = [_rational(context, row[0], point) for row in rows]
-    root = _root(sum((x * x for x in value), Fraction(0)))
+    root = root_of(sum((x * x for x in value), Fraction(0)))
     if root is None or root == 0:
         *numbers, size = draw.choice(PYTHAGOREAN)
         scale = Fraction(draw.randint(1, 3) if rich else 1)
@@ -71,9 +71,3 @@ def _rational(context: Context, ratio: Ratio, point: Point) -> Fraction:
     if value is None or set(value) - {0}:
         raise KeyError("not a rational number")
     return value.get(0, Fraction(0))
-
-
-def _root(square: Fraction) -> Fraction | None:
-    """The rational square root, if there is one."""
-    above, below = isqrt(square.numerator), isqrt(square.denominator)
-    return Fraction(above, below) if above * above == square.numerator and below * below == square.denominator else None
