@@ -6,14 +6,15 @@ from dataclasses import dataclass, replace
 from math import inf
 from typing import Any
 
-from chasles.proof.certificate import Rejected, check
 from chasles.proof.context import build
 from chasles.proof.deadline import OutOfTime, remaining, within
 from chasles.proof.decide import decide_problem
 from chasles.proof.from_sympy import Question, ask
 from chasles.proof.from_sympy.contradiction import contradiction
 from chasles.proof.from_sympy.decimals import as_decimals
-from chasles.proof.root_sums import exact as number
+from chasles.proof.recheck.questions.counterexample import check_refutation
+from chasles.proof.recheck.questions.proof import check_proof
+from chasles.proof.recheck.sparse import Rejected
 from chasles.proof.variables import Untreatable
 from chasles.proof.verdict import Fails, Holds, HoldsUnder, Undecided, Verdict
 from chasles.statements import Goal
@@ -60,17 +61,18 @@ def _asked(exact: bool, *said: Any) -> Any:
 
 
 def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), exact: bool = False) -> None:
-    """The certificate of a verdict of `prove` proves what was asked; nothing of the search is used.
+    """The verdict of `prove` on this question is right: nothing of the prover is used.
 
-    Raises `Rejected` with the reason if it does not, and for a witness with roots of roots, which the checker cannot
-    follow: its coordinates are sums of rational multiples of square roots.
+    A certificate proves what was asked from the verdict's `needs`, which the witness satisfies; a counterexample
+    satisfies what is given, and the two sides differ there. Raises `Rejected` with the reason if not.
     """
-    if not isinstance(verdict, Holds | HoldsUnder):
-        raise TypeError(f"the verdict is {verdict.name}: only what holds has a certificate")
-    question = ask(*_asked(exact, lhs, rhs, given, nonzero))
-    assert isinstance(question, Question)
-    problems = [question.problem, *question.variants()]
-    check(problems[verdict.certificate["variant"]], "", verdict.certificate, number=number)
+    match verdict:
+        case Holds() | HoldsUnder():
+            check_proof(verdict, *_asked(exact, lhs, rhs, given, nonzero))
+        case Fails(found):
+            check_refutation(found, *_asked(exact, lhs, rhs, given, nonzero))
+        case _:
+            raise TypeError(f"the verdict is {verdict.name}: only what holds or fails can be checked")
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,23 +111,15 @@ def _decided(question: Question) -> Verdict:
         if remaining() <= 0:
             raise
         return _refuted(question)
-    found: tuple[int, Verdict] = 0, verdict
     if isinstance(verdict, Undecided):
         impossible = contradiction(question)
         if impossible is not None:
             return impossible
         blind = replace(question.search, blind=True)
-        for number, problem in enumerate(question.variants(), 1):
+        for squared, problem in question.variants():
             again = decide_problem(problem, question.own, search=blind)
-            if again.true:
-                found = number, again
-                break
-    return _numbered(*found)
-
-
-def _numbered(variant: int, verdict: Verdict) -> Verdict:
-    if isinstance(verdict, Holds | HoldsUnder):
-        return replace(verdict, certificate={**verdict.certificate, "variant": variant})
+            if isinstance(again, Holds | HoldsUnder):
+                return replace(again, certificate={**again.certificate, "variant": int(squared)})
     return verdict
 
 

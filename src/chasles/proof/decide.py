@@ -74,7 +74,7 @@ def _decide(problem: Problem, own: tuple[Hypothesis, ...], search: Search | None
     witness = search.witness(context) if search else _witness(context, solved)
     if witness is None:
         return Undecided("it follows from its hypotheses, but no point was found that satisfies them all")
-    return certified(context, conditions, solved, unproved, own, witness)
+    return certified(context, conditions, solved, unproved, own, witness, search.write if search else None)
 
 
 def _by_spins(

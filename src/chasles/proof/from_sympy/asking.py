@@ -10,6 +10,7 @@ import sympy
 
 from chasles.proof.from_sympy.arcs import turned
 from chasles.proof.from_sympy.atoms import Atoms
+from chasles.proof.from_sympy.certificates import Writing
 from chasles.proof.from_sympy.complexes import Parts
 from chasles.proof.from_sympy.divisors import Divisor, divisor_of
 from chasles.proof.from_sympy.elementary import Elementary
@@ -50,7 +51,7 @@ def ask(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> Question | IllFormed | 
     first, size = len(declared), left.shape[0] * left.shape[1]
     for k in range(first, first + size):
         expressions[k], expressions[k + size] = turned(expressions[k], expressions[k + size], elementary.arcs)
-    question = _Asking(conditions, expressions, len(declared), left.shape, elementary).question()
+    question = _Asking(conditions, expressions, len(declared), left.shape, elementary).question((lhs, rhs, given, nonzero))
     question.search.rows = rows if left.shape[0] > rows else None
     still = not any(orders_of(pair) for pair in conditions.stated)
     question.sampling = Sampling(left, right, rows, [*conditions.stated, *derived], declared, tuple(parts.met), still)
@@ -96,8 +97,8 @@ class _Asking:
         for divisor in evident(given, expressions[declared : declared + 2 * size] if size == 1 else ()):
             reader.declare(reader(divisor), Divisor(divisor_of(divisor).text, not is_atom(divisor)))
 
-    def question(self) -> Question:
-        """All that was read, as a problem, with what to say of it."""
+    def question(self, asked: tuple[Any, Any, Any, Any]) -> Question:
+        """All that was read, as a problem, with what to say of it; `asked` is what was handed in."""
         reader = self.reader
         roots = resolve(reader, tuple(map(self._divisor, reader.divisors)))
         divisors = {node: self._divisor(node) for node in reader.divisors}
@@ -110,6 +111,7 @@ class _Asking:
         higher = [item.text for item in self.given.equations if not item.sources]
         search = search_for(reader, self.given)
         search.blind = search.blind or bool(self.elementary.origins)
+        search.write = Writing(asked, reader, self.given, roots, search)
         return Question(
             problem=Problem((self.goal,), roots.rules, (), words, tuple(hypotheses)),
             own=(

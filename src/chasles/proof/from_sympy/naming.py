@@ -18,12 +18,9 @@ def number_of(value: Exact, angle: Any) -> Any:
     return sympy.sympify(value.text("theta"), locals={"theta": sympy.Symbol("theta")}).subs("theta", angle)
 
 
-def written(value: Fraction | Exact) -> str:
-    """A coordinate for the checker: an angle that stands beside its cosine and sine is a multiple of one number."""
-    if isinstance(value, Exact) and not value.is_algebraic and len(value.terms) == 1:
-        ((_, factor),) = value.terms.items()
-        return str(factor)
-    return str(value)
+def written(value: Fraction | Exact, theta: str) -> str:
+    """A coordinate for the checker, the transcendental number by its name."""
+    return value.text(theta) if isinstance(value, Exact) else str(value)
 
 
 def spelled(name: str, origins: Mapping[str, Any]) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
-from chasles.proof.from_sympy.naming import angle_of, number_of, spelled, written
+from chasles.proof.from_sympy.naming import angle_of, number_of, spelled
 from chasles.proof.from_sympy.reader import multiplied
 from chasles.proof.from_sympy.sampling import Sampling
 from chasles.proof.search import Search, entry_of
@@ -45,8 +45,8 @@ class Question:
     sampling: Sampling | None = None
     formal: bool = False
 
-    def variants(self) -> Iterator[Problem]:
-        """Problems that say the same, and may be easier to prove.
+    def variants(self) -> Iterator[tuple[bool, Problem]]:
+        """Problems that say the same, and may be easier to prove, and whether these square the differences.
 
         The left side is multiplied and divided by what does not vanish; or the square of the difference is zero.
         """
@@ -54,13 +54,13 @@ class Question:
         for factors in [*([node] for node in divisors), divisors] if len(divisors) > 1 else [divisors] * len(divisors):
             factor = multiplied(factors)
             goals = [Goal(g.label, Quotient(Scale(factor, g.left), factor), g.right) for g in self.problem.goals]
-            yield replace(self.problem, goals=tuple(goals))
+            yield False, replace(self.problem, goals=tuple(goals))
         for goal in self.problem.goals if self.conditions else ():
             rows, columns = shape = goal.left.shape
             places = [(i + 1, j + 1) for i in range(rows) for j in range(columns)]
             pairs = [(entry_of(goal.left, place), entry_of(goal.right, place)) for place in places]
             squares: list[Node] = [Power(Sum((one, Negative(other))), 2) for one, other in pairs]
-            yield replace(self.problem, goals=(Goal("", matrix_of(squares, shape), Zero(rows, columns)),))
+            yield True, replace(self.problem, goals=(Goal("", matrix_of(squares, shape), Zero(rows, columns)),))
 
     @property
     def conditions(self) -> bool:
@@ -73,15 +73,10 @@ class Question:
             case Holds() | HoldsUnder():
                 needs = tuple(text for text in self._said((*self.needs, *verdict.needs)) if text not in self.hidden)
                 unused = tuple(text for text in self._said(verdict.unused) if text not in (*needs, *self.hidden))
-                certificate = {
-                    **verdict.certificate,
-                    "names": self._names(),
-                    "witness": {name: written(value) for name, value in sorted(verdict.witness.items())},
-                }
                 witness = self._point(verdict.witness)
                 if needs:
-                    return HoldsUnder(needs, certificate, witness, unused)
-                return Holds(certificate, witness, unused)
+                    return HoldsUnder(needs, verdict.certificate, witness, unused)
+                return Holds(verdict.certificate, witness, unused)
             case Fails(Counterexample() as found):
                 return Fails(replace(found, at=self._point(found.at)))
             case IllFormed(reason):
@@ -96,10 +91,6 @@ class Question:
     def _said(self, texts: Iterable[str]) -> tuple[str, ...]:
         """What the user said, for texts of hypotheses."""
         return tuple(dict.fromkeys(said for text in texts for said in self.sources.get(text, (text,))))
-
-    def _names(self) -> dict[str, str]:
-        """What each word stands for."""
-        return {word.name: str(origin) for word, origin in self.origins.items()}
 
     def _point(self, point: Mapping[str, Any]) -> dict[str, Any]:
         """A point by SymPy's names, irrational coordinates as SymPy numbers; roots follow from the others."""

@@ -20,7 +20,7 @@ from chasles.proof.from_sympy.polynomials import Key, as_node, as_sympy, factore
 from chasles.proof.from_sympy.reader import Reader, multiplied
 from chasles.proof.rings import Polynomial
 from chasles.statements import Goal, Hypothesis, Problem
-from chasles.vocabulary import Node, Number, Power, Quotient, Symbol
+from chasles.vocabulary import PI, Node, Number, Power, Quotient, Symbol
 
 __all__ = ["Roots", "resolve", "words_of"]
 
@@ -29,11 +29,15 @@ Size = tuple[Key, Node, Any]
 
 @dataclass(frozen=True, slots=True)
 class Roots:
-    """What the words for roots stand for, what the independent ones satisfy, and where they are real."""
+    """What the words for roots stand for, what the independent ones satisfy, and where they are real.
+
+    `values` are roots of what nothing divides, as products of what is not negative: for certificates.
+    """
 
     rules: tuple[tuple[Node, Node], ...] = ()
     hypotheses: tuple[Hypothesis, ...] = ()
     domains: tuple[str, ...] = ()
+    values: tuple[tuple[Node, Node], ...] = ()
 
 
 def resolve(reader: Reader, divisors: tuple[Hypothesis, ...]) -> Roots:
@@ -57,8 +61,9 @@ class _Resolver:
         self.words: dict[Key, Symbol] = {}
         self.composite: list[tuple[Node, list[Size]]] = []
         self.known: set[Key] = set()
+        self.values: list[tuple[Node, Node]] = []
         self.symbols = set(reader.atoms.words.values())
-        self.positive = {word.name for atom, word in reader.atoms.words.items() if atom.is_nonnegative}
+        self.positive = {PI.name, *(word.name for atom, word in reader.atoms.words.items() if atom.is_nonnegative)}
 
     def resolved(self) -> Roots:
         """One root after the other: those inside a radicand come before it."""
@@ -70,13 +75,15 @@ class _Resolver:
             context = self._context()
             polynomial, absolute = self._radicand(context, root.radicand)
             value = self._square_free(context, polynomial)
+            self.values.append((as_node(context, polynomial), value))
             below = [self._absolute(context, atom, node) for atom, node in absolute]
+            self.values += [(Power(plain, 2), size) for size, plain in below]
             above = [value, *(node for node, _ in below)]
             squares: list[Node] = [Power(node, 2) for _, node in below]
             total = Quotient(multiplied(above), multiplied(squares)) if squares else multiplied(above)
             self.rules.append((root.word, total))
         self._compare()
-        return Roots(tuple(self.rules), tuple(self.hypotheses), tuple(dict.fromkeys(self.domains)))
+        return Roots(tuple(self.rules), tuple(self.hypotheses), tuple(dict.fromkeys(self.domains)), tuple(self.values))
 
     def _context(self) -> Context:
         nothing = Number(Fraction(0))

@@ -47,8 +47,8 @@ class Search:
     `allowed` says whether a variable may have a value, `products` which angles are products of which factors, `rigid`
     which of these are no arbitrary real numbers, `frames` which variables are the entries of orthonormal columns;
     `spelled` is how an angle is written. If `blind`, there are conditions that no point here is checked for, and
-    nothing is refuted. If goals have more rows than `rows`, those below are the imaginary parts of those above. `theta`
-    is the angle that was the transcendental number at the last point found; else pi was.
+    nothing is refuted. If goals have more rows than `rows`, those below are the imaginary parts of those above. `write`
+    writes the certificates. `theta` is the angle that was the transcendental number at the last point; else pi was.
     """
 
     allowed: Callable[[str, Exact], bool]
@@ -59,6 +59,7 @@ class Search:
     spelled: Callable[[Symbol], str] = str
     blind: bool = False
     rows: int | None = None
+    write: Callable[..., dict[str, Any]] | None = None
     calls: int = 0
     theta: Symbol | None = None
 

@@ -1,0 +1,153 @@
+"""Is there a motion through a point? Equations between functions hold at all times, and so do their derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+import sympy
+
+from chasles.proof.recheck.algebra import constant, primitive
+from chasles.proof.recheck.expansion import determinant
+from chasles.proof.recheck.questions.asked import Given
+from chasles.proof.recheck.questions.at_point import AtPoint
+from chasles.proof.recheck.questions.complexes import differences
+from chasles.proof.recheck.questions.expressions import Expressions
+from chasles.proof.recheck.questions.valuation import Unknown
+from chasles.proof.recheck.sparse import ONE, Polynomial, Rejected, exponents, number, variable
+
+__all__ = ["require_motion", "time_of"]
+
+MOST_RATES = 20
+
+
+def time_of(given: Iterable[Given]) -> Any:
+    """The one symbol of which all functions in some equations are functions; raises `Rejected` if there is none."""
+    times = {argument for item in given for function in item.functions for argument in function.args}
+    if len(times) != 1:
+        raise Rejected("functions of several variables are not differentiated")
+    return times.pop()
+
+
+def require_motion(given: Iterable[Given], point: AtPoint, through: bool) -> None:
+    """Equations between functions hold at the point with all derivatives that speak of what has a value there.
+
+    If a motion is to go `through` the point, the last of these can be solved for as many of the highest rates, and no
+    higher rate has a value. Then implicit functions, and ordinary differential equations for them, make one (and an
+    equation that follows from the others holds along it). Raises `Rejected` if not.
+    """
+    moving = [item for item in given if item.functions]
+    read = point.symbolic
+    if not moving or not any(isinstance(e, sympy.Derivative) for e in read.atoms.values()):
+        return
+    time = time_of(moving)
+    stated = [fact for item in moving for fact in differences(read, item.pairs).values()]
+    stated = [fact for fact in stated if fact and not _is_determinant(read, fact, moving)]
+    unlike = {frozenset(base.terms.items()): base for _, base in map(primitive, stated)}
+    last = [_last(point, fact, time) for fact in unlike.values()]
+    if not through:
+        return
+    highest: dict[Any, int] = {}
+    for fact in last:
+        for e in (read.atoms[place] for place in _spoken_of(read, fact)):
+            function, order = (e.expr, int(e.derivative_count)) if isinstance(e, sympy.Derivative) else (e, 0)
+            highest[function] = max(highest.get(function, 0), order)
+    for e in read.atoms.values():
+        higher = isinstance(e, sympy.Derivative) and e.derivative_count > highest.get(e.expr, e.derivative_count)
+        if higher and str(e) in point.numbers:
+            raise Rejected(f"it is not seen that {e} can have its value at the point")
+    rates = [sympy.Derivative(f, (time, n)) if n else f for f, n in highest.items() if time in f.args]
+    rows: list[list[Polynomial]] = []
+    for k, fact in enumerate(last):
+        row = [point.value_of(read.rate(fact, rate)) for rate in rates]
+        if _rank(point, [*rows, row]) > len(rows):
+            rows.append(row)
+        elif not _follows(read, fact, [*last[:k], *last[k + 1 :]]):
+            raise Rejected("it is not seen that there is a motion through the point")
+
+
+def _last(point: AtPoint, fact: Polynomial, time: Any) -> Polynomial:
+    """The highest derivative that speaks of what has a value only; raises `Rejected` if one does not vanish."""
+    if not point.vanishes(point.value_of(fact)):
+        raise Rejected("an equation given does not vanish at the point")
+    for _ in range(MOST_RATES):
+        rate = point.symbolic.rate(fact, time)
+        try:
+            value = point.value_of(rate)
+        except Unknown:
+            break
+        if not point.vanishes(value):
+            raise Rejected("a derivative of an equation given does not vanish at the point")
+        if not rate:
+            break
+        fact = rate
+    return fact
+
+
+def _spoken_of(read: Expressions, fact: Polynomial) -> set[int]:
+    """The quantities on which something depends."""
+    known: set[int] = set()
+    waiting = set(fact.places)
+    while waiting:
+        place = waiting.pop()
+        if place not in known:
+            known.add(place)
+            for of in (read.squares.get(place), read.inverses.get(place)):
+                waiting |= of.places if of is not None else set()
+            for monomial, (_, cosine, sine) in read.circles.items():
+                waiting |= Polynomial({monomial: 1}).places if place in cosine.places | sine.places else set()
+    return known & read.atoms.keys()
+
+
+def _follows(read: Expressions, fact: Polynomial, others: list[Polynomial]) -> bool:
+    """Whether nothing is left of something when what others say of their highest rates is put in."""
+    for other in others:
+        rates = [k for k in other.places if isinstance(read.atoms.get(k), sympy.Derivative)]
+        for place in sorted(rates, key=lambda k: -read.atoms[k].derivative_count):
+            slope = constant(other.partials()[place])
+            if slope is not None and place in fact.places:
+                value = variable(place) - other * number(1 / slope)
+                fact = read.normal(_put(fact, place, value))
+                break
+    return read.vanishes(fact)
+
+
+def _put(polynomial: Polynomial, place: int, value: Polynomial) -> Polynomial:
+    """The polynomial with a value in the place of a variable."""
+    total = number(0)
+    for monomial, coefficient in polynomial.terms.items():
+        power = dict(exponents(monomial)).get(place, 0)
+        term = Polynomial({monomial - (power << 8 * place): coefficient}, polynomial.below)
+        for _ in range(power):
+            term = term * value
+        total += term
+    return total
+
+
+def _is_determinant(read: Expressions, fact: Polynomial, moving: list[Given]) -> bool:
+    """Whether the square of what is said to be one is one already, since it is the determinant of what is given."""
+    square = (fact + ONE) * (fact + ONE)
+    for item in moving:
+        size = round(len(item.pairs) ** 0.5)
+        if size > 1 and item.pairs.keys() == {(i, j) for i in range(size) for j in range(size)}:
+            said = differences(read, item.pairs)
+            gram = [[said[i, j] + number(int(i == j)) for j in range(size)] for i in range(size)]
+            if read.vanishes(determinant(gram) - square):
+                return True
+    return False
+
+
+def _rank(point: AtPoint, rows: list[list[Polynomial]]) -> int:
+    """The rank of a matrix of numbers, by elimination without division."""
+    rank = 0
+    for column in range(len(rows[0]) if rows else 0):
+        pivot = next((r for r in range(rank, len(rows)) if point.sign(rows[r][column])), None)
+        if pivot is None:
+            continue
+        rows[rank], rows[pivot] = rows[pivot], rows[rank]
+        lead = rows[rank]
+        for r in range(rank + 1, len(rows)):
+            row = rows[r]
+            rows[r] = [point.normal(a * lead[column] - b * row[column]) for a, b in zip(row, lead, strict=True)]
+        rank += 1
+    return rank

@@ -1,0 +1,93 @@
+"""Does a verdict say all that it needs? What a proof divides by, roots of what, and which equations it uses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from contextlib import suppress
+
+from chasles.proof.recheck.algebra import primitive
+from chasles.proof.recheck.questions.asked import Asked
+from chasles.proof.recheck.questions.reading_of_proof import Proven
+from chasles.proof.recheck.questions.signs import is_positive
+from chasles.proof.recheck.questions.spoken import Spoken
+from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected, variable
+
+__all__ = ["require_needs"]
+
+RELATIONS = (" != 0", " > 0", " >= 0")
+
+
+def require_needs(
+    stated: Iterable[str], asked: Asked, reading: Proven, divisors: Iterable[int], used: Iterable[str]
+) -> None:
+    """Every divisor, domain and equation used is stated, and nothing is of which the question does not speak.
+
+    `divisors` are the places of inverses. Raises `Rejected` if not.
+    """
+    stated = list(stated)
+    texts = {item.text for item in asked.given}
+    for text in (*used, *reading.substituted):
+        if text not in stated:
+            raise Rejected(f"the proof uses {text}, and the verdict does not say so")
+    said = [_Said(reading, text) for text in stated if text not in texts]
+    for place in divisors:
+        if not (_is_evident(reading, place) or any(one.excludes(place) for one in said)):
+            spelled = min(reading.divided.get(place, {reading.names[place]}))
+            raise Rejected(f"the proof needs {spelled} != 0, and the verdict does not say so")
+    for domain in reading.domains:
+        if not any(one.allows(domain) for one in said):
+            raise Rejected("a root is real only where something is not negative of which the verdict does not speak")
+    for one in said:
+        if not (any(map(one.excludes, reading.inverses)) or any(map(one.allows, reading.domains))):
+            raise Rejected(f"the verdict needs {one.text}, of which the question does not speak")
+
+
+def _is_evident(reading: Proven, place: int) -> bool:
+    """Whether something visibly does not vanish; of a quantity by itself it is said in any case."""
+    base = reading.inverses[place]
+    if len(base.terms) == 1 and base.places <= reading.atoms.keys():
+        return False
+    if base.places <= reading.numeric:
+        return bool(reading.sign(base))
+    return is_positive(reading, base) or is_positive(reading, -base)
+
+
+class _Said:
+    """One of the needs: that something does not vanish, or is not negative."""
+
+    def __init__(self, reading: Proven, text: str) -> None:
+        self.reading, self.text = reading, text
+        self.relation = next((relation for relation in RELATIONS if text.endswith(relation)), "")
+        if not self.relation:
+            raise Rejected(f"the verdict needs {text}, of which the question does not speak")
+        self.spelled = text.removesuffix(self.relation)
+        self._polynomial: Polynomial | None = None
+
+    @property
+    def polynomial(self) -> Polynomial:
+        """What the need is about, with nothing divided by."""
+        if self._polynomial is None:
+            named = {str(e): variable(place) for place, e in self.reading.atoms.items()}
+            known = set(self.reading.inverses)
+            with suppress(Rejected):
+                self._polynomial = self.reading.cleared(Spoken(self.reading, named)(self.spelled))[0]
+            if self._polynomial is None or known != set(self.reading.inverses):
+                self._polynomial = ZERO
+        return self._polynomial
+
+    def excludes(self, place: int) -> bool:
+        """Whether it says that what a variable is the inverse of does not vanish."""
+        if self.relation == " >= 0":
+            return False
+        if self.spelled in self.reading.divided.get(place, ()):
+            return True
+        return primitive(self.polynomial)[1].terms == self.reading.inverses[place].terms
+
+    def allows(self, domain: Polynomial) -> bool:
+        """Whether it says that something is not negative."""
+        if self.relation == " != 0":
+            return False
+        if not self.polynomial:
+            return False
+        (scale, base), (wanted, other) = primitive(self.polynomial), primitive(domain)
+        return base.terms == other.terms and scale * wanted > 0

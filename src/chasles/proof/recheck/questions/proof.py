@@ -1,0 +1,160 @@
+"""Does a certificate prove an equation of SymPy expressions? The checker shares nothing with the prover.
+
+It reads both sides and what is given by itself, as polynomials. A certificate says by what to multiply, and supplies
+cofactors, the values of roots, and a witness: each is tried, and nothing else is believed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+import sympy
+
+from chasles.proof.recheck.algebra import primitive
+from chasles.proof.recheck.questions.asked import Asked
+from chasles.proof.recheck.questions.at_point import AtPoint
+from chasles.proof.recheck.questions.complexes import differences, parts
+from chasles.proof.recheck.questions.facts import Facts
+from chasles.proof.recheck.questions.given import require_given
+from chasles.proof.recheck.questions.needs import require_needs
+from chasles.proof.recheck.questions.reading_of_proof import Proven
+from chasles.proof.recheck.questions.spoken import Spoken
+from chasles.proof.recheck.sparse import Polynomial, Rejected, number, variable
+from chasles.proof.recheck.text import parsed
+
+__all__ = ["PARTS", "check_proof"]
+
+Data = Mapping[str, Any]
+PARTS = frozenset(
+    ("variant", "names", "angles", "substituted", "words", "roots", "equal", "frames", "divisors", "entries", "witness")
+)
+"""What a certificate may say."""
+MALFORMED = (ArithmeticError, AssertionError, AttributeError, LookupError, RecursionError, TypeError, ValueError)
+
+
+def check_proof(verdict: Any, lhs: Any, rhs: Any, given: Any = (), nonzero: Any = ()) -> None:
+    """Every entry of both sides is equal wherever the needs of the verdict hold, and its witness is such a place.
+
+    Raises `Rejected` with the reason if the certificate does not prove that.
+    """
+    try:
+        _check(verdict, Asked(lhs, rhs, given, nonzero))
+    except Rejected:
+        raise
+    except MALFORMED as error:
+        raise Rejected(f"the certificate is malformed: {type(error).__name__}: {error}") from error
+
+
+def _check(verdict: Any, asked: Asked) -> None:
+    certificate = verdict.certificate
+    if unknown := certificate.keys() - PARTS:
+        raise Rejected(f"the certificate has a part {min(unknown)!r}, which says nothing")
+    reading = Proven(asked, certificate)
+    claims = differences(reading, {place: (left, asked.right[place]) for place, left in asked.left.items()})
+    divisors = set(reading.inverses)
+    for e in asked.nonzero:
+        _declare(reading, e)
+    facts = Facts(asked, reading, certificate)
+    granted = _inverses_given(asked, reading)
+    divisors |= _prove(certificate, reading, facts, claims)
+    divisors |= reading.inverses.keys() - granted - divisors
+    require_needs(verdict.needs, asked, reading, divisors, facts.used)
+    _require_witness(verdict, asked, reading)
+
+
+def _declare(reading: Proven, e: Any) -> None:
+    """What does not vanish, and by what it divides, may be divided by."""
+    a, b = parts(reading, e)
+    inverse = reading.over(reading.normal(a * a + b * b), str(e)) if b else reading.divide(e)
+    for place in (a.places | b.places | inverse.places) & reading.inverses.keys():
+        reading.divided.setdefault(place, set()).add(str(e))
+
+
+def _inverses_given(asked: Asked, reading: Proven) -> set[int]:
+    """What is divided by before anything is differentiated."""
+    for item in asked.given:
+        differences(reading, item.pairs)
+    return set(reading.inverses)
+
+
+def _prove(certificate: Data, reading: Proven, facts: Facts, claims: Mapping[tuple[int, int], Polynomial]) -> set[int]:
+    """Show that every claim vanishes; the places of the inverses by which claims were multiplied."""
+    variant, entries, multiplied = certificate["variant"], certificate.get("entries", {}), set()
+    if isinstance(variant, bool) or variant not in (0, 1) or not isinstance(variant, int):
+        raise Rejected(f"the certificate's variant is {variant!r}: 0 or 1 is expected")
+    if not claims:
+        raise Rejected("there is nothing to prove")
+    open_claims = {place: claim for place, claim in claims.items() if not reading.vanishes(claim)}
+    labels = {f"{i + 1},{j + 1}": place for place in open_claims for i, j in [place]}
+    if entries.keys() != labels.keys():
+        what = min(entries.keys() ^ labels.keys())
+        raise Rejected(f"entry {what} does not follow, or follows without more being said")
+    if variant and not open_claims:
+        raise Rejected("the certificate squares what vanishes by itself")
+    for label, said in entries.items():
+        claim = open_claims[labels[label]]
+        claim = reading.normal(claim * claim) if variant else claim
+        multiplied |= _follows(certificate, reading, facts, claim, said, label)
+    return multiplied
+
+
+def _follows(
+    certificate: Mapping[str, Any],
+    reading: Proven,
+    facts: Facts,
+    claim: Polynomial,
+    said: Mapping[str, Any],
+    label: str,
+) -> set[int]:
+    """A claim times powers of what does not vanish is a sum of cofactors times facts; the inverses of the former."""
+    if unknown := said.keys() - {"times", "cofactors"}:
+        raise Rejected(f"the certificate says {min(unknown)!r} of entry {label}, which means nothing")
+    numerator, below = reading.cleared(claim)
+    powers, scale = dict[int, int](), Fraction(1)
+    for which, power in said.get("times", {}).items():
+        divisor = reading.normal(parsed(certificate["divisors"][int(which)], reading.places))
+        place = reading.inverse_place(divisor)
+        if place is None or isinstance(power, bool) or not isinstance(power, int) or power < 1:
+            raise Rejected(f"entry {label} is multiplied by what the question does not divide by")
+        powers[place] = powers.get(place, 0) + power
+        scale *= primitive(divisor)[0] ** power
+    left, right = (
+        reading.divisors({k: max(0, other.get(k, 0) - own.get(k, 0)) for k in powers.keys() | below.keys()})
+        for own, other in ((below, powers), (powers, below))
+    )
+    rest = reading.normal(numerator * left * number(scale))
+    for fact, cofactor in said.get("cofactors", {}).items():
+        rest = rest - reading.normal(parsed(cofactor, reading.places) * facts[fact] * right)
+    if reading.normal(rest):
+        raise Rejected(f"entry {label} does not follow")
+    return set(powers)
+
+
+def _require_witness(verdict: Any, asked: Asked, reading: Proven) -> None:
+    """The witness satisfies all that is given and needed, everything is defined there, and its two forms agree."""
+    point = AtPoint(reading, verdict.witness)
+    require_given(asked, point, through=False)
+    for left, right in ((left, asked.right[place]) for place, left in asked.left.items()):
+        if any(point.sign(value) for value in differences(point, {(0, 0): (left, right)}).values()):
+            raise Rejected("the two sides differ at the witness")
+    for domain in reading.domains:
+        if point.sign(point.value_of(domain)) < 0:
+            raise Rejected("a root is not real at the witness")
+    point.require_angles()
+    said = verdict.certificate["witness"]
+    spoken = Spoken(point, point.spelled())
+    for name, text in said.items():
+        if name not in reading.places:
+            raise Rejected(f"the witness gives a value to {name}, which does not occur")
+        if not point.vanishes(spoken(str(text)) - point.value_of(variable(reading.places[name]))):
+            raise Rejected(f"the witness has two values of {name}")
+    spelled = {str(e): e for e in reading.atoms.values()}
+    if unknown := point.numbers.keys() - spelled.keys():
+        raise Rejected(f"the witness gives a value to {min(unknown)}, which does not occur")
+    for name, place in reading.places.items():
+        e = reading.atoms.get(place)
+        free = e is not None and (str(e) not in point.numbers or e in reading.values or e is sympy.pi)
+        if name not in said and not free:
+            raise Rejected(f"no value is given for {name}")

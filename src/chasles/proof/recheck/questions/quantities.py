@@ -1,0 +1,43 @@
+"""Which SymPy expressions are real quantities by themselves: the variables of a question."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import sympy
+from sympy.core.function import AppliedUndef
+from sympy.matrices.expressions.matexpr import MatrixElement
+
+from chasles.proof.recheck.sparse import Rejected
+
+__all__ = ["atoms_of", "is_atom", "require_real"]
+
+
+def is_atom(e: Any) -> bool:
+    """Whether an expression is a real quantity by itself."""
+    if isinstance(e, sympy.Derivative):
+        return isinstance(e.expr, AppliedUndef)
+    return isinstance(e, sympy.Symbol | AppliedUndef | MatrixElement)
+
+
+def atoms_of(e: Any) -> Iterator[Any]:
+    """The real quantities that occur in an expression."""
+    if is_atom(e):
+        yield e
+    else:
+        for part in e.args:
+            yield from atoms_of(part)
+
+
+def require_real(e: Any) -> None:
+    """Raise `Rejected` for what is no real number, or no function of different symbols."""
+    function = e.expr if isinstance(e, sympy.Derivative) else e
+    if e.is_real is False or e.is_commutative is False:
+        raise Rejected(f"{e} is not real")
+    if isinstance(function, AppliedUndef):
+        arguments = function.args
+        if len(set(arguments)) < len(arguments) or not all(isinstance(a, sympy.Symbol) for a in arguments):
+            raise Rejected(f"the arguments of {function} are not different symbols")
+    elif isinstance(e, MatrixElement) and not isinstance(e.parent, sympy.MatrixSymbol):
+        raise Rejected(f"{e} is no entry of a matrix symbol")

@@ -1,0 +1,46 @@
+"""Expressions as they stand, for the checker: every root is a variable of its own, known by its square."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import sympy
+
+from chasles.proof.recheck.questions.expressions import Expressions
+from chasles.proof.recheck.questions.valuation import Valuation
+from chasles.proof.recheck.reals import Reals
+from chasles.proof.recheck.sparse import Polynomial, Rejected, variable
+
+__all__ = ["Symbolic"]
+
+
+class Symbolic(Expressions):
+    """Reads expressions in variables; what is in numbers only has a value in `reals`."""
+
+    def __init__(self, names: dict[str, str], units: dict[str, Fraction]) -> None:
+        super().__init__(names, units)
+        self.reals = Reals()
+        self._numbers = Valuation(self, self.reals, self._number)
+        self._by_square: dict[frozenset[tuple[int, int]], int] = {}
+
+    def root(self, value: Polynomial) -> Polynomial:
+        """The nonnegative square root, as a variable."""
+        square = self.cleared(value)[0]
+        key = frozenset((*square.terms.items(), (-1, square.below)))
+        if key not in self._by_square:
+            self._by_square[key] = self.fresh("root", square)
+            self.words.add(self._by_square[key])
+        return variable(self._by_square[key])
+
+    def sign(self, value: Polynomial) -> int:
+        """1, 0 or -1, for what is a number."""
+        return self.reals.sign(self._numbers(value))
+
+    def is_near(self, value: Polynomial, other: Fraction, distance: Fraction) -> bool:
+        """Whether a number is known to differ from another by less than a distance."""
+        return self.reals.is_near(self._numbers(value), other, distance)
+
+    def _number(self, place: int) -> Polynomial:
+        if self.atoms.get(place) is sympy.pi:
+            return self.reals.pi
+        raise Rejected(f"{self.names[place]} is no number")
