@@ -6,14 +6,13 @@ alone does not do, the values of what conditions determine, and a witness: each 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from fractions import Fraction
+from collections.abc import Mapping
 from typing import Any
 
 from chasles.proof.recheck.division import Division, divided, solved_for
 from chasles.proof.recheck.quantities import squeezed
 from chasles.proof.recheck.reading import Reading
-from chasles.proof.recheck.sparse import ONE, ZERO, Polynomial, Rejected, cleared, number, variable
+from chasles.proof.recheck.sparse import ONE, ZERO, Polynomial, Rejected, cleared, parsed, powered, variable
 from chasles.proof.recheck.witness import point_of, require
 from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import problems_of_inverse
@@ -28,13 +27,11 @@ def check(
     form: str,
     certificate: Mapping[str, Any],
     standing: Standing = default_sides,
-    number: Callable[[str], Any] = Fraction,
 ) -> None:
     """Every entry of every equation holds wherever the hypotheses do, and somewhere they do: the certificate proves it.
 
-    `standing` gives the sides with which given statements are used; a problem needs neither form nor standing. A
-    coordinate of the witness is read by `number`. Raises `Rejected` with the reason if the certificate does not prove
-    the statement, and what `problem_of` raises.
+    `standing` gives the sides with which given statements are used; a problem needs neither form nor standing. Raises
+    `Rejected` with the reason if the certificate does not prove the statement, and what `problem_of` raises.
     """
     if isinstance(said, Inverse):
         problems = dict(problems_of_inverse(said, standing))
@@ -42,14 +39,14 @@ def check(
         problems = {"": said if isinstance(said, Problem) else problem_of(said, form, standing)}
     try:
         for says, problem in problems.items():
-            _check(problem, certificate["branches"][says] if isinstance(said, Inverse) else certificate, number)
+            _check(problem, certificate["branches"][says] if isinstance(said, Inverse) else certificate)
     except Rejected:
         raise
     except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError) as error:
         raise Rejected(f"the certificate is malformed: {type(error).__name__}: {error}") from error
 
 
-def _check(problem: Problem, certificate: Mapping[str, Any], number: Callable[[str], Any]) -> None:
+def _check(problem: Problem, certificate: Mapping[str, Any]) -> None:
     if not problem.goals:
         raise Rejected("there is nothing to prove")
     problem = with_spins(problem) if certificate.get("spins") else problem
@@ -60,7 +57,7 @@ def _check(problem: Problem, certificate: Mapping[str, Any], number: Callable[[s
     values: dict[int, Polynomial] = {}
     for name, said in certificate.get("solved", {}).items():
         place = reading.places[squeezed(name)]
-        values[place] = _parsed(reading, said["numerator"]) * _over(reading, said)
+        values[place] = parsed(said["numerator"], reading.places) * _over(reading, said)
         occurring |= _follows(reading, divisions, variable(place) - values[place], said, f"the value of {name}")
     reading.settle(values)
     for count, goal in enumerate(problem.goals):
@@ -71,14 +68,14 @@ def _check(problem: Problem, certificate: Mapping[str, Any], number: Callable[[s
             said = certificate.get("entries", {}).get(f"{count}:{i},{j}", {})
             what = f"entry {i + 1}, {j + 1} of equation {count + 1}"
             occurring |= _follows(reading, [] if said else divisions, difference, said, what)
-    require(reading, point_of(reading, certificate["witness"], number), occurring)
+    require(reading, point_of(reading, certificate["witness"]), occurring)
 
 
 def _division(reading: Reading, label: str, term: str) -> Division:
     """A term, given by its factors, of something that vanishes, and what it therefore equals."""
     if label not in reading.vanishing:
         raise Rejected(f"the certificate divides by {label!r}, which the statement does not assume")
-    (factors,) = _parsed(reading, f"1*{term}").terms
+    (factors,) = parsed(f"1*{term}", reading.places).terms
     if factors not in reading.vanishing[label].terms:
         raise Rejected(f"the certificate solves {label!r} for {term}, which does not occur in it")
     return solved_for(factors, reading.vanishing[label])
@@ -93,7 +90,7 @@ def _follows(
         if label not in reading.vanishing:
             raise Rejected(f"{what} is said to follow from {label!r}, which the statement does not assume")
         occurring |= reading.vanishing[label].places
-        total += _parsed(reading, cofactor) * reading.vanishing[label]
+        total += parsed(cofactor, reading.places) * reading.vanishing[label]
     if divided(cleared(claim - total * _over(reading, said), reading.atoms)[0], divisions):
         raise Rejected(f"{what} does not follow")
     return occurring
@@ -106,26 +103,5 @@ def _over(reading: Reading, said: Mapping[str, Any]) -> Polynomial:
         place = reading.places.get(squeezed(label), len(reading.atoms))
         if place >= len(reading.atoms):
             raise Rejected(f"the certificate divides by {label!r}, which is not declared nonzero")
-        total *= _power(place, power)
+        total *= powered(place, power)
     return total
-
-
-def _parsed(reading: Reading, text: str) -> Polynomial:
-    """A polynomial in the statement's variables, from text such as -1/2*e_1^2*cos(phi) + 3."""
-    total = ZERO
-    for term in text.split(" + "):
-        coefficient, *factors = term.split("*")
-        product = number(Fraction(coefficient))
-        for factor in factors:
-            name, _, power = (factor, "", "1") if factor in reading.places else factor.rpartition("^")
-            if name not in reading.places:
-                raise Rejected(f"the certificate has a factor {factor!r}, which is no power of a variable")
-            product *= _power(reading.places[name], power)
-        total += product
-    return total
-
-
-def _power(place: int, power: str | int) -> Polynomial:
-    if not 1 <= int(power) <= 127:
-        raise Rejected(f"the certificate has {power!r} where an exponent from 1 to 127 is due")
-    return variable(place, int(power))

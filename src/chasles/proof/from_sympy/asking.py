@@ -51,7 +51,9 @@ def ask(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> Question | IllFormed | 
     first, size = len(declared), left.shape[0] * left.shape[1]
     for k in range(first, first + size):
         expressions[k], expressions[k + size] = turned(expressions[k], expressions[k + size], elementary.arcs)
-    question = _Asking(conditions, expressions, len(declared), left.shape, elementary).question((lhs, rhs, given, nonzero))
+    question = _Asking(conditions, expressions, len(declared), left.shape, elementary).question(
+        (lhs, rhs, given, nonzero)
+    )
     question.search.rows = rows if left.shape[0] > rows else None
     still = not any(orders_of(pair) for pair in conditions.stated)
     question.sampling = Sampling(left, right, rows, [*conditions.stated, *derived], declared, tuple(parts.met), still)

@@ -14,13 +14,12 @@ from chasles.proof.from_sympy.naming import spelled, written
 from chasles.proof.from_sympy.reader import Reader
 from chasles.proof.from_sympy.roots import Roots
 from chasles.proof.polynomial_text import written as text_of
-from chasles.proof.recheck.algebra import primitive
+from chasles.proof.recheck.questions.algebra import primitive
 from chasles.proof.recheck.questions.asked import Asked
 from chasles.proof.recheck.questions.complexes import differences
 from chasles.proof.recheck.questions.facts import Facts
 from chasles.proof.recheck.questions.reading_of_proof import Proven
-from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected
-from chasles.proof.recheck.text import parsed
+from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected, parsed
 from chasles.proof.search import Search
 from chasles.vocabulary import Node, Power, Scale
 

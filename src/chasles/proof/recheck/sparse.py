@@ -2,12 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from fractions import Fraction
 from functools import reduce
 from math import lcm
 from operator import add, mul, or_
 
-__all__ = ["ONE", "ZERO", "Polynomial", "Rejected", "cleared", "exponents", "number", "product", "variable"]
+__all__ = [
+    "ONE",
+    "ZERO",
+    "Polynomial",
+    "Rejected",
+    "cleared",
+    "exponents",
+    "number",
+    "parsed",
+    "powered",
+    "product",
+    "variable",
+]
 
 
 class Rejected(ValueError):
@@ -114,3 +127,25 @@ def number(value: int | Fraction) -> Polynomial:
 
 
 ZERO, ONE = number(0), number(1)
+
+
+def parsed(text: str, places: Mapping[str, int]) -> Polynomial:
+    """A polynomial in the variables with these places, from text such as -1/2*e_1^2*cos(phi) + 3."""
+    total = ZERO
+    for term in text.split(" + "):
+        coefficient, *factors = term.split("*")
+        product = number(Fraction(coefficient))
+        for factor in factors:
+            name, _, power = (factor, "", "1") if factor in places else factor.rpartition("^")
+            if name not in places:
+                raise Rejected(f"the certificate has a factor {factor!r}, which is no power of a variable")
+            product *= powered(places[name], power)
+        total += product
+    return total
+
+
+def powered(place: int, power: str | int) -> Polynomial:
+    """A power of a variable; raises `Rejected` for an exponent that is none."""
+    if not 1 <= int(power) <= 127:
+        raise Rejected(f"the certificate has {power!r} where an exponent from 1 to 127 is due")
+    return variable(place, int(power))

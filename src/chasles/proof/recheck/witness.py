@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from fractions import Fraction
 from math import prod
 from typing import Any
@@ -15,12 +15,12 @@ __all__ = ["Point", "point_of", "require", "value_at"]
 
 QUARTERS = tuple((Fraction(cosine), Fraction(sine)) for cosine, sine in ((1, 0), (0, 1), (-1, 0), (0, -1)))
 """Cosine and sine of none, one, two and three quarter turns."""
-Point = dict[int, tuple[Any, int]]
-"""For each variable a number, rational or a sum of square roots, and the power, 0 or 1, of the one transcendental
-number by which it is multiplied."""
+Point = dict[int, tuple[Fraction, int]]
+"""For each variable a rational number, and the power, 0 or 1, of the one transcendental number by which it is
+multiplied."""
 
 
-def point_of(reading: Reading, values: Mapping[str, Any], number: Callable[[str], Any] = Fraction) -> Point:
+def point_of(reading: Reading, values: Mapping[str, Any]) -> Point:
     """The point with these values; raises `Rejected` where they contradict what the variables mean.
 
     An angle that occurs beside its own cosine and sine is transcendental, because these are rational (Lindemann). With
@@ -32,22 +32,21 @@ def point_of(reading: Reading, values: Mapping[str, Any], number: Callable[[str]
     numbers: dict[int, Any] = dict.fromkeys(pi, Fraction(1))
     for name, value in values.items():
         place = reading.places.get(squeezed(name))
-        if place is not None and numbers.setdefault(place, here := number(str(value))) != here:
+        if place is not None and numbers.setdefault(place, here := Fraction(str(value))) != here:
             raise Rejected(f"{name} is given two values")
     angles = [(place, *what[1:]) for place, what in enumerate(reading.variables) if what[0] == "cos"]
     bare = pi | {reading.places[symbol.name] for _, symbol, _ in angles} & numbers.keys()
     for place, symbol, unit in angles:
-        here = reading.places[symbol.name]
-        if here in bare and (in_play or len(bare) > 1 or not numbers[here]):
-            quarters = 2 * unit * numbers[here]
+        bare_place = reading.places[symbol.name]
+        if bare_place in bare and (in_play or len(bare) > 1 or not numbers[bare_place]):
+            quarters = 2 * unit * numbers[bare_place]
             cosine, sine = QUARTERS[int(quarters) % 4]
             fits = numbers.get(place, cosine) == cosine and numbers.get(place + 1, sine) == sine
             if quarters.denominator != 1 or not fits:
                 raise Rejected(f"cosine and sine of {symbol} are not those of the angle given")
-    roots = {reading.places.get(str(h.subjects[0])) for h in reading.problem.hypotheses if h.kind == "root"}
     for place, value in numbers.items():
-        if (place in roots or reading.variables[place][0] == "norm") and value < 0:
-            raise Rejected("a norm, or a root, is given a negative value")
+        if reading.variables[place][0] == "norm" and value < 0:
+            raise Rejected("a norm is given a negative value")
     return {place: (value, int(place in bare)) for place, value in numbers.items()}
 
 

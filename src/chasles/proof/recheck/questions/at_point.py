@@ -9,13 +9,13 @@ from typing import Any
 
 import sympy
 
-from chasles.proof.recheck.algebra import constant
+from chasles.proof.recheck.questions.algebra import constant
 from chasles.proof.recheck.questions.expressions import Circle, Expressions
 from chasles.proof.recheck.questions.quantities import is_atom
+from chasles.proof.recheck.questions.reals import Reals
 from chasles.proof.recheck.questions.symbolic import Symbolic
 from chasles.proof.recheck.questions.turns import turned
 from chasles.proof.recheck.questions.valuation import Unknown, Valuation
-from chasles.proof.recheck.reals import Reals
 from chasles.proof.recheck.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number
 
 __all__ = ["AtPoint"]

@@ -17,7 +17,7 @@ from typing import Any
 
 import sympy
 
-from chasles.proof.recheck.algebra import Algebra, constant
+from chasles.proof.recheck.questions.algebra import Algebra, constant
 from chasles.proof.recheck.questions.complexes import parts
 from chasles.proof.recheck.questions.quantities import is_atom, require_real
 from chasles.proof.recheck.questions.rates import Rates

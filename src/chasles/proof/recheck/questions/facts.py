@@ -9,14 +9,13 @@ from itertools import combinations_with_replacement
 from operator import add
 from typing import Any
 
-from chasles.proof.recheck.algebra import primitive
 from chasles.proof.recheck.expansion import Matrix, determinant
+from chasles.proof.recheck.questions.algebra import primitive
 from chasles.proof.recheck.questions.asked import Asked
 from chasles.proof.recheck.questions.complexes import differences
 from chasles.proof.recheck.questions.motion import time_of
 from chasles.proof.recheck.questions.reading_of_proof import Proven
-from chasles.proof.recheck.sparse import ONE, Polynomial, Rejected, number, variable
-from chasles.proof.recheck.text import parsed
+from chasles.proof.recheck.sparse import ONE, Polynomial, Rejected, number, parsed, variable
 
 __all__ = ["Facts"]
 

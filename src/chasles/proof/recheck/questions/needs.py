@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from contextlib import suppress
 
-from chasles.proof.recheck.algebra import primitive
+from chasles.proof.recheck.questions.algebra import primitive
 from chasles.proof.recheck.questions.asked import Asked
 from chasles.proof.recheck.questions.reading_of_proof import Proven
 from chasles.proof.recheck.questions.signs import is_positive

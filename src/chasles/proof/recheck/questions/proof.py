@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy
 
-from chasles.proof.recheck.algebra import primitive
+from chasles.proof.recheck.questions.algebra import primitive
 from chasles.proof.recheck.questions.asked import Asked
 from chasles.proof.recheck.questions.at_point import AtPoint
 from chasles.proof.recheck.questions.complexes import differences, parts
@@ -21,8 +21,7 @@ from chasles.proof.recheck.questions.given import require_given
 from chasles.proof.recheck.questions.needs import require_needs
 from chasles.proof.recheck.questions.reading_of_proof import Proven
 from chasles.proof.recheck.questions.spoken import Spoken
-from chasles.proof.recheck.sparse import Polynomial, Rejected, number, variable
-from chasles.proof.recheck.text import parsed
+from chasles.proof.recheck.sparse import Polynomial, Rejected, number, parsed, variable
 
 __all__ = ["PARTS", "check_proof"]
 

@@ -12,14 +12,13 @@ from typing import Any
 
 import sympy
 
-from chasles.proof.recheck.algebra import constant, primitive
+from chasles.proof.recheck.questions.algebra import constant, primitive
 from chasles.proof.recheck.questions.asked import Asked
 from chasles.proof.recheck.questions.given import eliminate_angle
 from chasles.proof.recheck.questions.quantities import atoms_of
 from chasles.proof.recheck.questions.signs import is_nonnegative
 from chasles.proof.recheck.questions.symbolic import Symbolic
-from chasles.proof.recheck.sparse import ONE, Polynomial, Rejected, number, variable
-from chasles.proof.recheck.text import parsed
+from chasles.proof.recheck.sparse import ONE, Polynomial, Rejected, number, parsed, variable
 
 __all__ = ["Proven"]
 

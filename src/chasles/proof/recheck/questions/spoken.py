@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping
 from fractions import Fraction
 
-from chasles.proof.recheck.algebra import constant
+from chasles.proof.recheck.questions.algebra import constant
 from chasles.proof.recheck.questions.expressions import Expressions
 from chasles.proof.recheck.sparse import Polynomial, Rejected, number
 

@@ -7,8 +7,8 @@ from fractions import Fraction
 import sympy
 
 from chasles.proof.recheck.questions.expressions import Expressions
+from chasles.proof.recheck.questions.reals import Reals
 from chasles.proof.recheck.questions.valuation import Valuation
-from chasles.proof.recheck.reals import Reals
 from chasles.proof.recheck.sparse import Polynomial, Rejected, variable
 
 __all__ = ["Symbolic"]

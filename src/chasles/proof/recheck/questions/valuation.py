@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from chasles.proof.recheck.reals import Reals
+from chasles.proof.recheck.questions.reals import Reals
 from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected, exponents, number
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from fractions import Fraction
 from math import isqrt
 
-from chasles.proof.recheck.algebra import Algebra, constant, primitive
+from chasles.proof.recheck.questions.algebra import Algebra, constant, primitive
 from chasles.proof.recheck.sparse import ONE, Polynomial, Rejected, exponents, number, variable
 
 __all__ = ["Reals"]
