@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from math import inf
 from typing import Any
 
+from chasles.proof.certificate import check
 from chasles.proof.context import build
 from chasles.proof.deadline import OutOfTime, remaining, within
 from chasles.proof.decide import decide_problem
@@ -64,15 +65,28 @@ def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Any = (), nonzero: Any 
     """The verdict of `prove` on this question is right: nothing of the prover is used.
 
     A certificate proves what was asked from the verdict's `needs`, which the witness satisfies; a counterexample
-    satisfies what is given, and the two sides differ there. Raises `Rejected` with the reason if not.
+    satisfies what is given, and the two sides differ there. Raises `Rejected` with the reason if not. Exponentials,
+    logarithms and inverse functions are put in words by the prover's reader, and only what is then said of these words
+    is checked.
     """
     match verdict:
         case Holds() | HoldsUnder():
+            question = ask(*_asked(exact, lhs, rhs, given, nonzero))
+            if isinstance(question, Question) and question.formal:
+                _check_formal(question, verdict)
+                return
             check_proof(verdict, *_asked(exact, lhs, rhs, given, nonzero))
         case Fails(found):
             check_refutation(found, *_asked(exact, lhs, rhs, given, nonzero))
         case _:
             raise TypeError(f"the verdict is {verdict.name}: only what holds or fails can be checked")
+
+
+def _check_formal(question: Question, verdict: Holds | HoldsUnder) -> None:
+    variant, problems = verdict.certificate["variant"], [question.problem, *(p for _, p in question.variants())]
+    if isinstance(variant, bool) or not isinstance(variant, int) or not 0 <= variant < len(problems):
+        raise Rejected(f"the certificate's variant is {variant!r}: a number from 0 to {len(problems) - 1} is expected")
+    check(problems[variant], "", verdict.certificate)
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,10 +130,13 @@ def _decided(question: Question) -> Verdict:
         if impossible is not None:
             return impossible
         blind = replace(question.search, blind=True)
-        for squared, problem in question.variants():
+        for number, (squared, problem) in enumerate(question.variants(), 1):
             again = decide_problem(problem, question.own, search=blind)
             if isinstance(again, Holds | HoldsUnder):
-                return replace(again, certificate={**again.certificate, "variant": int(squared)})
+                variant = number if question.formal else int(squared)
+                return replace(again, certificate={**again.certificate, "variant": variant})
+    if question.formal and isinstance(verdict, Holds | HoldsUnder):
+        return replace(verdict, certificate={**verdict.certificate, "variant": 0})
     return verdict
 
 

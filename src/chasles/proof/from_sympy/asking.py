@@ -113,7 +113,7 @@ class _Asking:
         higher = [item.text for item in self.given.equations if not item.sources]
         search = search_for(reader, self.given)
         search.blind = search.blind or bool(self.elementary.origins)
-        search.write = Writing(asked, reader, self.given, roots, search)
+        search.write = None if self.elementary.origins else Writing(asked, reader, self.given, roots, search)
         return Question(
             problem=Problem((self.goal,), roots.rules, (), words, tuple(hypotheses)),
             own=(

@@ -10,6 +10,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 from sympy.logic.boolalg import Boolean
 from sympy.matrices import MatrixBase, MatrixExpr
+from sympy.matrices.expressions.matexpr import MatrixElement
 
 from chasles.proof.recheck.questions.quantities import atoms_of
 from chasles.proof.recheck.sparse import Rejected
@@ -69,7 +70,7 @@ def entries_of(value: Any) -> Entries:
     """The entries of a scalar or a matrix, by row and column counted from zero."""
     value = sympy.sympify(value, strict=True)
     if isinstance(value, MatrixExpr):
-        value = value.as_explicit()
+        return {(i, j): MatrixElement(value, i, j) for i in range(value.rows) for j in range(value.cols)}
     if isinstance(value, MatrixBase):
         return {(i, j): value[i, j] for i in range(value.rows) for j in range(value.cols)}
     if not isinstance(value, sympy.Expr):

@@ -110,6 +110,7 @@ def _follows(
     """A claim times powers of what does not vanish is a sum of cofactors times facts; the inverses of the former."""
     if unknown := said.keys() - {"times", "cofactors"}:
         raise Rejected(f"the certificate says {min(unknown)!r} of entry {label}, which means nothing")
+    cofactors = [(parsed(text, reading.places), facts[fact]) for fact, text in said.get("cofactors", {}).items()]
     numerator, below = reading.cleared(claim)
     powers, scale = dict[int, int](), Fraction(1)
     for which, power in said.get("times", {}).items():
@@ -124,8 +125,8 @@ def _follows(
         for own, other in ((below, powers), (powers, below))
     )
     rest = reading.normal(numerator * left * number(scale))
-    for fact, cofactor in said.get("cofactors", {}).items():
-        rest = rest - reading.normal(parsed(cofactor, reading.places) * facts[fact] * right)
+    for cofactor, fact in cofactors:
+        rest = rest - reading.normal(cofactor * fact * right)
     if reading.normal(rest):
         raise Rejected(f"entry {label} does not follow")
     return set(powers)

@@ -18,13 +18,17 @@ def is_atom(e: Any) -> bool:
     """Whether an expression is a real quantity by itself."""
     if isinstance(e, sympy.Derivative):
         return isinstance(e.expr, AppliedUndef)
-    return isinstance(e, sympy.Symbol | AppliedUndef | MatrixElement)
+    if isinstance(e, MatrixElement):
+        return isinstance(e.parent, sympy.MatrixSymbol)
+    return isinstance(e, sympy.Symbol | AppliedUndef)
 
 
 def atoms_of(e: Any) -> Iterator[Any]:
     """The real quantities that occur in an expression."""
     if is_atom(e):
         yield e
+    elif isinstance(e, sympy.MatrixSymbol):
+        yield from (e[i, j] for i in range(e.rows) for j in range(e.cols))
     else:
         for part in e.args:
             yield from atoms_of(part)
@@ -39,5 +43,3 @@ def require_real(e: Any) -> None:
         arguments = function.args
         if len(set(arguments)) < len(arguments) or not all(isinstance(a, sympy.Symbol) for a in arguments):
             raise Rejected(f"the arguments of {function} are not different symbols")
-    elif isinstance(e, MatrixElement) and not isinstance(e.parent, sympy.MatrixSymbol):
-        raise Rejected(f"{e} is no entry of a matrix symbol")

@@ -11,6 +11,7 @@ from operator import mul
 from typing import Any
 
 import sympy
+from sympy.core.function import AppliedUndef
 
 from chasles.proof.recheck.questions.algebra import constant, primitive
 from chasles.proof.recheck.questions.asked import Asked
@@ -23,6 +24,7 @@ from chasles.proof.recheck.sparse import ONE, Polynomial, Rejected, number, pars
 __all__ = ["Proven"]
 
 TURNED = re.compile(r"(?:cos|sin)\(([1-9]\d*)?(.+?)(?:/([1-9]\d*))?\)")
+MOST_RATES = 20
 Terms = frozenset[tuple[int, int]]
 
 
@@ -44,6 +46,7 @@ class Proven(Symbolic):
         self._nonnegative: set[Terms] = set()
         for e in dict.fromkeys(atom for expression in asked.expressions for atom in atoms_of(expression)):
             self.place(e)
+            self._state_rates(e, names)
         self.numeric.add(self.place(sympy.pi))
         for e, text in certificate.get("substituted", {}).items():
             self._eliminate(asked, e, text)
@@ -52,6 +55,15 @@ class Proven(Symbolic):
             self._state_word(name, kind, parsed(text, self.places))
         for square, factors in certificate.get("roots", ()):
             self._state_root(parsed(square, self.places), [parsed(factor, self.places) for factor in factors])
+
+    def _state_rates(self, e: Any, names: Mapping[str, str]) -> None:
+        """The rates of a function of one symbol of which the certificate speaks."""
+        function = e.expr if isinstance(e, sympy.Derivative) else e
+        if isinstance(function, AppliedUndef) and len(function.args) == 1:
+            for order in range(1, MOST_RATES):
+                rate = sympy.Derivative(function, (function.args[0], order))
+                if str(rate) in names:
+                    self.place(rate)
 
     def _eliminate(self, asked: Asked, spelled: str, text: str) -> None:
         """Let an angle have the value that an equation given says it has."""

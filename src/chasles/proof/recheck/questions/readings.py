@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import sympy
 
 from chasles.proof.recheck.questions.complexes import parts, size
+from chasles.proof.recheck.questions.unevaluated import UNEVALUATED
 from chasles.proof.recheck.sparse import ONE, Polynomial, Rejected, number
 
 if TYPE_CHECKING:
@@ -75,5 +76,6 @@ READINGS: Mapping[type, Callable[[Expressions, Any], Polynomial]] = {
     sympy.Derivative: _derivative,
     **dict.fromkeys((sympy.conjugate, sympy.re, sympy.im), _part),
     **dict.fromkeys(CIRCULAR, _of_angle),
+    **UNEVALUATED,
 }
 """How each class of expressions is read."""
