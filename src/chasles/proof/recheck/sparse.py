@@ -8,19 +8,8 @@ from functools import reduce
 from math import lcm
 from operator import add, mul, or_
 
-__all__ = [
-    "ONE",
-    "ZERO",
-    "Polynomial",
-    "Rejected",
-    "cleared",
-    "exponents",
-    "number",
-    "parsed",
-    "powered",
-    "product",
-    "variable",
-]
+__all__ = ["ONE", "ZERO", "Polynomial", "Rejected", "cleared", "exponents", "number", "parsed", "powered", "product",
+           "variable"]  # fmt: skip
 
 
 class Rejected(ValueError):
