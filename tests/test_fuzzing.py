@@ -17,6 +17,7 @@ from chasles.vocabulary import dot, norm, number, rate
 from .fuzzing import judging, statement_judging
 from .fuzzing.__main__ import examined, main
 from .fuzzing.asking import Answer
+from .fuzzing.classes import CLASSES
 from .fuzzing.declared_words import named
 from .fuzzing.equations import Equation, points
 from .fuzzing.judging import judge
@@ -31,8 +32,9 @@ from .fuzzing.sympy_values import Values
 x, y, t = symbols("x y t")
 f, g, th = (Function(name)(t) for name in ("f", "g", "theta"))
 SEED = 11
-SAMPLE = 40
-BATCH = 20
+SAMPLE = 30
+BATCH = 15
+VARIANTS = 24
 
 
 PENDING = ("own certificate rejected", "forgery", "verdict on nothing")
@@ -50,6 +52,13 @@ def test_no_answer_in_the_sample_is_wrong(language: str, first: int) -> None:
         counts[answer] += 1
     assert counts["fails"]
     assert counts["holds"] + counts["holds-under"]
+
+
+@pytest.mark.parametrize("name", sorted(CLASSES))
+def test_no_variant_of_what_was_once_wrong_is_wrong(name: str) -> None:
+    for place in range(VARIANTS):
+        asked, judged = CLASSES[name](Random(f"{name}/{place}"))
+        assert judged.alarm is None or judged.alarm.kind in PENDING, f"{place}: {asked}: {judged}"
 
 
 # What the oracles would say of answers that are wrong.

@@ -51,7 +51,10 @@ def examined(name: str, seed: int, number: int) -> tuple[str, Alarm | None, Any]
     language = LANGUAGES[name]
     draw = draw_for(name, seed, number)
     question = language.question(draw)
-    judged = language.judge(question, draw)
+    try:
+        judged = language.judge(question, draw)
+    except (ArithmeticError, AttributeError, LookupError, NotImplementedError, TypeError, ValueError) as error:
+        return "not judged", Alarm("oracle", f"the oracle itself failed: {type(error).__name__}: {error}"), question
     return judged.answer.name, judged.alarm, question
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,7 +15,7 @@ from chasles.statements import Statement, Theorem, problem_of
 
 from .equations import Equation
 
-__all__ = ["PATIENCE", "Answer", "ask", "ask_statement", "rejection", "statement_rejection"]
+__all__ = ["PATIENCE", "Answer", "answer_of", "ask", "ask_statement", "rejection", "statement_rejection"]
 
 PATIENCE = 3.0
 """Seconds for one question: what is undecided is counted and is no alarm."""
@@ -40,15 +41,20 @@ class Answer:
         return self.name in ("holds", "holds-under")
 
 
-def ask(question: Equation) -> Answer:
-    """The product's answer; an exception other than a refusal is a crash."""
+def answer_of(asked: Callable[[], Any]) -> Answer:
+    """What comes of calling the product; an exception other than a refusal is a crash."""
     try:
-        verdict = prove(question.lhs, question.rhs, question.given, question.nonzero, budget=PATIENCE)
+        verdict = asked()
     except Untreatable as refused:
         return Answer("untreatable", None, str(refused))
     except Exception as error:
         return Answer("crash", None, f"{type(error).__name__}: {error}")
     return Answer(verdict.name, verdict)
+
+
+def ask(question: Equation) -> Answer:
+    """The product's answer to a question."""
+    return answer_of(lambda: prove(question.lhs, question.rhs, question.given, question.nonzero, budget=PATIENCE))
 
 
 def rejection(question: Equation, verdict: Any) -> str | None:

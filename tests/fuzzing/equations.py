@@ -18,7 +18,7 @@ from sympy.core.function import AppliedUndef
 from sympy.printing.str import StrPrinter
 
 from .newton import solved
-from .series import Series, Undefined, mp, mpf
+from .series import Series, Undefined, mpf
 from .sympy_values import Values, atoms_of, orders_of
 
 __all__ = ["Equation", "Point", "entries", "pairs", "points"]
@@ -131,11 +131,7 @@ class _System:
         total = []
         for place, ((one, other), order) in enumerate(zip(self.equations, self.orders, strict=True)):
             n = 0 if order is None or place < self.momentary else self.last - order
-            difference = [a - b for a, b in zip(evaluate(one, n), evaluate(other, n), strict=True)]
-            for value in difference:
-                total.append(value)
-                if not isinstance(value, np.ndarray) and abs(mp.im(value)) > mpf(10) ** -40:
-                    total.append(mp.im(value))
+            total += [a - b for a, b in zip(evaluate(one, n), evaluate(other, n), strict=True)]
         return total
 
 

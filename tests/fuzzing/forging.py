@@ -10,10 +10,12 @@ from typing import Any
 
 import sympy as sp
 
+from chasles.proof.verdict import Holds
+
 from .asking import rejection
 from .equations import Equation
 
-__all__ = ["accepted_forgery", "altered_certificates"]
+__all__ = ["accepted_forgery", "altered_certificates", "needs_forged"]
 
 ODD_VARIANTS = (99, -1, "0", None, 1.5)
 
@@ -42,6 +44,23 @@ def _forgeries(
             yield f"the question without {item}", less, verdict
     for what, certificate in altered_certificates(verdict.certificate, draw):
         yield what, question, replace(verdict, certificate=certificate)
+
+
+def needs_forged(question: Equation, verdict: Any) -> str | None:
+    """Which needs were left out of a proof that was accepted all the same; None if none can be."""
+    needs = tuple(getattr(verdict, "needs", ()))
+    if not needs:
+        return None
+    forged = [(f"{need} left out", replace(verdict, needs=tuple(n for n in needs if n != need))) for need in needs]
+    forged.append(("all needs left out", Holds(verdict.certificate, verdict.witness, verdict.unused)))
+    forged.append(("a need that is none", replace(verdict, needs=(*needs[:-1], "nonsense"))))
+    for what, other in forged:
+        reason = rejection(question, other)
+        if reason is None:
+            return f"accepted: {what}"
+        if not reason.startswith("Rejected"):
+            return f"{what}: {reason}"
+    return None
 
 
 def altered_certificates(certificate: Any, draw: Random) -> Iterator[tuple[str, Any]]:

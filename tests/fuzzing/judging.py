@@ -40,9 +40,9 @@ class Judged:
     found: int = 0
 
 
-def judge(question: Equation, draw: Random) -> Judged:
-    """Ask, and hold the answer against the values of both sides."""
-    answer = ask(question)
+def judge(question: Equation, draw: Random, answer: Answer | None = None) -> Judged:
+    """Ask, unless there is an answer, and hold it against the values of both sides."""
+    answer = answer or ask(question)
     if answer.name == "crash":
         return Judged(answer, Alarm("crash", answer.words))
     if answer.name == "untreatable":
@@ -181,6 +181,8 @@ def _incomplete_needs(question: Equation, answer: Answer, draw: Random) -> Itera
 def _troubled(question: Equation, draw: Random) -> Iterator[Point]:
     """Points that satisfy what is given and at which a side is undefined: a divisor vanishes, or by chance."""
     sides = [e for side in (question.lhs, question.rhs) for e in entries(side)]
+    if any(e.has(sp.I) for e in sides):
+        return
     below = {p.base for e in sides for p in e.atoms(sp.Pow) if p.exp.is_Rational and p.exp < 0 and p.base.free_symbols}
     bare = question if not question.nonzero else Equation(question.lhs, question.rhs, question.given)
     ways: list[tuple[tuple[Any, Any], ...]] = [(), *(((base, sp.Integer(0)),) for base in sorted(below, key=str)[:2])]

@@ -10,6 +10,7 @@ import sympy as sp
 from sympy import Abs, Eq, Matrix, Rational, cos, sign, sin, sqrt, tan
 
 from .equations import Equation
+from .functions import elementary, imaginary
 from .rewriting import distorted, rewritten
 
 __all__ = ["FAMILIES", "expression", "question", "symbols_of"]
@@ -226,7 +227,8 @@ def roots(draw: Random) -> Equation:
 
 
 FAMILIES: tuple[tuple[Family, int], ...] = (
-    (twins, 4), (given_values, 3), (divisors, 2), (roots, 3), (matrices, 1), (contradictory, 2),
+    (twins, 4), (given_values, 3), (divisors, 2), (roots, 3), (matrices, 1), (contradictory, 2), (elementary, 4),
+    (imaginary, 2),
 )  # fmt: skip
 
 

@@ -110,6 +110,8 @@ class Values:
             case "asin" | "acos" | "atan":
                 return series.arc(name, one)
             case "re" | "im" | "conjugate":
+                if _array(one[0]):
+                    return [a * (name != "im") for a in one]
                 return [getattr(mp, {"conjugate": "conj"}.get(name, name))(a) for a in one]
         raise NotImplementedError(f"the oracle has no {name}")
 

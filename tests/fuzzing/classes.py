@@ -1,0 +1,169 @@
+"""Classes of answers that were once wrong, each with a generator of its variants: all must be answered rightly."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from random import Random
+from typing import Any
+
+import sympy as sp
+from sympy import Abs, Eq, cos, sin, sqrt
+
+from chasles.prove import prove
+from chasles.statements import Claim, Iff, Theorem, nonzero
+from chasles.vocabulary import Node, at, number, rate
+
+from . import declared, functions, motions, scalars
+from .asking import Answer, answer_of, ask_statement
+from .declared_words import named
+from .equations import Equation
+from .forging import needs_forged
+from .judging import Alarm, Judged, judge
+from .statement_judging import judge_statement
+from .statements import Asked
+
+__all__ = ["CLASSES"]
+
+x, y, z, phi = sp.symbols("x y z phi")
+p, q = sp.symbols("p q", positive=True)
+Judgement = tuple[Any, Judged]
+
+
+def an_angle_that_is_solved_for(draw: Random) -> Judgement:
+    """A function of time under a sine, of which differential equations are given."""
+    question = motions.with_a_function(draw)
+    return question, judge(question, draw)
+
+
+def rates_of_what_is_assumed(draw: Random) -> Judgement:
+    """Hypotheses on symbols of which rates are named."""
+    asked = declared.consequence(draw)
+    return asked, judge_statement(asked, draw)
+
+
+def imaginary_parts(draw: Random) -> Judgement:
+    """Expressions with I inside."""
+    question = functions.imaginary(draw)
+    return question, judge(question, draw)
+
+
+def nothing_satisfies_it(draw: Random) -> Judgement:
+    """Hypotheses, given equations and equations of motion that contradict each other."""
+    way = draw.randrange(4)
+    if way == 0:
+        asked = declared.contradictory(draw)
+        return asked, judge_statement(asked, draw)
+    if way == 1:
+        return _equivalence_of_nothing(draw)
+    question = scalars.contradictory(draw) if way == 2 else motions.contradictory(draw)
+    return question, judge(question, draw)
+
+
+def _equivalence_of_nothing(draw: Random) -> Judgement:
+    """An equivalence under hypotheses that exclude what it speaks of."""
+    one, other = (named("scalar", name) for name in draw.sample("abcdmk", 2))
+    n, m = draw.choice((1, 2, -3)), draw.choice((1, 3))
+    theorem = Theorem(
+        "1", "", (Iff(n * one, m * other, m * other / (n * one), n * one / (m * other)),),
+        assuming=(nonzero(one), nonzero(other)),
+    )  # fmt: skip
+    asked = Asked(theorem, "equivalence of nothing", satisfiable=False)
+    answer = ask_statement(theorem)
+    wrong = answer.true or answer.name == "fails"
+    return asked, Judged(answer, Alarm("verdict on nothing", f"it {answer.name}") if wrong else None)
+
+
+def given_in_another_form(draw: Random) -> Judgement:
+    """Side conditions as a mapping, a set, a generator, a relation or something that says nothing."""
+    a, b = draw.sample((x, y, z), 2)
+    value = draw.choice((sp.Integer(1), sp.Integer(-2), b, b + 1, cos(b), sp.Rational(1, 3)))
+    claim = draw.choice(((a, value), (a**2, value**2), (a, 0), (a + b, b + value), (sin(a), sin(value)), (a, -value)))
+    said: dict[str, Any]
+    said, given, none = draw.choice((
+        ({"given": {a: value}}, (Eq(a, value, evaluate=False),), ()),
+        ({"given": {a: value, sp.Symbol("w"): 2}}, (Eq(a, value), Eq(sp.Symbol("w"), 2)), ()),
+        ({"given": {a - value}}, (a - value,), ()),
+        ({"given": (e for e in [Eq(a, value, evaluate=False)])}, (Eq(a, value, evaluate=False),), ()),
+        ({"given": Eq(a, value, evaluate=False)}, (Eq(a, value, evaluate=False),), ()),
+        ({"given": [(a, value)]}, (Eq(a, value, evaluate=False),), ()),
+        ({"given": [True]}, (), ()),
+        ({"given": [sp.S.true, a - value]}, (a - value,), ()),
+        ({"given": [a > 0]}, (), ()),
+        ({"given": [sp.Ne(a, 0)]}, (), (a,)),
+        ({"given": [{a: value}]}, (Eq(a, value, evaluate=False),), ()),
+        ({"nonzero": [0]}, (sp.Integer(1),), ()),
+        ({"nonzero": [sp.Integer(0)]}, (sp.Integer(1),), ()),
+        ({"nonzero": [a - a]}, (sp.Integer(1),), ()),
+        ({"nonzero": [(a + 1) ** 2 - a**2 - 2 * a - 1]}, (sp.Integer(1),), ()),
+        ({"nonzero": [sin(a) ** 2 + cos(a) ** 2 - 1]}, (sp.Integer(1),), ()),
+        ({"nonzero": [a], "given": [a]}, (sp.Integer(1),), ()),
+        ({"nonzero": {a: value}}, (), (a,)),
+        ({"nonzero": a}, (), (a,)),
+        ({"nonzero": [sp.Ne(a, b)]}, (), (a - b,)),
+    ))  # fmt: skip
+    impossible = given == (sp.Integer(1),)
+    meant = Equation(*map(sp.sympify, claim), given, none, "form", None, False if impossible else None, True)
+    answer = answer_of(lambda: prove(*claim, **said))
+    if answer.name == "crash" and answer.words.startswith("TypeError: "):
+        answer = Answer("untreatable", None, answer.words)
+    return f"{claim}, {said}", judge(meant, draw, answer)
+
+
+def said_at_another_time(draw: Random) -> Judgement:
+    """A quantity at an instant is not the quantity: at(a, '0') = a is no identity."""
+    symbol = named(draw.choice(("scalar", "vector", "square")), draw.choice("abcm"))
+    instant = draw.choice(("0", "1", "t_0", "0", "t_1", "s"))
+    there: Node = at(symbol, instant)
+    k = number(draw.choice((1, 2)))
+    left, right = draw.choice(((there, symbol), (symbol, there), (k * there, k * symbol), (rate(there), rate(symbol)),
+                               (there + symbol, 2 * symbol), (there - symbol, symbol - symbol)))  # fmt: skip
+    answer = ask_statement(Claim("1", left, right))
+    return f"{left} = {right}", Judged(answer, Alarm("false holds", answer.name) if answer.true else None)
+
+
+def needs_left_out(draw: Random) -> Judgement:
+    """A proof of what holds in a domain is not accepted as one without it, nor with less."""
+    a, b = draw.choice((x, x + y, x * y, x - 1)), draw.choice((y, y + 2, x**2 * y, z))
+    factor = draw.choice((sp.Integer(1), z, sp.Integer(-2)))
+    left, right = draw.choice((
+        (sqrt(a) * sqrt(b), sqrt(a * b)), (1 / a + 1 / b, (a + b) / (a * b)), (a**2 / a / b, a / b),
+        (a / sqrt(b), a * sqrt(b) / b),
+        (sp.tan(phi) / a, sin(phi) / cos(phi) / a), (Abs(a) / a, a / Abs(a)), (sqrt(a) ** 2 + b, a + b),
+    ))  # fmt: skip
+    question = Equation(left * factor, sp.sympify(right) * factor, kind="needs", lenient=True)
+    judged = judge(question, draw)
+    if judged.alarm is None and judged.answer.true:
+        said = needs_forged(question, judged.answer.verdict)
+        if said is not None:
+            return question, replace(judged, alarm=Alarm("forgery", said))
+    return question, judged
+
+
+def pi_in_a_witness(draw: Random) -> Judgement:
+    """Roots, sizes and signs of things with pi, or where an angle is given: the checker accepts the proof."""
+    a = draw.choice((x + sp.pi, x - sp.pi, p + sp.pi, 2 * x + sp.pi, x * sp.pi, sp.pi - y, x * y + sp.pi))
+    b = draw.choice((x, p, a))
+    left, right, given = draw.choice((
+        (Abs(a) * b, Abs(a) * b, ()), (sqrt(a**2), Abs(a), ()), (sqrt(sp.pi) * sqrt(b), sqrt(sp.pi * b), ()),
+        (sp.sign(a) * Abs(a), a, ()), (sp.sign(b), sp.sign(b) ** 3, (Eq(cos(b), 0),)), (sqrt(a) * y, y * sqrt(a), ()),
+        (sqrt(a) / sqrt(2), sqrt(a / 2), ()), (Abs(b), sqrt(b**2), (Eq(cos(b), 0),)),
+        (Abs(a) ** 2, a**2, (Eq(sin(y), 1),)),
+    ))  # fmt: skip
+    question = Equation(sp.sympify(left), sp.sympify(right), given, kind="pi", lenient=True)
+    return question, judge(question, draw)
+
+
+CLASSES: dict[str, Callable[[Random], Judgement]] = {
+    make.__name__.replace("_", " "): make
+    for make in (
+        an_angle_that_is_solved_for,
+        rates_of_what_is_assumed,
+        imaginary_parts,
+        nothing_satisfies_it,
+        given_in_another_form,
+        said_at_another_time,
+        needs_left_out,
+        pi_in_a_witness,
+    )
+}
