@@ -100,6 +100,11 @@ def test_conditions_that_nothing_satisfies_are_told_and_none_to_spare(
         assert set(verdict.hypotheses) == said
 
 
+def test_a_divisor_that_vanishes_everywhere_is_told() -> None:
+    divisor = sin(x) ** 2 + cos(x) ** 2 - 1
+    assert prove(1 / divisor, 0) == Contradictory((f"{divisor} != 0",), prove(1 / divisor, 0).certificate)
+
+
 @pytest.mark.parametrize(("given", "nonzero"), POSSIBLE)
 def test_conditions_that_something_satisfies_do_not_contradict_each_other(given: list[Any], nonzero: list[Any]) -> None:
     assert isinstance(prove(z, z, given=given, nonzero=nonzero), Holds | HoldsUnder)

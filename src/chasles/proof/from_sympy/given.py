@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -27,15 +27,15 @@ MOST_TERMS = 30
 
 @dataclass(slots=True)
 class Moving:
-    """An equation between functions: which rates it has after being differentiated as often as it need be.
+    """An equation between functions: how often it differentiates them, and is differentiated to determine rates.
 
-    `rates` are those that its derivative determines together with the others' derivatives, taken down to the equation
-    itself: where the derivative has f'', and the equation was differentiated once, they are f'. `places` say where the
-    equation and its derivatives stand: under which text, and at which place there.
+    These are the `highest` of its functions. `places` say where the equation and its derivatives stand: under which
+    text, and at which place there.
     """
 
     orders: dict[Any, int]
-    rates: dict[Any, int] = field(default_factory=dict)
+    times: int = 0
+    highest: Mapping[Any, int] = field(default_factory=dict)
     places: list[tuple[str, int]] = field(default_factory=list)
 
 
@@ -88,9 +88,7 @@ def collected(given: Any, spoken_of: Sequence[Any], parts: Parts) -> tuple[Given
             result.equations.append(Equations(f"{text} [{place}]" if taken else text, pairs, (text,)))
     sides_of_all = [side for item in result.equations for side in item.sides]
     for atom in sorted({part for e in (*spoken_of, *sides_of_all) for part in _zeros_in(e)}, key=str):
-        result.equations.append(
-            Equations(f"{atom} is zero", [(atom, sympy.S.Zero)], (f"{atom} is zero",), assumed=True)
-        )
+        result.equations.append(Equations(f"{atom} is zero", [(atom, sympy.S.Zero)], (), assumed=True))
     expressions = _without_given_angles(result, list(spoken_of))
     _state_triads(result)
     _differentiate(result, expressions)
@@ -111,11 +109,12 @@ def _zeros_in(expression: Any) -> Iterator[Any]:
 
 
 def evident(given: Given, sides: Sequence[Any]) -> Iterator[Any]:
-    """What does not vanish because of signs: factors of given equations, and the sum of sides that are positive."""
+    """What does not vanish because of signs: factors of given equations and of rates there, a sum of positive sides."""
     for item in given.equations:
         for one, other in item.pairs if item.triad is None and not item.derived else ():
             if len(sympy.Add.make_args(one - other)) <= MOST_TERMS:
-                yield from (factor for factor in _factors(one - other) if nonzero_by_sign(factor))
+                found = [*_factors(one - other), *_leading(one - other)]
+                yield from (factor for factor in found if nonzero_by_sign(factor))
     if len(sides) == 2 and given.equations and all(real_copy(side).is_nonnegative for side in sides):
         yield from (total for total in [sides[0] + sides[1]] if nonzero_by_sign(total))
 
@@ -127,6 +126,12 @@ def _factors(difference: Any) -> list[Any]:
     except sympy.PolynomialError:
         return []
     return [factor for factor, _ in factors] if len(factors) > 1 else []
+
+
+def _leading(difference: Any) -> Iterator[Any]:
+    """What rates are multiplied by."""
+    expanded = sympy.expand(difference)
+    return (expanded.coeff(rate) for rate in sorted(expanded.atoms(sympy.Derivative), key=str))
 
 
 def _text(item: Any, what: str) -> str:
@@ -208,7 +213,7 @@ def _differentiate(result: Given, expressions: list[Any]) -> None:
     found = offsets([row.orders for row in rows])
     more = max((0, *(order - found.highest.get(f, order) for f, order in orders_of(expressions).items())))
     for row, times in zip(rows, found.times, strict=True):
-        row.rates = {f: order - times for f, order in found.highest.items() if order >= times}
+        row.times, row.highest = times, found.highest
         row.places = [("", 0)] * (times + more + 1)
     variables = {argument for row in rows for function in row.orders for argument in function.args}
     for item in [item for item in result.equations if item.moving]:

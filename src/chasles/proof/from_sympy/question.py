@@ -51,7 +51,8 @@ class Question:
         The left side is multiplied and divided by what does not vanish; or the square of the difference is zero.
         """
         divisors = [node for h in self.problem.hypotheses for node in h.nonvanishing]
-        for factors in [*([node] for node in divisors), divisors] if len(divisors) > 1 else [divisors] * len(divisors):
+        alone = [[node] for node in divisors] if len(divisors) > 1 else []
+        for factors in [*alone, divisors, [*divisors, *divisors]] if divisors else []:
             factor = multiplied(factors)
             goals = [Goal(g.label, Quotient(Scale(factor, g.left), factor), g.right) for g in self.problem.goals]
             yield False, replace(self.problem, goals=tuple(goals))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from math import inf
 from typing import Any
 
 import sympy
@@ -14,6 +15,7 @@ from chasles.proof.from_sympy.reader import Reader
 from chasles.proof.from_sympy.triads import Triad
 from chasles.proof.search import Block, Frame, Motion, Row, Search
 from chasles.proof.surds import Exact
+from chasles.vocabulary import Symbol
 
 __all__ = ["search_for"]
 
@@ -46,17 +48,35 @@ def _motion(reader: Reader, given: Given) -> Motion | None:
     explicit = any(side.has(*times) for item in moving for side in map(_standing, item.sides)) if times else False
     if not moving or not (explicit or any(isinstance(atom, sympy.Derivative) for atom in atoms)):
         return None
-    functions = list(dict.fromkeys(f for item in moving for row in item.moving for f in row.orders))
+    highest = {f: order for item in moving for row in item.moving for f, order in row.highest.items()}
 
     def named(row: Moving) -> Row:
-        known = (atoms.get(_rate(f, row.rates[f])) if f in row.rates else None for f in functions)
         labels = [f"{text} [{place}: 1, 1]" for text, place in row.places]
-        return Row(labels, ["" if word is None else word.name for word in known])
+        return Row(labels, [_name(atoms, f, order - row.times) for f, order in highest.items()], row.times)
 
     blocks = [Block([named(row)]) for item in moving if item.triad is None for row in item.moving if row.orders]
     blocks.sort(key=lambda block: len(block.rows[0].labels))
     blocks += [Block([named(row) for row in item.moving], item.triad.rank) for item in moving if item.triad]
-    return Motion(blocks)
+    determined = [w for atom, w in atoms.items() if _order(atom) >= highest.get(_function(atom), inf)]
+    still = [w for atom, w in atoms.items() if not isinstance(_function(atom), AppliedUndef) and atom not in times]
+    names = [_name(atoms, f, order) for f, order in highest.items()]
+    return Motion(blocks, names, frozenset(w.name for w in determined), frozenset(w.name for w in still))
+
+
+def _function(atom: Any) -> Any:
+    return atom.expr if isinstance(atom, sympy.Derivative) else atom
+
+
+def _order(atom: Any) -> int:
+    return int(atom.derivative_count) if isinstance(atom, sympy.Derivative) else 0
+
+
+def _name(atoms: Mapping[Any, Symbol], function: Any, order: int) -> str:
+    """The name of the word for a rate of a function; none if it does not occur."""
+    if order < 0:
+        return ""
+    word = atoms.get(_rate(function, order))
+    return "" if word is None else word.name
 
 
 def _rate(function: Any, order: int) -> Any:

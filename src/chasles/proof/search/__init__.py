@@ -102,7 +102,8 @@ class Search:
         """Different points that satisfy everything, simple ones first."""
         turning = Turning(stage, self.products, self.rigid)
         self.theta = turning.theta
-        drawing = Drawing(stage, turning, self.frames, self.allowed)
+        determined = frozenset[str]() if self.motion is None else self.motion.determined
+        drawing = Drawing(stage, turning, self.frames, self.allowed, determined)
         least = remaining() * (1 - SHARE) if keep_some_time else 0.0
         seen: set[tuple[str, ...]] = set()
         again = 0

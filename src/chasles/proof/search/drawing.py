@@ -30,11 +30,17 @@ class Frame:
 
 
 class Drawing:
-    """Draws points on a stage."""
+    """Draws points on a stage; the variables that are `determined` are solved for, once others have values."""
 
     def __init__(
-        self, stage: Stage, turning: Turning, frames: Sequence[Frame], allowed: Callable[[str, Exact], bool]
+        self,
+        stage: Stage,
+        turning: Turning,
+        frames: Sequence[Frame],
+        allowed: Callable[[str, Exact], bool],
+        determined: frozenset[str] = frozenset(),
     ) -> None:
+        self.determined = determined
         self.stage = stage
         self.turning = turning
         self.frames = frames
@@ -141,6 +147,12 @@ class Drawing:
             lowest = min(degree(form) for _, form in candidates)
             self.values.follow(*self.random.choice([(k, form) for k, form in candidates if degree(form) == lowest]))
             return True
+        states = {k for k in unknowns(partials) if self.stage.names[k] not in self.determined}
+        if all(set(unknowns([partial])) - states for partial in partials) and states:
+            place = min(states)
+            self.values[place] = self._number(place)
+            return True
+        partials = [partial for partial in partials if set(unknowns([partial])) <= states] or partials
         fewest = min(len(unknowns([partial])) for partial in partials)
         partials = [partial for partial in partials if len(unknowns([partial])) == fewest]
         solution = solve_one(self.random.choice(partials), self._number, self.random, self.plain)

@@ -9,11 +9,12 @@ solution, for its derivatives are linear in it and its like.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 from chasles.proof.completion import stated
 from chasles.proof.context import Context
+from chasles.proof.rings import Polynomial, Ring
 from chasles.proof.search.stage import Stage
 from chasles.proof.search.values import Sparse, Values, sparse
 from chasles.proof.surds import Exact
@@ -23,13 +24,14 @@ __all__ = ["Block", "Motion", "Row"]
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """An equation: the labels of its generator and those of its derivatives, and the names of its highest rates.
+    """An equation: the labels of its generator and of those of its derivatives, and the names of its highest rates.
 
-    A rate that does not occur has no name.
+    It determines rates when it is differentiated so many `times`. A rate that does not occur has no name.
     """
 
     labels: Sequence[str]
     rates: Sequence[str]
+    times: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,16 +44,23 @@ class Block:
 
 @dataclass(slots=True)
 class Motion:
-    """The given equations between functions."""
+    """The given equations between functions; `still` are the names of words that do not change.
+
+    `determined` are the names of the rates that the equations determine, of which `highest` are those of each row's
+    rates, in the same order, in its derivative.
+    """
 
     blocks: Sequence[Block]
-    _redundant: dict[frozenset[str], bool] = field(default_factory=dict)
+    highest: Sequence[str]
+    determined: frozenset[str] = frozenset()
+    still: frozenset[str] = frozenset()
 
     def exists(self, context: Context, stage: Stage, values: Values) -> bool:
         """Whether functions exist that have these values and satisfy the equations at all times."""
         generators = {g.label: g.polynomial for g in context.generators}
         slopes = _Slopes(stage, values)
         solved: list[tuple[int, list[Exact]]] = []
+        pivots: dict[str, str] = {}
         surplus: set[str] = set()
         for block in self.blocks:
             before, dependent = len(solved), set()
@@ -61,24 +70,57 @@ class Motion:
                     independent = None if entries is None else _take(entries, solved)
                     if independent is None:
                         return False
-                    dependent |= set() if independent else {row.labels[-1]}
+                    dependent |= set() if independent else {row.labels[row.times]}
+                    if independent:
+                        pivots[row.labels[row.times]] = self.highest[solved[-1][0]]
             gained = len(solved) - before
             if block.rank is not None and gained not in (0, block.rank):
                 return False
             surplus |= dependent if block.rank is None or not gained else set()
-        return not surplus or self._follow(context, frozenset(surplus))
+        return not surplus or self._follow(context, stage, values, surplus, pivots)
 
-    def _follow(self, context: Context, surplus: frozenset[str]) -> bool:
-        """Whether the equations of these labels are consequences of the others."""
-        if surplus not in self._redundant:
-            said = {label for block in self.blocks for row in block.rows for label in row.labels}
-            last = {row.labels[-1] for block in self.blocks for row in block.rows}
-            used = {g.label for g in context.generators} - said | (said - last) | (last - surplus)
-            kept = tuple(g.polynomial for g in context.generators if g.label in used)
-            basis = stated(context.field.ring, kept, complete=False)
-            rest = [g.polynomial for g in context.generators if g.label in surplus]
-            self._redundant[surplus] = all(basis.reduce(polynomial)[1] == 0 for polynomial in rest)
-        return self._redundant[surplus]
+    def _follow(
+        self, context: Context, stage: Stage, values: Values, surplus: set[str], pivots: Mapping[str, str]
+    ) -> bool:
+        """Whether the equations of these labels are consequences of the others, by which rates are replaced first.
+
+        A condition on what does not change may be left: it holds at the point.
+        """
+        ring = context.field.ring
+        said = {label for block in self.blocks for row in block.rows for label in row.labels}
+        used = {label for block in self.blocks for row in block.rows for label in row.labels[: row.times]} | set(pivots)
+        kept = tuple(g.polynomial for g in context.generators if g.label in used or g.label not in said)
+        basis = stated(ring, kept, complete=False)
+        solved = []
+        for generator in context.generators:
+            place = stage.place.get(pivots.get(generator.label, ""))
+            if place is not None and ring.degrees(generator.polynomial)[place] == 1:
+                factor = ring.derivative(generator.polynomial, place)
+                if not values.of(sparse(ring, factor)).is_zero:
+                    solved.append((place, factor, generator.polynomial))
+        still = self._still(stage)
+        for generator in context.generators:
+            if generator.label in surplus:
+                rest = basis.reduce(_replaced(ring, generator.polynomial, solved))[1]
+                if rest != 0 and not still.issuperset(k for k, degree in enumerate(ring.degrees(rest)) if degree):
+                    return False
+        return True
+
+    def _still(self, stage: Stage) -> set[int]:
+        """The places of what does not change: words, their cosines and sines, and roots of these."""
+        still = {place for name, place in stage.place.items() if name in self.still}
+        still |= {k for a in stage.angles if a.symbol.name in self.still for k in (a.cosine, a.sine)}
+        for _ in stage.roots:
+            still |= {k for k, inside in stage.roots.items() if all(j in still for term, _ in inside for j, _ in term)}
+        return still
+
+
+def _replaced(ring: Ring, polynomial: Polynomial, solved: Sequence[tuple[int, Polynomial, Polynomial]]) -> Polynomial:
+    """A multiple of the polynomial, less multiples of equations that are linear in a variable, which is gone."""
+    for place, factor, equation in (*solved, *solved):
+        if ring.degrees(polynomial)[place] == 1:
+            polynomial = factor * polynomial - ring.derivative(polynomial, place) * equation
+    return polynomial
 
 
 class _Slopes:
