@@ -7,11 +7,12 @@ from dataclasses import dataclass
 from time import perf_counter
 
 from chasles.proof.certificate import Rejected, check
+from chasles.proof.contradiction import check_contradiction
 from chasles.proof.judge import Decision
 from chasles.proof.memory import Memory
 from chasles.proof.refutation import check_counterexample
 from chasles.proof.spreading import spread
-from chasles.proof.verdict import Fails, Verdict
+from chasles.proof.verdict import Contradictory, Fails, Verdict
 from chasles.report.decisions import Decided
 from chasles.statements import Entry, Inverse, problem_of
 
@@ -37,10 +38,11 @@ def recheck(decided: Sequence[Decided], memory: Memory) -> Rechecked:
     started = perf_counter()
     certified = [(entry, decision, _prove) for entry, decision in decided if decision.certificate is not None]
     refuted = [(entry, decision, _refute) for entry, decision in decided if _is_refuted(decision)]
+    empty = [(entry, decision, _contradict) for entry, decision in decided if _is_contradictory(decision)]
     asked = [
         (entry, decision, check_again)
-        for entry, decision, check_again in (*certified, *refuted)
-        if not memory.has_checked(decision.verdict if check_again is _refute else _standing(decision))
+        for entry, decision, check_again in (*certified, *refuted, *empty)
+        if not memory.has_checked(_standing(decision) if check_again is _prove else decision.verdict)
     ]
     reasons = spread(_rejection, [(check_again, decision) for _, decision, check_again in asked], A_CHECK)
     rejected = tuple((entry, why) for (entry, _, _), why in zip(asked, reasons, strict=True) if why is not None)
@@ -66,6 +68,12 @@ def _is_refuted(decision: Decision) -> bool:
     return isinstance(decision.verdict, Fails) and not isinstance(decision.statement, Inverse)
 
 
+def _is_contradictory(decision: Decision) -> bool:
+    verdict = decision.verdict
+    is_equation = not isinstance(decision.statement, Inverse)
+    return isinstance(verdict, Contradictory) and verdict.certificate is not None and is_equation
+
+
 def _prove(decision: Decision) -> None:
     """Raises `Rejected` unless the certificate proves what stands."""
     certificate = decision.certificate
@@ -79,3 +87,13 @@ def _refute(decision: Decision) -> None:
     assert not isinstance(decision.statement, Inverse)
     problem = problem_of(decision.statement, "printed", decision.standing)
     check_counterexample(problem, decision.verdict.counterexample)
+
+
+def _contradict(decision: Decision) -> None:
+    """Raises `Rejected` unless the certificate proves that nothing satisfies what the verdict names."""
+    verdict = decision.verdict
+    assert isinstance(verdict, Contradictory)
+    assert verdict.certificate is not None
+    assert not isinstance(decision.statement, Inverse)
+    problem = problem_of(decision.statement, "printed", decision.standing)
+    check_contradiction(problem, verdict.hypotheses, verdict.certificate)

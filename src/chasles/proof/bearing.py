@@ -44,9 +44,8 @@ def bearing(problem: Problem, found: Variables) -> tuple[Hypothesis, ...]:
     changed = True
     while changed:
         occurring = set(found.orders) | set(found.angles)
-        now = {
-            h: _order(found, h, own, rates, rules) for h, own in symbols.items() if _bears_on(own, rates) & occurring
-        }
+        bear = {h: own for h, own in symbols.items() if not own or _bears_on(own, rates) & occurring}
+        now = {h: _order(found, h, own, rates, rules) for h, own in bear.items()}
         changed = now != active
         active = now
         for hypothesis, order in active.items():

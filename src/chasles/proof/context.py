@@ -23,10 +23,18 @@ from chasles.proof.variables import Unlisted, Untreatable, Variable, Variables
 from chasles.statements import Goal, Hypothesis, Problem
 from chasles.vocabulary import PI, Norm, Symbol, plain
 
-__all__ = ["Context", "Generator", "build", "describe", "difference", "entries"]
+__all__ = ["Context", "Generator", "Vanishing", "build", "describe", "difference", "entries"]
 
 MOST_ORDERS = 8
 """So often a hypothesis is differentiated at most, to see where its rates say nothing new."""
+
+
+class Vanishing(Untreatable):
+    """What a hypothesis says not to vanish does everywhere."""
+
+    def __init__(self, hypothesis: Hypothesis) -> None:
+        super().__init__(f"{hypothesis.text} cannot be: the left side is zero")
+        self.hypothesis = hypothesis
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,7 +168,7 @@ def _declare_atoms(
                 postponed.append((hypothesis, node))
                 continue
             if numerator == 0:
-                raise Untreatable(f"{hypothesis.text} cannot be: the left side is zero")
+                raise Vanishing(hypothesis)
             unfold.field.atoms.append(numerator)
             declared.append((hypothesis, numerator))
         if len(postponed) == len(waiting):

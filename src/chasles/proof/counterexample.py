@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import islice
 from typing import Protocol
 
 from chasles.proof import points
 from chasles.proof.conditions import Solved
+from chasles.proof.consistency import point_of_the_rest
 from chasles.proof.context import Context, entries
 from chasles.proof.evaluation import measured
 from chasles.proof.ratios import Ratio
@@ -42,17 +44,21 @@ def refute(context: Context, solved: tuple[Solved, ...], suspects: Sequence[Susp
     """The counterexample that is easiest to evaluate by hand among those that a number of sample points give.
 
     Points of axes, quarter turns, ones and zeros come first; others are tried if none of these refutes, and then such
-    as give a value to all that occurs. Only what the checker accepts refutes.
+    as give a value to all that occurs, and to what is assumed beside it. Only what the checker accepts refutes.
     """
     used = _used_by_each(context, solved, suspects)
     gone = {s.variable for s in solved} | _unmeasured(context)
     whole = [sorted(v.name for v in context.variables if v.name not in gone)] * len(suspects)
     ratios = solved_ratios(context, solved)
-    for names in (used, whole):
+    for names, beside in ((used, False), (whole, True)):
+        more = point_of_the_rest(context) if beside else {}
+        if more is None:
+            break
         for drawn in (points.plain(context, ratios, PLAIN), islice(points.sample(context, ratios), SAMPLES)):
             for found in _easiest(context, suspects, names, drawn):
-                if _is_accepted(context, found):
-                    return found
+                whole_point = replace(found, at={**found.at, **more})
+                if _is_accepted(context, whole_point):
+                    return whole_point
     return None
 
 

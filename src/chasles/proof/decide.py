@@ -10,6 +10,7 @@ from chasles.proof import points
 from chasles.proof.certifying import Entry, certified
 from chasles.proof.completion import Basis, completed
 from chasles.proof.conditions import Solved, satisfying_point, solve_conditions
+from chasles.proof.consistency import contradiction, holds_somewhere
 from chasles.proof.context import Context, build, difference, entries
 from chasles.proof.counterexample import refute, solved_ratios
 from chasles.proof.deadline import OutOfTime, remaining, within
@@ -59,7 +60,7 @@ def _decide(problem: Problem, own: tuple[Hypothesis, ...], search: Search | None
     except UndeclaredDivisor as error:
         return IllFormed(str(error))
     except Untreatable as error:
-        return Undecided(str(error))
+        return _nothing(problem, search, str(error))
     if not proved:
         suspects = [e for e in unproved if e.cofactors is None]
         if search or not _vanish_here_and_there(context, solved, suspects):
@@ -70,11 +71,23 @@ def _decide(problem: Problem, own: tuple[Hypothesis, ...], search: Search | None
         if not _prove(context, whole, unproved):
             suspects = [e for e in unproved if e.cofactors is None]
             found = search.refute(context, suspects) if search else refute(context, solved, suspects)
-            return Fails(found) if found else Undecided("a remainder is left, and no counterexample was found")
+            if found:
+                return Fails(found)
+            return _nothing(problem, search, "a remainder is left, and no counterexample was found")
     witness = search.witness(context) if search else _witness(context, solved)
-    if witness is None:
-        return Undecided("it follows from its hypotheses, but no point was found that satisfies them all")
+    if witness is None or not (search or holds_somewhere(context)):
+        return _nothing(
+            problem, search, "it follows from its hypotheses, but no point was found that satisfies them all"
+        )
+    for case in problem.cases:
+        if empty := contradiction(problem, (case,)):
+            return empty
     return certified(context, conditions, solved, unproved, own, witness, search.write if search else None)
+
+
+def _nothing(problem: Problem, search: Search | None, reason: str) -> Verdict:
+    """Nothing is decided: since nothing satisfies what is assumed, if that is found, or else for the given reason."""
+    return (None if search else contradiction(problem)) or Undecided(reason)
 
 
 def _by_spins(

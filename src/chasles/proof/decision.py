@@ -94,7 +94,7 @@ class Decision(Displayed):
     def certificate(self) -> Certificate | None:
         """The certificate of the form that stands, if one was made."""
         verdict = self.correction.verdict if self.correction and not self.verdict.true else self.verdict
-        found = getattr(verdict, "certificate", None)
+        found = getattr(verdict, "certificate", None) if verdict.true else None
         return None if found is None else Certificate(found)
 
     def standing(self, given: Statement) -> Equation:

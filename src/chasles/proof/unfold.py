@@ -18,7 +18,7 @@ from chasles.proof.divisors import Divisors, UndeclaredDivisor
 from chasles.proof.matrices import Matrix, cofactor, determinant, each, equal, flipped, plus, times
 from chasles.proof.moments import Moments
 from chasles.proof.ratios import Field, Ratio
-from chasles.proof.variables import Untreatable, Variable, angle_multiples
+from chasles.proof.variables import Unlisted, Untreatable, Variable, angle_multiples
 from chasles.vocabulary import (
     PI,
     At,
@@ -174,7 +174,7 @@ class Unfolder:
     def _entry(self, symbol: Symbol, order: int, row: int, column: int) -> Ratio:
         entry = self.coordinates.entry(symbol, order, row, column)
         if entry is None:
-            raise KeyError(f"{plain(symbol)} has no variable for its rate of order {order}")
+            raise Unlisted(f"{plain(symbol)} has no variable for its rate of order {order}")
         return entry
 
     def _norm(self, of: Node) -> Ratio:

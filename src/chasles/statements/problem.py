@@ -8,9 +8,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
+from fractions import Fraction
 
 from chasles.statements.angles import determined_angle, turning
-from chasles.statements.forms import Definite, OnlyWhere
+from chasles.statements.forms import Definite, Iff, OnlyWhere
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.inverses import Inverses, reached
 from chasles.statements.lengths import Lengths
@@ -25,8 +26,10 @@ from chasles.vocabulary import (
     Misfit,
     Negative,
     Node,
+    Number,
     Sum,
     Symbol,
+    Zero,
     column,
     members_of,
     plain,
@@ -57,7 +60,8 @@ class Problem:
     """For all values of the symbols that satisfy `hypotheses` and `conditions`, with `rules` applied: the goals hold.
 
     `rules` replace symbols (or rates of symbols); `unknowns` are the symbols that the conditions must determine. What
-    the goals prove, they prove under `presupposed` hypotheses, by which squares are squares.
+    the goals prove, they prove under `presupposed` hypotheses, by which squares are squares. They are about each of
+    the `cases`: if nothing satisfies one, they say nothing.
     """
 
     goals: tuple[Goal, ...]
@@ -66,6 +70,7 @@ class Problem:
     unknowns: tuple[Symbol, ...] = ()
     hypotheses: tuple[Hypothesis, ...] = ()
     presupposed: tuple[Hypothesis, ...] = ()
+    cases: tuple[Goal, ...] = ()
 
 
 def default_form(statement: Statement) -> str:
@@ -117,7 +122,9 @@ def problem_of(statement: Decidable, form: str = "printed", standing: Standing =
     problem = Problem((), tuple(rules), tuple(conditions), tuple(unknowns), hypotheses)
     if isinstance(statement, Theorem):
         goals = tuple(_theorem_goals(statement, problem))
-        problem = with_fields(problem, presupposed=tuple(dict.fromkeys(_presupposed(statement, problem))))
+        problem = with_fields(
+            problem, presupposed=tuple(dict.fromkeys(_presupposed(statement, problem))), cases=tuple(_cases(statement))
+        )
     else:
         goals = tuple(_goals(statement, form, standing))
     for goal in goals:
@@ -154,7 +161,8 @@ def without_inverses(problem: Problem) -> Problem:
     conditions = tuple(Goal(goal.label, inverses(goal.left), inverses(goal.right)) for goal in problem.conditions)
     presupposed = tuple(dict.fromkeys((*problem.presupposed, *inverses.used)))
     hypotheses = (*inverses.needed, *map(inverses.hypothesis, problem.hypotheses))
-    return Problem(goals, rules, conditions, problem.unknowns, hypotheses, presupposed)
+    cases = tuple(Goal(case.label, inverses(case.left), case.right) for case in problem.cases)
+    return Problem(goals, rules, conditions, problem.unknowns, hypotheses, presupposed, cases)
 
 
 def _with_simple_lengths(problem: Problem) -> Problem:
@@ -165,7 +173,8 @@ def _with_simple_lengths(problem: Problem) -> Problem:
     rules = tuple((left, lengths(right)) for left, right in problem.rules)
     hypotheses = tuple(map(lengths.hypothesis, problem.hypotheses))
     presupposed = tuple(dict.fromkeys((*problem.presupposed, *lengths.used)))
-    return Problem(goals, rules, conditions, problem.unknowns, hypotheses, presupposed)
+    cases = tuple(Goal(case.label, lengths(case.left), case.right) for case in problem.cases)
+    return Problem(goals, rules, conditions, problem.unknowns, hypotheses, presupposed, cases)
 
 
 def _theorem_goals(statement: Theorem, problem: Problem) -> Iterator[Goal]:
@@ -178,6 +187,13 @@ def _theorem_goals(statement: Theorem, problem: Problem) -> Iterator[Goal]:
             raise TypeError(f"({statement.number}): {error}") from None
         for label, left, right in equations:
             yield Goal(label, left, right)
+
+
+def _cases(statement: Theorem) -> Iterator[Goal]:
+    """Where either side of "if and only if" vanishes: of elsewhere it says nothing."""
+    for part in statement.forms:
+        for side in (part.one, part.other) if isinstance(part, Iff) else ():
+            yield Goal(f"{plain(side)} = 0", side, Number(Fraction(0)) if side.is_scalar else Zero(*side.shape))
 
 
 def _presupposed(statement: Theorem, problem: Problem) -> Iterator[Hypothesis]:

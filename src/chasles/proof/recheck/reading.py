@@ -47,7 +47,7 @@ class Said:
 
 
 class Reading(Quantities):
-    """A problem as polynomials: everything `vanishing` is zero, by name, and none of the `atoms` is.
+    """A problem as polynomials: what is `vanishing` is zero, by name; no atom is, and some are `greater`.
 
     `names` tell of which fraction of each angle the cosine and sine are variables; nothing else is taken from them.
     Raises `Rejected` for what has no polynomial form.
@@ -60,6 +60,7 @@ class Reading(Quantities):
         self.problem = problem
         self.conditions: list[Polynomial] = []
         self.positive: list[tuple[str, Polynomial]] = []
+        self.greater: dict[int, Polynomial] = {}
         self.ahead: list[Polynomial] = []
         self.unclosed: list[str] = []
         self.highest = 0
@@ -79,6 +80,8 @@ class Reading(Quantities):
         for size in range(1, len(entries) + 1):
             minor, below = cleared(determinant([row[:size] for row in entries[:size]]), self.atoms)
             self.positive.append((hypothesis.text, minor * product(self.atoms, below)))
+            if size == len(entries) and not below:
+                self.greater[len(self.atoms) - 1] = minor
 
     def _conditions(self) -> Iterator[Said]:
         for goal in self.problem.conditions:
