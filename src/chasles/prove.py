@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 from math import inf
 from typing import Any
 
-from chasles.proof.certificate import check
 from chasles.proof.context import build
 from chasles.proof.deadline import OutOfTime, remaining, within
 from chasles.proof.decide import decide_problem
@@ -51,8 +50,16 @@ def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float 
     """
     try:
         with within(EFFORT, budget):
-            question = ask(*_asked(exact, lhs, rhs, given, nonzero))
-            return _answered(question) if isinstance(question, Question) else question
+            asked = tuple(_asked(exact, lhs, rhs, given, nonzero))
+            question = ask(*asked)
+            if not isinstance(question, Question):
+                return question
+            verdict = _answered(question)
+            if question.formal and isinstance(verdict, Holds | HoldsUnder):
+                check_proof(verdict, *asked)
+            return verdict
+    except Rejected as reason:
+        return Undecided(f"a proof was found, and the checker cannot follow it: {reason}")
     except OutOfTime as error:
         return Undecided(str(error))
 
@@ -65,28 +72,15 @@ def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Any = (), nonzero: Any 
     """The verdict of `prove` on this question is right: nothing of the prover is used.
 
     A certificate proves what was asked from the verdict's `needs`, which the witness satisfies; a counterexample
-    satisfies what is given, and the two sides differ there. Raises `Rejected` with the reason if not. Exponentials,
-    logarithms and inverse functions are put in words by the prover's reader, and only what is then said of these words
-    is checked.
+    satisfies what is given, and the two sides differ there. Raises `Rejected` with the reason if not.
     """
     match verdict:
         case Holds() | HoldsUnder():
-            question = ask(*_asked(exact, lhs, rhs, given, nonzero))
-            if isinstance(question, Question) and question.formal:
-                _check_formal(question, verdict)
-                return
             check_proof(verdict, *_asked(exact, lhs, rhs, given, nonzero))
         case Fails(found):
             check_refutation(found, *_asked(exact, lhs, rhs, given, nonzero))
         case _:
             raise TypeError(f"the verdict is {verdict.name}: only what holds or fails can be checked")
-
-
-def _check_formal(question: Question, verdict: Holds | HoldsUnder) -> None:
-    variant, problems = verdict.certificate["variant"], [question.problem, *(p for _, p in question.variants())]
-    if isinstance(variant, bool) or not isinstance(variant, int) or not 0 <= variant < len(problems):
-        raise Rejected(f"the certificate's variant is {variant!r}: a number from 0 to {len(problems) - 1} is expected")
-    check(problems[variant], "", verdict.certificate)
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,13 +124,10 @@ def _decided(question: Question) -> Verdict:
         if impossible is not None:
             return impossible
         blind = replace(question.search, blind=True)
-        for number, (squared, problem) in enumerate(question.variants(), 1):
+        for squared, problem in question.variants():
             again = decide_problem(problem, question.own, search=blind)
             if isinstance(again, Holds | HoldsUnder):
-                variant = number if question.formal else int(squared)
-                return replace(again, certificate={**again.certificate, "variant": variant})
-    if question.formal and isinstance(verdict, Holds | HoldsUnder):
-        return replace(verdict, certificate={**verdict.certificate, "variant": 0})
+                return replace(again, certificate={**again.certificate, "variant": int(squared)})
     return verdict
 
 

@@ -17,7 +17,7 @@ import sympy
 from chasles.proof.from_sympy.divisors import CIRCULAR
 from chasles.proof.from_sympy.opening import Word
 
-__all__ = ["INVERSE", "Arc", "arc_of", "turned", "vanishes", "without_arcs"]
+__all__ = ["INVERSE", "Arc", "arc_of", "turned", "without_arcs"]
 
 LARGEST_MULTIPLE = 16
 MOST_HALVINGS = 4
@@ -128,8 +128,8 @@ def without_arcs(function: type, argument: Any, arcs: Mapping[Word, Arc]) -> Any
     return values[above] / values[below]
 
 
-def vanishes(difference: Any, arcs: Mapping[Word, Arc]) -> Any:
-    """A cosine that is one exactly where the difference is zero; None if it is no sum of arcs and of pi."""
+def _vanishes(difference: Any, arcs: Mapping[Word, Arc]) -> tuple[Any, int] | None:
+    """A cosine that is one exactly where the difference is zero, and how often that was halved."""
     multiples, rest = _split(difference, arcs)
     turn = (rest / sympy.pi).expand()
     if not multiples or not turn.is_Rational:
@@ -143,13 +143,12 @@ def vanishes(difference: Any, arcs: Mapping[Word, Arc]) -> Any:
         size = 2**halvings
         if abs(low) < 2 * size > abs(high) or (strict and abs(low) <= 2 * size >= abs(high)):
             halved = {word: multiple / size for word, multiple in multiples.items()}
-            return _cosine_and_sine(halved, rest / size, arcs)[0]
+            return _cosine_and_sine(halved, rest / size, arcs)[0], halvings
     return None
 
 
-def turned(left: Any, right: Any, arcs: Mapping[Word, Arc]) -> tuple[Any, Any]:
-    """Two sides that are equal exactly where the given ones are, without arcs if they are sums of them."""
+def turned(left: Any, right: Any, arcs: Mapping[Word, Arc]) -> tuple[Any, int] | None:
+    """A cosine that is one exactly where sums of arcs are equal, and of which part of their difference it is."""
     if not arcs or not (left.has(*arcs) or right.has(*arcs)):
-        return left, right
-    cosine = vanishes(left - right, arcs)
-    return (left, right) if cosine is None else (cosine, sympy.S.One)
+        return None
+    return _vanishes(left - right, arcs)

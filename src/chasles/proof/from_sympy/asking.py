@@ -49,14 +49,18 @@ def ask(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> Question | IllFormed | 
     elementary = Elementary()
     expressions = _rewritten(elementary, expressions, conditions)
     first, size = len(declared), left.shape[0] * left.shape[1]
-    for k in range(first, first + size):
-        expressions[k], expressions[k + size] = turned(expressions[k], expressions[k + size], elementary.arcs)
+    for k in range(size):
+        found = turned(expressions[first + k], expressions[first + k + size], elementary.arcs)
+        if found:
+            expressions[first + k], expressions[first + k + size] = found[0], sympy.S.One
+            elementary.halvings[k // left.shape[1], k % left.shape[1]] = found[1]
     question = _Asking(conditions, expressions, len(declared), left.shape, elementary).question(
         (lhs, rhs, given, nonzero)
     )
     question.search.rows = rows if left.shape[0] > rows else None
     still = not any(orders_of(pair) for pair in conditions.stated)
-    question.sampling = Sampling(left, right, rows, [*conditions.stated, *derived], declared, tuple(parts.met), still)
+    defined = (*parts.met, *elementary.needs.values())
+    question.sampling = Sampling(left, right, rows, [*conditions.stated, *derived], declared, defined, still)
     return question
 
 
@@ -113,7 +117,7 @@ class _Asking:
         higher = [item.text for item in self.given.equations if not item.sources]
         search = search_for(reader, self.given)
         search.blind = search.blind or bool(self.elementary.origins)
-        search.write = None if self.elementary.origins else Writing(asked, reader, self.given, roots, search)
+        search.write = Writing(asked, reader, self.given, roots, search, self.elementary)
         return Question(
             problem=Problem((self.goal,), roots.rules, (), words, tuple(hypotheses)),
             own=(

@@ -9,8 +9,10 @@ from typing import Any
 
 from chasles.proof.certifying import Entry
 from chasles.proof.context import Context
+from chasles.proof.from_sympy.elementary import Elementary
 from chasles.proof.from_sympy.given import Given
 from chasles.proof.from_sympy.naming import spelled, written
+from chasles.proof.from_sympy.opening import Word, is_atom
 from chasles.proof.from_sympy.reader import Reader
 from chasles.proof.from_sympy.roots import Roots
 from chasles.proof.polynomial_text import written as text_of
@@ -18,6 +20,7 @@ from chasles.proof.recheck.questions.algebra import primitive
 from chasles.proof.recheck.questions.asked import Asked
 from chasles.proof.recheck.questions.complexes import differences
 from chasles.proof.recheck.questions.facts import Facts
+from chasles.proof.recheck.questions.proof import claims_of
 from chasles.proof.recheck.questions.reading_of_proof import Proven
 from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected, parsed
 from chasles.proof.search import Search
@@ -42,6 +45,7 @@ class Writing:
     given: Given
     roots: Roots
     search: Search
+    elementary: Elementary
 
     def __call__(self, context: Context, done: list[Entry], witness: Mapping[str, Any]) -> dict[str, Any]:
         """All that the checker needs, as text."""
@@ -49,6 +53,8 @@ class Writing:
         certificate: dict[str, Any] = {
             "variant": 0,
             "names": {word.name: str(atom) for atom, word in self.reader.atoms.words.items()},
+            "positive": list(self._positive()),
+            "turned": {f"{i + 1},{j + 1}": halvings for (i, j), halvings in self.elementary.halvings.items()},
             "angles": {word.name: _product(powers) for word, powers in self.reader.angles.products.items()},
             "substituted": {str(atom): text for text, atom, _ in self.given.substitutions},
             "words": list(self._words(context)),
@@ -68,6 +74,17 @@ class Writing:
         except Rejected as reason:
             return certificate | {"unread": str(reason)}
         return certificate | ({"entries": entries} if entries else {})
+
+    def _positive(self) -> Iterator[str]:
+        """Quantities that are positive, or negative, because of logarithms."""
+        for e, sign in self.elementary.signs.items():
+            if is_atom(e) and not isinstance(e, Word):
+                yield f"{sign}*{self._name(e)}"
+
+    def _name(self, atom: Any) -> str:
+        """The name of the word for an atom, or its spelling if it has none."""
+        named = (word.name for known, word in self.reader.atoms.words.items() if str(known) == str(atom))
+        return next(named, str(atom))
 
     def _words(self, context: Context) -> Iterator[list[str]]:
         for hypothesis in self.roots.hypotheses:
@@ -96,7 +113,7 @@ class Writing:
         """What is to be said of entries that do not vanish as they are read."""
         asked = Asked(*self.asked)
         reading = Proven(asked, certificate)
-        claims = differences(reading, {place: (left, asked.right[place]) for place, left in asked.left.items()})
+        claims = claims_of(asked, reading, certificate)
         labels = _Labels(asked, reading, certificate)
         for entry in done:
             row, column = entry.place

@@ -29,10 +29,12 @@ LARGEST_EXPONENT = 1000
 
 
 class Elementary:
-    """Rewrites expressions; where they are real is collected in `needs`, what has to be defined for it in `defined`.
+    """Rewrites expressions.
 
-    `equations` are what roots of higher order satisfy. `units` and `signs` say which denominators exponents have, and
-    which sign the factors of logarithms have; they are learned in one round and used in the next.
+    Where they are real is collected in `needs`, with something that is defined nowhere else; what has to be defined for
+    that in `defined`. `equations` are what roots of higher order satisfy. `halvings` tell in which entries a cosine is
+    compared with one, and of which part of the difference. `units` and `signs` say which denominators exponents have,
+    and which sign the factors of logarithms have; they are learned in one round and used in the next.
     """
 
     def __init__(self) -> None:
@@ -41,7 +43,7 @@ class Elementary:
         self._reset()
 
     def _reset(self) -> None:
-        self.needs: dict[str, None] = {}
+        self.needs: dict[str, Any] = {}
         self.defined: dict[Any, None] = {}
         self.atoms: dict[Any, None] = {}
         self.equations: dict[tuple[Any, Any], None] = {}
@@ -49,6 +51,7 @@ class Elementary:
         self.exponents: dict[Any, Any] = {}
         self.logs: dict[Any, Any] = {}
         self.arcs: dict[Word, Arc] = {}
+        self.halvings: dict[tuple[int, int], int] = {}
         self._known: dict[Any, Any] = {}
 
     def __call__(self, expressions: Sequence[Any]) -> list[Any]:
@@ -108,6 +111,7 @@ class Elementary:
         self.atoms[e] = None
         unit = self.units.get(("root", e), 1)
         if unit > 1:
+            self.needs |= {} if e.is_positive else {f"{e} > 0": sympy.log(e)}
             return self._word(e ** sympy.Rational(1, unit), Word if e.is_positive else Signed) ** unit
         return self._word(e, Signed) if self.signs.get(e) == 1 and not e.is_positive else e
 
@@ -216,14 +220,18 @@ class Elementary:
         if sign < 0 or value == 0:
             raise Untreatable(f"log({excerpt(spelled)}) is not treated: it is not real")
         if sign == 0:
-            self.needs[f"{spelled} > 0"] = None
+            self.needs[f"{spelled} > 0"] = sympy.log(spelled, evaluate=False)
         for base, _, _ in factors_of(value) if sign else ():
-            if not (base.is_Rational or is_evident(base)):
-                self.needs[f"{self._original(base)} != 0"] = None
+            if not (
+                base.is_Rational or is_evident(base) or (isinstance(base, Signed) and base != self._original(base))
+            ):
+                self.needs[f"{self._original(base)} != 0"] = 1 / self._original(base)
 
     def _learn(self, base: Any, sign: int) -> None:
         """The sign of a factor, by which an atom is written as a variable that has it."""
         original = self._original(base)
+        if isinstance(base, Word) and not is_atom(original):
+            return
         if not is_evident(base) and self.signs.setdefault(original if is_atom(original) else base, sign) != sign:
             raise Untreatable(f"where roots and logarithms of {excerpt(original)} are real, others are not")
 

@@ -13,7 +13,7 @@ __all__ = ["EXPONENTIALS", "LOGARITHMS"]
 class Exponentials(Protocol):
     """Writes exponentials and logarithms in variables."""
 
-    needs: dict[str, None]
+    needs: dict[str, Any]
 
     def exp(self, exponent: Any) -> Any: ...
     def log(self, value: Any, spelled: Any, evident: bool = False) -> Any: ...
@@ -37,7 +37,7 @@ def _asinh(words: Exponentials, u: Any, _: Any) -> Any:
 
 
 def _acosh(words: Exponentials, u: Any, spelled: Any) -> Any:
-    words.needs[f"{spelled - 1} >= 0"] = None
+    words.needs[f"{spelled - 1} >= 0"] = sympy.sqrt(spelled - 1)
     words.log(u, spelled, evident=True)
     return words.log(sympy.cancel(u + _rooted(u**2 - 1)), spelled, evident=True)
 

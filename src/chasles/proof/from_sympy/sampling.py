@@ -60,8 +60,13 @@ class Sampling:
 
     def point(self) -> Mapping[str, Any] | None:
         """A point at which everything that occurs is defined, and all conditions hold."""
-        found = next(self._points(1, MANY[1]), None)
-        return None if found is None else self._coordinates(found)
+        fallback = None
+        for enclosures in self._points(*MANY):
+            found = self._coordinates(enclosures)
+            if all(isinstance(value, Fraction) for value in found.values()):
+                return found
+            fallback = fallback or found
+        return fallback
 
     def _points(self, enough: int, attempts: int) -> Iterator[Enclosures]:
         sides = [entry for side in (self.left, self.right) for row in side.rows for entry in row]
@@ -144,7 +149,9 @@ class _Solved:
 
 def _drawn(atom: Any, random: Random, attempt: int) -> Any:
     """A rational number that the atom may be, small ones first."""
-    value = sympy.S.One
+    value = sympy.Integer(attempt % 2)
+    if attempt in (FEW[1], FEW[1] + 1) and _agrees(atom, Fraction(int(value))):
+        return value
     for _ in range(TRIES):
         reach = 3 if attempt < FEW[1] else 12
         value = sympy.Rational(random.randint(-4 * reach, 4 * reach), random.choice((1, 2, 3, 4, 4, 8)))

@@ -10,6 +10,7 @@ from typing import Any
 import sympy
 
 from chasles.proof.recheck.questions.algebra import constant
+from chasles.proof.recheck.questions.complexes import parts
 from chasles.proof.recheck.questions.expressions import Circle, Expressions
 from chasles.proof.recheck.questions.quantities import is_atom
 from chasles.proof.recheck.questions.reals import Reals
@@ -60,7 +61,7 @@ class AtPoint(Expressions, Reals):
     def atom(self, e: Any) -> Polynomial:
         """The value of a real quantity; raises `Rejected` where the point has none, or one that SymPy excludes."""
         function = e.expr if isinstance(e, sympy.Derivative) else e
-        if e in self.symbolic.values or function in self.symbolic.values:
+        if (self.symbolic.values.keys() - self.symbolic.rooted) & {e, function}:
             return self.value_of(self.symbolic.atom(e))
         if str(e) not in self.numbers:
             raise Unknown(f"no value is given for {e}")
@@ -104,9 +105,34 @@ class AtPoint(Expressions, Reals):
             raise Rejected(f"{spelled} is zero at the point")
         return self.inverse(value)
 
+    def exp(self, value: Polynomial) -> Polynomial:
+        """The exponential of a number."""
+        return self.called("exp", value)
+
+    def log(self, value: Polynomial, evident: bool = False) -> Polynomial:
+        """The logarithm of a number."""
+        return self.called("log", value)
+
+    def arc(self, y: Polynomial, x: Polynomial) -> Polynomial:
+        """The angle of a point of numbers."""
+        return self.called("arc", y, x)
+
     def argument(self, e: Any) -> Polynomial:
         """The argument of a cosine or sine, in the quantities that make angles."""
         return self.symbolic(e)
+
+    def value(self, polynomial: Polynomial) -> Polynomial:
+        """The value of a polynomial in the quantities that make angles."""
+        return self.value_of(polynomial)
+
+    def argument_parts(self, e: Any) -> tuple[Polynomial, Polynomial]:
+        """The parts of a complex argument, in the quantities that make angles."""
+        return parts(self.symbolic, e)
+
+    def require_nonnegative(self, value: Polynomial) -> None:
+        """Something is not negative at the point."""
+        if self.sign(value) < 0:
+            raise Rejected("something is negative at the point that must not be")
 
     def is_half_turn(self, monomial: int) -> bool:
         """Whether a product of variables is pi."""
@@ -115,13 +141,15 @@ class AtPoint(Expressions, Reals):
     def circle(self, monomial: int, multiple: Fraction) -> Circle:
         """The cosine and sine that the point gives for a fraction of an angle."""
         if monomial not in self.circle_of:
-            self.symbolic.circle(monomial, multiple)
+            unit = self.symbolic.circle(monomial, multiple)[0]
             found = [name for name in self.turns if self._unit(name, monomial) is not None]
             cosines = [name for name in found if name.startswith("cos")]
+            if not found:
+                angle = self.value_of(Polynomial({monomial: unit.numerator}, unit.denominator))
+                return unit, *(self._direction(angle) or (self.called("cos", angle), self.called("sin", angle)))
             if len(cosines) != 1 or "sin" + cosines[0][3:] not in found:
                 raise Unknown(f"no cosine and sine are given for {self._spelled(monomial)}")
-            unit = self._unit(cosines[0], monomial)
-            assert unit is not None
+            unit = self._unit(cosines[0], monomial) or unit
             c, s = (_exact(self, self.turns[name]) for name in (cosines[0], "sin" + cosines[0][3:]))
             if not self.vanishes(c * c + s * s - ONE):
                 raise Rejected(f"{cosines[0]} and sin{cosines[0][3:]} are not cosine and sine of one angle")
@@ -188,20 +216,23 @@ class AtPoint(Expressions, Reals):
     def _require_fit(self, monomial: int) -> None:
         unit, cosine, sine = self.circle_of[monomial]
         angle = self.value_of(Polynomial({monomial: 1})) * number(unit)
-        c, s = ONE, ZERO
-        parts = self.angle(angle)
-        if parts is None:
+        known = self._direction(angle)
+        if known is None:
             raise Rejected(f"the cosine of {self._spelled(monomial)} is not known at the point")
-        for tangent, multiple in parts:
-            if tangent == 1:
-                one, other = turned(multiple / 4, self)
-            else:
-                if multiple.denominator != 1:
-                    raise Rejected(f"the cosine of {self._spelled(monomial)} is not known at the point")
-                one, other = self._times(tangent, int(multiple))
-            c, s = self.normal(c * one - s * other), self.normal(c * other + s * one)
+        c, s = known
         if not (self.vanishes(c - cosine) and self.vanishes(s - sine)):
             raise Rejected(f"cosine and sine of {self._spelled(monomial)} are not those of its value at the point")
+
+    def _direction(self, angle: Polynomial) -> tuple[Polynomial, Polynomial] | None:
+        """Cosine and sine of a sum of multiples of arctangents; None for other numbers."""
+        c, s = ONE, ZERO
+        parts = self.angle(angle)
+        if parts is None or any(tangent != 1 and multiple.denominator != 1 for tangent, multiple in parts):
+            return None
+        for tangent, multiple in parts:
+            one, other = turned(multiple / 4, self) if tangent == 1 else self._times(tangent, int(multiple))
+            c, s = self.normal(c * one - s * other), self.normal(c * other + s * one)
+        return c, s
 
     def _times(self, tangent: Fraction, times: int) -> tuple[Polynomial, Polynomial]:
         """Cosine and sine of a multiple of an arctangent."""

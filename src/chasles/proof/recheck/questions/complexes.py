@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from fractions import Fraction
 from functools import reduce
 from typing import TYPE_CHECKING, Any
 
 import sympy
 
-from chasles.proof.recheck.sparse import ONE, ZERO, Polynomial
+from chasles.proof.recheck.sparse import ONE, ZERO, Polynomial, number
 
 if TYPE_CHECKING:
     from chasles.proof.recheck.questions.expressions import Expressions
@@ -47,6 +48,11 @@ def parts(reading: Expressions, e: Any) -> Pair:
             return parts(reading, e.args[0])[1], ZERO
         case sympy.Abs():
             return size(reading, e.args[0]), ZERO
+        case sympy.arg():
+            a, b = parts(reading, e.args[0])
+            return reading.arc(b, a), ZERO
+        case sympy.exp() | sympy.cos() | sympy.sin() | sympy.cosh() | sympy.sinh():
+            return _entire(reading, type(e), e.args[0])
     return reading(e), ZERO
 
 
@@ -56,6 +62,25 @@ def size(reading: Expressions, e: Any) -> Polynomial:
         return reduce(lambda one, other: reading.normal(one * other), (size(reading, factor) for factor in e.args))
     a, b = parts(reading, e)
     return reading.root(reading.normal(a * a + b * b)) if b else reading.absolute(a)
+
+
+def _entire(reading: Expressions, function: type, argument: Any) -> Pair:
+    """The exponential, cosine, sine, ... of a + b i, by the addition formulas."""
+    turned = function in (sympy.cos, sympy.sin)
+    angles = reading.argument_parts(argument)
+    c, s = reading.turn(angles[0 if turned else 1])
+    rest = reading.value(angles[1 if turned else 0])
+    if function is sympy.exp:
+        size = reading.exp(rest)
+        return reading.normal(size * c), reading.normal(size * s)
+    e, inverse = reading.exp(rest), reading.exp(-rest)
+    half = number(Fraction(1, 2))
+    cosh, sinh = (e + inverse) * half, (e - inverse) * half
+    if turned:
+        pair = (c * cosh, -(s * sinh)) if function is sympy.cos else (s * cosh, c * sinh)
+    else:
+        pair = (cosh * c, sinh * s) if function is sympy.cosh else (sinh * c, cosh * s)
+    return reading.normal(pair[0]), reading.normal(pair[1])
 
 
 def _plus(one: Pair, other: Pair) -> Pair:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any
 
 from chasles.proof.recheck.questions.asked import Asked
@@ -13,6 +14,9 @@ from chasles.proof.recheck.questions.symbolic import Symbolic
 from chasles.proof.recheck.sparse import Rejected, number, variable
 
 __all__ = ["check_refutation"]
+
+NEAR = Fraction(1, 2**100)
+"""So near to a value with functions of numbers is a text that tells it."""
 
 
 def check_refutation(found: Any, lhs: Any, rhs: Any, given: Any = (), nonzero: Any = ()) -> None:
@@ -43,5 +47,6 @@ def _check(found: Any, asked: Asked) -> None:
     spoken = Spoken(point, point.spelled() | {"I": imaginary})
     for text, (real, rest) in ((found.left, left), (found.right, right)):
         value = real + rest * imaginary
-        if not point.vanishes(spoken(text) - value):
+        gap = spoken(text) - value
+        if not (point.vanishes(gap) or (not rest and point.is_near(gap, Fraction(0), NEAR))):
             raise Rejected(f"a side is not {text} at the point")

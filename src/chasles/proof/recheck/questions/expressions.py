@@ -34,7 +34,9 @@ Circle = tuple[Fraction, Polynomial, Polynomial]
 class Expressions(Algebra):
     """Reads expressions; `names` are those of the variables by SymPy's spelling, `units` by the name of an angle.
 
-    `divided` are SymPy's spellings of what is divided by, `values` what takes the place of some variables.
+    `divided` are SymPy's spellings of what is divided by, `values` what takes the place of some variables, those that
+    are `rooted` a power of another one. Some variables are `positive`, and some are values of functions: `calls` tells
+    of which, and of what.
     """
 
     def __init__(self, names: Mapping[str, str], units: Mapping[str, Fraction]) -> None:
@@ -46,6 +48,9 @@ class Expressions(Algebra):
         self.circles: dict[int, Circle] = {}
         self.angles: dict[int, str] = {}
         self.words: set[int] = set()
+        self.positive: set[int] = set()
+        self.rooted: set[Any] = set()
+        self.calls: dict[int, tuple[str, tuple[Polynomial, ...]]] = {}
         self.rate = Rates(self)
         self._names, self._units = names, units
         self._known: dict[Any, Polynomial] = {}
@@ -158,6 +163,29 @@ class Expressions(Algebra):
             value, below = self.root(value), below // 2
         return self.power(value, exponent.numerator)
 
+    def exp(self, value: Polynomial) -> Polynomial:
+        """The exponential."""
+        raise Rejected("no exponentials are known")
+
+    def log(self, value: Polynomial, evident: bool = False) -> Polynomial:
+        """The logarithm of what is positive, which has to be said unless it is `evident`."""
+        raise Rejected("no logarithms are known")
+
+    def arc(self, y: Polynomial, x: Polynomial) -> Polynomial:
+        """The angle of the point (x, y)."""
+        raise Rejected("no inverse functions are known")
+
+    def powered(self, base: Polynomial, exponent: Polynomial) -> Polynomial:
+        """A power of what is positive."""
+        return self.exp(self.normal(exponent * self.log(base)))
+
+    def know(self, value: Polynomial) -> None:
+        """Something is not negative."""
+
+    def require_nonnegative(self, value: Polynomial) -> None:
+        """Something has not to be negative."""
+        self.root(value)
+
     def circular(self, function: str, argument: Any) -> Polynomial:
         """The cosine or sine of an angle; one if neither is asked for."""
         return ONE if not function else self.turn(self.argument(argument))[function == "sin"]
@@ -165,6 +193,14 @@ class Expressions(Algebra):
     def argument(self, e: Any) -> Polynomial:
         """The argument of a cosine or sine, in the quantities that make angles."""
         return self(e)
+
+    def value(self, polynomial: Polynomial) -> Polynomial:
+        """What the quantities that make angles make of a polynomial in them."""
+        return polynomial
+
+    def argument_parts(self, e: Any) -> tuple[Polynomial, Polynomial]:
+        """The parts of a complex argument, in the quantities that make angles."""
+        return parts(self, e)
 
     def turn(self, angle: Polynomial) -> tuple[Polynomial, Polynomial]:
         """Cosine and sine of a sum of rational multiples of angles and of pi, by the addition formulas."""
@@ -191,7 +227,7 @@ class Expressions(Algebra):
         """The cosine and sine of a fraction of an angle, which is a product of quantities."""
         pairs = exponents(monomial)
         if monomial not in self.circles:
-            if not pairs or any(self.atoms.get(place) in (None, sympy.pi) for place, _ in pairs):
+            if not pairs or any(self.atoms.get(k) in (None, sympy.pi) and k not in self.calls for k, _ in pairs):
                 raise Rejected("a cosine or sine is taken of what is no sum of multiples of products of quantities")
             spelled = "*".join(self.names[place] for place, power in pairs for _ in range(power))
             name = self.angles.setdefault(monomial, spelled)

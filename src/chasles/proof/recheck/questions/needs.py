@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from contextlib import suppress
+from functools import reduce
+from operator import mul
 
-from chasles.proof.recheck.questions.algebra import primitive
+from chasles.proof.recheck.questions.algebra import constant, primitive
 from chasles.proof.recheck.questions.asked import Asked
 from chasles.proof.recheck.questions.reading_of_proof import Proven
 from chasles.proof.recheck.questions.signs import is_positive
@@ -14,6 +16,7 @@ from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected, variable
 
 __all__ = ["require_needs"]
 
+Terms = frozenset[tuple[int, int]]
 RELATIONS = (" != 0", " > 0", " >= 0")
 
 
@@ -37,9 +40,27 @@ def require_needs(
     for domain in reading.domains:
         if not any(one.allows(domain) for one in said):
             raise Rejected("a root is real only where something is not negative of which the verdict does not speak")
+    for value, odd, sign in reading.functions.positives:
+        if not (any(one.implies(value) for one in said) or _is_said(said, odd, sign)):
+            raise Rejected("a logarithm is real only where something is positive of which the verdict does not speak")
+    factors = {terms for _, odd, _ in reading.functions.positives for terms in odd}
     for one in said:
-        if not (any(map(one.excludes, reading.inverses)) or any(map(one.allows, reading.domains))):
+        if not (
+            any(map(one.excludes, reading.inverses))
+            or any(map(one.allows, reading.domains))
+            or (one.signs is not None and one.signs[0] <= factors)
+            or (reading.calls and is_positive(reading, one.polynomial))
+        ):
             raise Rejected(f"the verdict needs {one.text}, of which the question does not speak")
+
+
+def _is_said(said: list[_Said], odd: frozenset[Terms], sign: int) -> bool:
+    """Whether a product is said to be positive, or each of its factors to have a sign."""
+    known = [one.signs for one in said if one.signs is not None]
+    single = {terms: s for factors, s in known if len(factors) == 1 for terms in factors}
+    if (odd, sign) in known:
+        return True
+    return odd <= single.keys() and reduce(mul, (single[terms] for terms in odd), sign) > 0
 
 
 def _is_evident(reading: Proven, place: int) -> bool:
@@ -74,6 +95,26 @@ class _Said:
             if self._polynomial is None or known != set(self.reading.inverses):
                 self._polynomial = ZERO
         return self._polynomial
+
+    @property
+    def signs(self) -> tuple[frozenset[Terms], int] | None:
+        """The factors of what is said to be positive, and the sign where these are; None if that is not said."""
+        value = self._value() if self.relation == " > 0" else None
+        return None if value is None else self.reading.functions.signs(value)
+
+    def implies(self, value: Polynomial) -> bool:
+        """Whether something is more by a number than what is said not to be negative."""
+        least = self._value() if self.relation != " != 0" else None
+        rest = None if least is None else constant(self.reading.normal(value - least))
+        return rest is not None and rest > 0
+
+    def _value(self) -> Polynomial | None:
+        named = {str(e): variable(place) for place, e in self.reading.atoms.items()}
+        known = set(self.reading.inverses)
+        with suppress(Rejected):
+            value = Spoken(self.reading, named)(self.spelled)
+            return value if known == set(self.reading.inverses) else None
+        return None
 
     def excludes(self, place: int) -> bool:
         """Whether it says that what a variable is the inverse of does not vanish."""

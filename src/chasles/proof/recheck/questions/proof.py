@@ -23,12 +23,13 @@ from chasles.proof.recheck.questions.reading_of_proof import Proven
 from chasles.proof.recheck.questions.spoken import Spoken
 from chasles.proof.recheck.sparse import Polynomial, Rejected, number, parsed, variable
 
-__all__ = ["PARTS", "check_proof"]
+__all__ = ["PARTS", "check_proof", "claims_of"]
 
 Data = Mapping[str, Any]
-PARTS = frozenset(
-    ("variant", "names", "angles", "substituted", "words", "roots", "equal", "frames", "divisors", "entries", "witness")
-)
+PARTS = frozenset((
+    "variant", "names", "positive", "turned", "angles", "substituted", "words", "roots", "equal", "frames",
+    "divisors", "entries", "witness",
+))  # fmt: skip
 """What a certificate may say."""
 MALFORMED = (ArithmeticError, AssertionError, AttributeError, LookupError, RecursionError, TypeError, ValueError)
 
@@ -51,7 +52,7 @@ def _check(verdict: Any, asked: Asked) -> None:
     if unknown := certificate.keys() - PARTS:
         raise Rejected(f"the certificate has a part {min(unknown)!r}, which says nothing")
     reading = Proven(asked, certificate)
-    claims = differences(reading, {place: (left, asked.right[place]) for place, left in asked.left.items()})
+    claims = claims_of(asked, reading, certificate)
     divisors = set(reading.inverses)
     for e in asked.nonzero:
         _declare(reading, e)
@@ -61,6 +62,15 @@ def _check(verdict: Any, asked: Asked) -> None:
     divisors |= reading.inverses.keys() - granted - divisors
     require_needs(verdict.needs, asked, reading, divisors, facts.used)
     _require_witness(verdict, asked, reading)
+
+
+def claims_of(asked: Asked, reading: Proven, certificate: Data) -> dict[tuple[int, int], Polynomial]:
+    """What vanishes where both sides are equal; a sum of angles may vanish where its cosine is one."""
+    claims = differences(reading, {place: (left, asked.right[place]) for place, left in asked.left.items()})
+    for label, halvings in certificate.get("turned", {}).items():
+        row, column = (int(part) - 1 for part in label.split(","))
+        claims[row, column] = reading.arcs.turned(claims[row, column], int(halvings))
+    return claims
 
 
 def _declare(reading: Proven, e: Any) -> None:
@@ -137,11 +147,17 @@ def _require_witness(verdict: Any, asked: Asked, reading: Proven) -> None:
     point = AtPoint(reading, verdict.witness)
     require_given(asked, point, through=False)
     for left, right in ((left, asked.right[place]) for place, left in asked.left.items()):
-        if any(point.sign(value) for value in differences(point, {(0, 0): (left, right)}).values()):
+        values = differences(point, {(0, 0): (left, right)}).values()
+        if not reading.calls and any(map(point.sign, values)):
             raise Rejected("the two sides differ at the witness")
     for domain in reading.domains:
         if point.sign(point.value_of(domain)) < 0:
             raise Rejected("a root is not real at the witness")
+    for value, _, _ in reading.functions.positives:
+        if point.sign(point.value_of(value)) <= 0:
+            raise Rejected("a logarithm is not real at the witness")
+    if reading.calls:
+        return
     point.require_angles()
     said = verdict.certificate["witness"]
     spoken = Spoken(point, point.spelled())

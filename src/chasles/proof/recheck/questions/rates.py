@@ -42,11 +42,27 @@ class Rates:
             square = reading.squares[place]
             slope = self(square, time)
             return slope * reading.inverse(square) * variable(place) * number(Fraction(1, 2)) if slope else ZERO
+        if place in reading.calls:
+            return self._of_call(place, time)
         for monomial, (unit, cosine, sine) in reading.circles.items():
             if place in cosine.places | sine.places:
                 turning = self(Polynomial({monomial: 1}), time) * number(unit)
                 return cosine * turning if place in sine.places else -sine * turning
         raise AssertionError(reading.names[place])
+
+    def _of_call(self, place: int, time: Any) -> Polynomial:
+        """The rate of the value of a function."""
+        function, arguments = self.reading.calls[place]
+        speeds = [self(argument, time) for argument in arguments]
+        if not any(speeds):
+            return ZERO
+        if function == "arc":
+            (y, x), (up, right) = arguments, speeds
+            return (x * up - y * right) * self.reading.inverse(self.reading.normal(x * x + y * y))
+        if function == "exp":
+            return variable(place) * speeds[0]
+        slope = speeds[0] * self.reading.inverse(arguments[0])
+        return slope if function == "log" else slope * arguments[1] * variable(place)
 
     def _of_atom(self, e: Any, time: Any) -> Polynomial:
         if e == time:

@@ -3,23 +3,27 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
-from functools import reduce
+from functools import partial, reduce
 from math import isqrt
-from operator import mul
+from operator import and_, mul
 from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
 
 from chasles.proof.recheck.questions.algebra import constant, primitive
+from chasles.proof.recheck.questions.arcs import Arcs
 from chasles.proof.recheck.questions.asked import Asked
+from chasles.proof.recheck.questions.factoring import root_of_square
+from chasles.proof.recheck.questions.functions import Functions
 from chasles.proof.recheck.questions.given import eliminate_angle
 from chasles.proof.recheck.questions.quantities import atoms_of
 from chasles.proof.recheck.questions.signs import is_nonnegative
+from chasles.proof.recheck.questions.spoken import Spoken
 from chasles.proof.recheck.questions.symbolic import Symbolic
-from chasles.proof.recheck.sparse import ONE, Polynomial, Rejected, number, parsed, variable
+from chasles.proof.recheck.sparse import ONE, Polynomial, Rejected, exponents, number, parsed, variable
 
 __all__ = ["Proven"]
 
@@ -50,11 +54,94 @@ class Proven(Symbolic):
         self.numeric.add(self.place(sympy.pi))
         for e, text in certificate.get("substituted", {}).items():
             self._eliminate(asked, e, text)
-        self._state_angles(certificate, units)
-        for name, kind, text in certificate.get("words", ()):
-            self._state_word(name, kind, parsed(text, self.places))
+        self.functions = Functions(self)
+        self.arcs = Arcs(self, self.functions)
+        self._state(certificate, units, {str(e) for e in self.atoms.values()})
+
+    def _state(self, certificate: Mapping[str, Any], units: Mapping[str, Fraction], spelled: set[str]) -> None:
+        """The functions and the roots of which the certificate speaks, each after those that are in it."""
+        named = {str(e): variable(place) for place, e in self.atoms.items()}
+        functions = sorted(((len(text), text, name) for name, text in certificate["names"].items()))
+        waiting: list[Callable[[], None]] = [partial(self._state_angles, certificate, units)]
+        for _, text, name in functions:
+            if text not in spelled:
+                waiting.append(partial(self._state_function, name, text, named))
+        for text in certificate.get("positive", ()):
+            waiting.append(partial(self._state_positive, text))
+        for word in certificate.get("words", ()):
+            waiting.append(partial(self._state_word, *word))
         for square, factors in certificate.get("roots", ()):
-            self._state_root(parsed(square, self.places), [parsed(factor, self.places) for factor in factors])
+            waiting.append(partial(self._state_root, square, factors))
+        while waiting:
+            left: list[Callable[[], None]] = []
+            for statement in waiting:
+                try:
+                    statement()
+                except Rejected as error:
+                    left.append(statement)
+                    reason = error
+            if len(left) == len(waiting):
+                raise reason
+            waiting = left
+
+    def _state_positive(self, text: str) -> None:
+        """A quantity that is positive because of a logarithm."""
+        self.functions.require_positive(self.normal(parsed(text, self.places)))
+
+    def _state_function(self, name: str, text: str, named: Mapping[str, Polynomial]) -> None:
+        """A variable that is the value of a function."""
+        function, arguments = Spoken(self, named).call(text)
+        self.functions.state(name, function, arguments)
+
+    def exp(self, value: Polynomial) -> Polynomial:
+        """The exponential of a sum, as the certificate names its factors."""
+        return self.functions.exp(value)
+
+    def log(self, value: Polynomial, evident: bool = False) -> Polynomial:
+        """The logarithm of a product, as the certificate names its terms."""
+        return self.functions.log(value, evident)
+
+    def arc(self, y: Polynomial, x: Polynomial) -> Polynomial:
+        """The angle of a point, as the certificate names it."""
+        return self.arcs.arc(y, x)
+
+    def powered(self, base: Polynomial, exponent: Polynomial) -> Polynomial:
+        """A power of what is positive."""
+        if (known := constant(exponent)) is not None and (root := self.functions.radical(base, known)) is not None:
+            return root
+        return super().powered(base, exponent)
+
+    def over(self, value: Polynomial, spelled: str) -> Polynomial:
+        """One over a value, by positive factors apart."""
+        numerator, below = self.cleared(value)
+        common = reduce(and_, map(_places, numerator.terms)) if numerator else frozenset()
+        outside = ONE
+        for place in common & (self.positive | self.words) if below or len(numerator.terms) > 1 else ():
+            numerator = Polynomial({m - (1 << 8 * place): c for m, c in numerator.terms.items()}, numerator.below)
+            inverse = self.inverse(self.squares[place] if place in self.words else variable(place))
+            outside = outside * inverse * (variable(place) if place in self.words else ONE)
+        if outside is ONE:
+            return super().over(value, spelled)
+        return super().over(numerator, spelled) * self.normal(outside * self.divisors(below))
+
+    def turn(self, angle: Polynomial) -> tuple[Polynomial, Polynomial]:
+        """Cosine and sine of a sum of angles, those of points taken from them."""
+        parts, rest = self.arcs.split(angle)
+        cosine, sine = super().turn(rest)
+        for place, multiple in parts:
+            c, s = self.arcs.direction(place, multiple)
+            cosine, sine = self.normal(cosine * c - sine * s), self.normal(sine * c + cosine * s)
+        return cosine, sine
+
+    def require_nonnegative(self, value: Polynomial) -> None:
+        """Something is visibly not negative, or has to be said to be."""
+        if not is_nonnegative(self, value):
+            self.domains.append(value)
+            self._nonnegative.add(_signed(value))
+
+    def know(self, value: Polynomial) -> None:
+        """Something is not negative where the question is meant."""
+        self._nonnegative.add(_signed(value))
 
     def _state_rates(self, e: Any, names: Mapping[str, str]) -> None:
         """The rates of a function of one symbol of which the certificate speaks."""
@@ -85,8 +172,9 @@ class Proven(Symbolic):
             (monomial,) = (products.get(name) or variable(self.places[name])).terms
             self.circle(monomial, unit)
 
-    def _state_word(self, name: str, kind: str, inside: Polynomial) -> None:
+    def _state_word(self, name: str, kind: str, text: str) -> None:
         """A new variable that is the root, or the absolute value, of what is said."""
+        inside = parsed(text, self.places)
         if kind not in ("sqrt", "abs"):
             raise Rejected(f"{name} is said to be {kind!r} of something, neither a root nor an absolute value")
         square = self.normal(inside if kind == "sqrt" else inside * inside)
@@ -101,8 +189,9 @@ class Proven(Symbolic):
         scale, key = _key(square)
         self._roots.setdefault(key, (scale, variable(place)))
 
-    def _state_root(self, square: Polynomial, factors: list[Polynomial]) -> None:
+    def _state_root(self, text: str, texts: list[str]) -> None:
         """The root of a polynomial: factors that are not negative, and whose product squared it is."""
+        square, factors = parsed(text, self.places), [parsed(factor, self.places) for factor in texts]
         for factor in map(self.normal, factors):
             if not (self.is_known(factor) or is_nonnegative(self, factor)):
                 raise Rejected("a root is said to be what is not seen to be nonnegative")
@@ -111,6 +200,9 @@ class Proven(Symbolic):
             raise Rejected("a root is said to be what does not have the right square")
         scale, key = _key(self.normal(square))
         self._roots[key] = scale, root
+
+    def _is_seen(self, polynomial: Polynomial) -> bool:
+        return self.is_known(polynomial) or is_nonnegative(self, polynomial)
 
     def is_known(self, polynomial: Polynomial) -> bool:
         """Whether something is not negative where the roots are real."""
@@ -138,6 +230,22 @@ class Proven(Symbolic):
             return self._of_number(square) * outside
         scale, key = _key(inside)
         if key not in self._roots:
+            even = reduce(and_, (_powers(monomial, self.positive) for monomial in inside.terms))
+            half = sum(max(n for k, n in even if k == place) // 2 << 8 * place for place in {k for k, _ in even})
+            inside = Polynomial({monomial - 2 * half: c for monomial, c in inside.terms.items()}, inside.below)
+            outside = outside * Polynomial({half: 1})
+            if (square := constant(inside)) is not None:
+                return self._of_number(square) * outside
+            scale, key = _key(inside)
+        if key not in self._roots:
+            sides = [] if (whole := root_of_square(inside)) is None else [whole, -whole]
+            if (root := next(filter(self._is_seen, sides), None)) is not None:
+                return root * outside
+            if sides or is_nonnegative(self, inside):
+                place = self.fresh("root", inside)
+                self.words.add(place)
+                self._roots[key] = scale, variable(place)
+        if key not in self._roots:
             raise Rejected("the certificate does not say what a root is")
         known, root = self._roots[key]
         return self.normal(root * self._of_number(scale / known) * outside)
@@ -150,6 +258,12 @@ class Proven(Symbolic):
             while factor is not None and factor > 1 and rest % factor == 0:
                 rest //= factor.numerator
                 total = self.normal(total * variable(place))
+        if rest > 0 and isqrt(rest) ** 2 != rest and self.arcs.points:
+            # Of the cosine of an angle whose tangent is given.
+            place = self.fresh("root", number(rest))
+            self.words.add(place)
+            self.numeric.add(place)
+            return total * variable(place)
         if rest < 0 or isqrt(rest) ** 2 != rest:
             raise Rejected(f"the certificate does not say what the root of {square} is")
         return total * number(isqrt(rest))
@@ -159,9 +273,18 @@ class Proven(Symbolic):
         value = self.normal(value)
         if _key(self.normal(value * value))[1] in self._roots or value.places & set(self.inverses):
             return self.root(self.normal(value * value))
-        if is_nonnegative(self, value):
+        if self._is_seen(value):
             return value
-        return -value if is_nonnegative(self, -value) else self.root(self.normal(value * value))
+        return -value if self._is_seen(-value) else self.root(self.normal(value * value))
+
+
+def _places(monomial: int) -> frozenset[int]:
+    return frozenset(place for place, _ in exponents(monomial))
+
+
+def _powers(monomial: int, places: Iterable[int]) -> frozenset[tuple[int, int]]:
+    """The even powers of some variables in a monomial."""
+    return frozenset((k, 2 * n) for k, power in exponents(monomial) if k in places for n in range(1, power // 2 + 1))
 
 
 def _key(polynomial: Polynomial) -> tuple[Fraction, Terms]:

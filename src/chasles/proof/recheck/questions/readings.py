@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import sympy
 
 from chasles.proof.recheck.questions.complexes import parts, size
+from chasles.proof.recheck.questions.elementary import FUNCTIONS
 from chasles.proof.recheck.questions.unevaluated import UNEVALUATED
 from chasles.proof.recheck.sparse import ONE, Polynomial, Rejected, number
 
@@ -34,8 +35,8 @@ def _product(reading: Expressions, e: Any) -> Polynomial:
 
 
 def _power(reading: Expressions, e: Any) -> Polynomial:
-    if not e.exp.is_Rational:
-        raise Rejected(f"{e} has no polynomial form")
+    if not e.exp.is_Rational or e.exp.q & (e.exp.q - 1):
+        return reading.powered(reading(e.base), reading(e.exp))
     return reading.raised(e.base, Fraction(int(e.exp.p), int(e.exp.q)))
 
 
@@ -65,6 +66,10 @@ def _part(reading: Expressions, e: Any) -> Polynomial:
     return real
 
 
+def _function(name: str) -> Callable[[Expressions, Any], Polynomial]:
+    return lambda reading, e: FUNCTIONS[name](reading, *map(reading, e.args))
+
+
 READINGS: Mapping[type, Callable[[Expressions, Any], Polynomial]] = {
     sympy.Rational: lambda reading, e: number(Fraction(int(e.p), int(e.q))),
     type(sympy.pi): lambda reading, e: reading.half_turn(),
@@ -76,6 +81,8 @@ READINGS: Mapping[type, Callable[[Expressions, Any], Polynomial]] = {
     sympy.Derivative: _derivative,
     **dict.fromkeys((sympy.conjugate, sympy.re, sympy.im), _part),
     **dict.fromkeys(CIRCULAR, _of_angle),
+    **{getattr(sympy, name): _function(name) for name in FUNCTIONS},
+    type(sympy.E): lambda reading, e: reading.exp(ONE),
     **UNEVALUATED,
 }
 """How each class of expressions is read."""

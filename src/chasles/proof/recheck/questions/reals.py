@@ -10,11 +10,11 @@ from fractions import Fraction
 from math import isqrt
 
 from chasles.proof.recheck.questions.algebra import Algebra, constant, primitive
+from chasles.proof.recheck.questions.series import Bounds, arctangent, bounds_of, inverted, product
 from chasles.proof.recheck.sparse import ONE, Polynomial, Rejected, exponents, number, variable
 
 __all__ = ["Reals"]
 
-Bounds = tuple[Fraction, Fraction]
 DIGITS = (64, 256, 1024)
 """Binary digits with which a sign is looked for."""
 LARGEST_PRIME = 10_000
@@ -29,6 +29,7 @@ class Reals(Algebra):
         self._angles: dict[Fraction, int] = {}
         self._roots: dict[tuple[int, frozenset[tuple[int, int]]], int] = {}
         self._measured: dict[tuple[int, int], Bounds] = {}
+        self._called: dict[int, tuple[str, Polynomial, int]] = {}
         self.pi = self.arctangent(Fraction(1)) * number(4)
 
     def arctangent(self, tangent: Fraction) -> Polynomial:
@@ -139,40 +140,75 @@ class Reals(Algebra):
         """Whether a number is known to differ from another by less than a distance."""
         return self.sign(value - number(other - distance)) > 0 > self.sign(value - number(other + distance))
 
+    def called(self, function: str, *arguments: Polynomial) -> Polynomial:
+        """The value of a function: exp, log, cos, sin, or arc, the angle of the point of which y and x are given."""
+        values = tuple(map(self.normal, arguments))
+        if function == "arc":
+            return self._angle(*values)
+        if function == "root":
+            return self.called("exp", self.called("log", values[0]) * values[1])
+        (value,) = values
+        if function == "log" and self.sign(value) <= 0:
+            raise Rejected("the logarithm is taken of what is not positive")
+        if (known := constant(value)) is not None and known == (function == "log"):
+            return number(int(function in ("exp", "cos")))
+        for place, (other, argument, sign) in self._called.items():
+            if other == function and not self.cleared(argument - value)[0]:
+                return variable(place) * number(sign)
+        return self._call(function, value)
+
+    def _call(self, function: str, value: Polynomial) -> Polynomial:
+        """A variable for the size of a function's value, with its sign."""
+        place = self.fresh(f"{function} {len(self._called) + 1}")
+        self._called[place] = function, value, 1
+        sign = self.sign(variable(place))
+        if not sign:
+            raise Rejected("whether a number is zero cannot be told")
+        self._called[place] = function, value, sign
+        self._measured = {key: bounds for key, bounds in self._measured.items() if key[0] != place}
+        return variable(place) * number(sign)
+
+    def _angle(self, y: Polynomial, x: Polynomial) -> Polynomial:
+        """The angle of a point, between minus pi and pi, by an arctangent in the half plane in which it lies."""
+        right, up = self.sign(x), self.sign(y)
+        if right > 0 or (not up and right):
+            return self._arc(y * self.inverse(x)) if right > 0 else self.pi
+        if not up:
+            raise Rejected("the origin has no angle")
+        return self.pi * number(Fraction(up, 2)) - self._arc(x * self.inverse(y))
+
+    def _arc(self, tangent: Polynomial) -> Polynomial:
+        numerator, below = self.cleared(tangent)
+        known = constant(numerator)
+        if known is not None and not below:
+            return self.arctangent(known)
+        return self.called("atan", tangent)
+
     def _bounds(self, value: Polynomial, digits: int) -> Bounds:
         least = most = Fraction(0)
         for monomial, coefficient in value.terms.items():
-            low = high = Fraction(coefficient)
+            ends = Fraction(coefficient), Fraction(coefficient)
             for place, power in exponents(monomial):
-                below, above = self._bounds_of(place, digits)
-                low, high = low * below**power, high * above**power
-            least, most = least + min(low, high), most + max(low, high)
+                for _ in range(power):
+                    ends = product(ends, self._bounds_of(place, digits))
+            least, most = least + ends[0], most + ends[1]
         return least / value.below, most / value.below
 
     def _bounds_of(self, place: int, digits: int) -> Bounds:
         if (place, digits) not in self._measured:
-            if place in self.squares:
-                low, high = self._bounds(self.squares[place], digits)
-                least, most = isqrt(int(max(low, Fraction(0)) * 4**digits)), isqrt(int(high * 4**digits) + 1) + 1
-            else:
-                least, most = _arctangent(self._tangents[place], digits)
-            self._measured[place, digits] = Fraction(least, 2**digits), Fraction(most, 2**digits)
+            self._measured[place, digits] = self._measure(place, digits)
         return self._measured[place, digits]
 
-
-def _arctangent(tangent: Fraction, digits: int) -> tuple[int, int]:
-    """Whole numbers of units of so many binary digits between which the arctangent of a positive number lies.
-
-    Euler's series, whose terms are positive and each less than x^2/(1 + x^2) times the one before.
-    """
-    if tangent > 1:
-        (least, most), (low, high) = _arctangent(Fraction(1), digits), _arctangent(1 / tangent, digits)
-        return 2 * least - high, 2 * most - low
-    unit, ratio = 1 << digits, tangent * tangent / (1 + tangent * tangent)
-    term = int(tangent / (1 + tangent * tangent) * unit)
-    total = count = 0
-    while term:
-        total, count = total + term, count + 1
-        term = term * 2 * count * ratio.numerator // ((2 * count + 1) * ratio.denominator)
-    # Each term is less than its number of units too small, and what is left out less than twice that of the next.
-    return total, total + (count + 2) * (count + 2)
+    def _measure(self, place: int, digits: int) -> Bounds:
+        if place in self._called:
+            function, argument, sign = self._called[place]
+            return product(
+                bounds_of(function, self._bounds(argument, digits), digits), (Fraction(sign), Fraction(sign))
+            )
+        if place in self.inverses:
+            return inverted(self._bounds(self.inverses[place], digits))
+        if place not in self.squares:
+            return arctangent(self._tangents[place], digits)
+        low, high = self._bounds(self.squares[place], digits)
+        least, most = isqrt(int(max(low, Fraction(0)) * 4**digits)), isqrt(int(high * 4**digits) + 1) + 1
+        return Fraction(least, 2**digits), Fraction(most, 2**digits)

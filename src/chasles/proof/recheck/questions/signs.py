@@ -73,6 +73,8 @@ def _of_product(reading: Proven, monomial: int) -> Sign | None:
 
 
 def _of_variable(reading: Proven, place: int) -> Sign | None:
+    if place in reading.positive:
+        return 1, True
     if place in reading.words:
         return 1, is_positive(reading, reading.squares[place])
     e = reading.atoms.get(place)

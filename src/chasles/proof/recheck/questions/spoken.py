@@ -5,11 +5,14 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Mapping
-from fractions import Fraction
+
+import sympy
 
 from chasles.proof.recheck.questions.algebra import constant
+from chasles.proof.recheck.questions.elementary import FUNCTIONS
 from chasles.proof.recheck.questions.expressions import Expressions
-from chasles.proof.recheck.sparse import Polynomial, Rejected, number
+from chasles.proof.recheck.questions.readings import CIRCULAR
+from chasles.proof.recheck.sparse import ONE, Polynomial, Rejected, number
 
 __all__ = ["Spoken"]
 
@@ -26,9 +29,8 @@ class Spoken:
 
     def __call__(self, text: str) -> Polynomial:
         """What a text says; raises `Rejected` for what cannot be read."""
-        marked = self._names.sub(lambda found: self._marks[found[0]], text) if self._names else text
         try:
-            return self.reading.normal(self._read(ast.parse(marked, mode="eval").body))
+            return self.reading.normal(self._read(ast.parse(self._marked(text), mode="eval").body))
         except SyntaxError:
             raise Rejected(f"{text!r} cannot be read") from None
 
@@ -51,19 +53,44 @@ class Spoken:
             case ast.BinOp(left, ast.Div(), right):
                 return self._read(left) * self.reading.inverse(self._read(right))
             case ast.BinOp(base, ast.Pow(), exponent):
-                return self._power(self._read(base), constant(self._read(exponent)))
+                return self._power(self._read(base), self._read(exponent))
             case ast.Call(ast.Name("sqrt"), [radicand], []):
                 return self.reading.root(self._read(radicand))
             case ast.Call(ast.Name("Abs"), [value], []):
                 return self.reading.absolute(self._read(value))
             case ast.Call(ast.Name("cos" | "sin" as function), [angle], []):
                 return self.reading.turn(self._read(angle))[function == "sin"]
+            case ast.Call(ast.Name("tan" | "cot" | "sec" | "csc" as function), [angle], []):
+                above, below = CIRCULAR[getattr(sympy, function)]
+                of = dict(zip(("cos", "sin"), self.reading.turn(self._read(angle)), strict=True))
+                return of.get(above, ONE) * self.reading.inverse(of[below])
+            case ast.Call(ast.Name(function), arguments, []) if function in FUNCTIONS:
+                return FUNCTIONS[function](self.reading, *map(self._read, arguments))
+            case ast.Name("E"):
+                return self.reading.exp(ONE)
             case _:
                 raise Rejected(f"{ast.unparse(node)} cannot be read")
 
-    def _power(self, base: Polynomial, exponent: Fraction | None) -> Polynomial:
+    def call(self, text: str) -> tuple[str, list[Polynomial]]:
+        """The function of which a text tells a value, and its arguments: a power is one, too."""
+        match ast.parse(self._marked(text), mode="eval").body:
+            case ast.Call(ast.Name("log"), [ast.Call(ast.Name("Abs"), [of], [])], []):
+                return "size", [self._read(of)]
+            case ast.Call(ast.Name(function), arguments, []):
+                return function, [self._read(argument) for argument in arguments]
+            case ast.BinOp(base, ast.Pow(), exponent):
+                return "power", [self._read(base), self._read(exponent)]
+            case ast.Name("E"):
+                return "exp", [ONE]
+        raise Rejected(f"{text} is no value of a function")
+
+    def _marked(self, text: str) -> str:
+        return self._names.sub(lambda found: self._marks[found[0]], text) if self._names else text
+
+    def _power(self, base: Polynomial, power: Polynomial) -> Polynomial:
+        exponent = constant(power)
         if exponent is None or exponent.denominator > 2:
-            raise Rejected("an exponent is no half of a whole number")
+            return self.reading.powered(base, power)
         base = base if exponent.denominator == 1 else self.reading.root(base)
         base = base if exponent > 0 else self.reading.inverse(base)
         return self.reading.power(base, abs(exponent.numerator))

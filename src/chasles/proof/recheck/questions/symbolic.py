@@ -32,6 +32,30 @@ class Symbolic(Expressions):
             self.words.add(self._by_square[key])
         return variable(self._by_square[key])
 
+    def exp(self, value: Polynomial) -> Polynomial:
+        """The exponential, as a variable."""
+        return self._called("exp", value)
+
+    def log(self, value: Polynomial, evident: bool = False) -> Polynomial:
+        """The logarithm, as a variable."""
+        return self._called("log", value)
+
+    def arc(self, y: Polynomial, x: Polynomial) -> Polynomial:
+        """The angle of a point, as a variable."""
+        return self._called("arc", y, x)
+
+    def require_nonnegative(self, value: Polynomial) -> None:
+        """Nothing is known of it."""
+
+    def _called(self, function: str, *arguments: Polynomial) -> Polynomial:
+        arguments = tuple(map(self.normal, arguments))
+        known = (place for place, call in self.calls.items() if call[0] == function and _same(call[1], arguments))
+        place = next(known, None)
+        if place is None:
+            place = self.fresh(function)
+            self.calls[place] = function, arguments
+        return variable(place)
+
     def sign(self, value: Polynomial) -> int:
         """1, 0 or -1, for what is a number."""
         return self.reals.sign(self._numbers(value))
@@ -44,3 +68,7 @@ class Symbolic(Expressions):
         if self.atoms.get(place) is sympy.pi:
             return self.reals.pi
         raise Rejected(f"{self.names[place]} is no number")
+
+
+def _same(one: tuple[Polynomial, ...], other: tuple[Polynomial, ...]) -> bool:
+    return not any(a - b for a, b in zip(one, other, strict=True))

@@ -45,7 +45,7 @@ def is_turn(multiple: Fraction, cosine: Polynomial, sine: Polynomial, reading: E
     c, s = ONE, ZERO
     for _ in range(multiple.denominator):
         c, s = reading.normal(c * cosine - s * sine), reading.normal(c * sine + s * cosine)
-    if not reading.vanishes(c - number((-1) ** multiple.numerator)) or not reading.vanishes(s):
+    if not reading.vanishes(c - number((-1) ** (multiple.numerator % 2))) or not reading.vanishes(s):
         return False
     near = Fraction(1, multiple.denominator)
     values = zip((cosine, sine), _circular(multiple % 2 * PI), strict=True)

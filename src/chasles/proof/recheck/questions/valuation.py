@@ -42,6 +42,9 @@ class Valuation:
                 value = self.reals.inverse(self(self.reading.inverses[place]))
             elif place in self.reading.words:
                 value = self.reals.root(self(self.reading.squares[place]))
+            elif place in self.reading.calls:
+                function, arguments = self.reading.calls[place]
+                value = self.reals.called(function, *map(self, arguments))
             else:
                 value = self.given(place)
             self._known[place] = value
