@@ -19,6 +19,7 @@ from chasles.statements import (
     Problem,
     Statement,
     definite,
+    half_turn,
     nonzero,
     orthonormal,
     perpendicular,
@@ -192,6 +193,16 @@ def test_a_point_through_which_nothing_is_known_to_move_refutes_nothing() -> Non
     check_counterexample(asked, shown("1", "2", a=Y, b=X, a_dot=X, b_dot=(0, -1, 0)))
     with pytest.raises(Rejected, match="not known whether a motion"):
         check_counterexample(asked, shown("1", "2", a=NO, b=NO, a_dot=X, b_dot=NO))
+
+
+def test_what_rests_beside_what_moves_stays_as_it_is() -> None:
+    """A rate that is a quotient, and the rates of a half-turn, of which more equations are said than it takes."""
+    given = let(rate(e), p * w / q)
+    assuming = (unit(e), nonzero(q), half_turn(Q))
+    asked = problem_of(Claim("1", dot(a, w), dot(b, w), given=(given,), assuming=assuming))
+    verdict = decide_problem(asked)
+    assert isinstance(verdict, Fails)
+    check_counterexample(asked, verdict.counterexample)
 
 
 CIRCLES = {

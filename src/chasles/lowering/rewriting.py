@@ -78,7 +78,7 @@ def flipped(node: Node) -> Node:
             return Negative(node)
         case Identity():
             return node
-        case At(of) | Group(of):
+        case At(of, "t") | Group(of):
             return flipped(of)
         case _:
             return Transpose(node)
@@ -112,7 +112,7 @@ def rate_of(node: Node) -> Node:
             return rate_of(Contract((base,) * exponent))
         case Transpose() | Skew() | Vect() | Trace() | Block():
             return rebuilt(node, tuple(map(Rate, children(node))))
-        case At(of) | Group(of):
+        case At(of, "t") | Group(of):
             return Rate(of)
         case _:
             return _rate_of_scalar_or_vector(node)

@@ -91,7 +91,7 @@ class Instant:
                 return [[+self.context.pi]]
             case Symbol():
                 return self._symbol(node)
-            case Rate(At(of) | Group(of)):
+            case Rate(At(of, "t") | Group(of)):
                 return self(Rate(of))
             case Rate(of):
                 later, earlier = self._shifted(1)(of), self._shifted(-1)(of)
@@ -99,7 +99,7 @@ class Instant:
             case Integral(of):
                 parts = (self._in_element(k, node.running)(of) for k in range(ELEMENTS))
                 return reduce(plus, parts)
-            case At(of) | Group(of):
+            case At(of, "t") | Group(of):
                 return self(of)
             case _:
                 return combined(node, self, self.context)

@@ -117,7 +117,7 @@ class _Evaluation:
                 return [[self.context.convert(self.context.pi)]]
             case Symbol():
                 raise NoValue(f"{node} has no value: give it one, or a statement that says what it is")
-            case Rate(At(of) | Group(of)):
+            case Rate(At(of, "t") | Group(of)):
                 return self(Rate(of))
             case Rate(of):
                 return self._rate(node, of)
@@ -127,7 +127,7 @@ class _Evaluation:
                 return [[self.context.mpf(int(i == j)) for j in range(size)] for i in range(size)]
             case Zero(rows, columns):
                 return [[self.context.mpf(0)] * columns for _ in range(rows)]
-            case At(of) | Group(of):
+            case At(of, "t") | Group(of):
                 return self(of)
             case Block(rows):
                 return [

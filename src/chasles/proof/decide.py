@@ -120,7 +120,7 @@ def pose(problem: Problem) -> Verdict:
     except Untreatable as error:
         return Undecided(str(error))
     if witness is None:
-        return Undecided("no point was found that satisfies the condition")
+        return _nothing(problem, None, "no point was found that satisfies the condition")
     return Posed(measured(context, witness))
 
 
