@@ -6,7 +6,7 @@ choice, the simplest is made; no other value is looked for.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from math import isqrt
 from typing import Protocol
@@ -15,12 +15,18 @@ from chasles.proof.recheck.motion import require_motion
 from chasles.proof.recheck.reading import Reading
 from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected, cleared, product
 from chasles.proof.recheck.witness import Point, point_of, require, value_at
-from chasles.statements import Goal, Hypothesis, Problem
+from chasles.statements import Goal, Problem
 from chasles.vocabulary import Node
 
 __all__ = ["Shown", "check_counterexample"]
 
 Value = Mapping[int, Fraction]
+SIMPLEST = {
+    **dict.fromkeys(("unit", "direction", "unit column", "positive"), (1,)),
+    **dict.fromkeys(("rotation", "orthonormal", "definite"), (1, 0, 0, 0, 1, 0, 0, 0, 1)),
+    "half_turn": (1, 0, 0, 0, -1, 0, 0, 0, -1),
+}
+"""Entries of the subjects of a hypothesis, zeros behind them, where a counterexample leaves all of them out."""
 
 
 class Shown(Protocol):
@@ -114,8 +120,8 @@ def _angle(reading: Reading, point: Point, angles: set[int]) -> None:
 
 def _choose(reading: Reading, point: Point, relevant: set[int]) -> None:
     """What is left out altogether is as simple as its hypothesis, or its norm, allows."""
-    wanted: list[tuple[tuple[Node, ...], Sequence[int | Fraction]]]
-    wanted = [(h.subjects, _simplest(h)) for h in reading.problem.hypotheses]
+    wanted: list[tuple[tuple[Node, ...], tuple[int | Fraction, ...]]]
+    wanted = [(h.subjects, SIMPLEST[h.kind]) for h in reading.problem.hypotheses if h.kind in SIMPLEST]
     for place, (kind, *what) in enumerate(reading.variables):
         if kind == "norm" and place in point:
             wanted.append(((what[0],), (point[place][0], *[0] * (what[0].shape[0] - 1))))
@@ -124,21 +130,9 @@ def _choose(reading: Reading, point: Point, relevant: set[int]) -> None:
     for subjects, numbers in wanted:
         entries = [entry for subject in subjects for row in reading(subject) for entry in row]
         places = [place for entry in entries for place in entry.places]
-        if len(places) == len(numbers) and relevant.issuperset(places) and point.keys().isdisjoint(places):
-            point.update({place: (Fraction(number), 0) for place, number in zip(places, numbers, strict=True)})
-
-
-def _simplest(hypothesis: Hypothesis) -> list[int | Fraction]:
-    """Entries of the subjects of a hypothesis that satisfy it; none where zeros may do, or nothing is known."""
-    count = sum(subject.shape[0] * subject.shape[1] for subject in hypothesis.subjects)
-    match hypothesis.kind:
-        case "unit" | "direction" | "unit column" | "positive":
-            return [1, *[0] * (count - 1)]
-        case "rotation" | "orthonormal" | "definite":
-            return [int(k % (isqrt(count) + 1) == 0) for k in range(count)]
-        case "half_turn":
-            return [1, 0, 0, 0, -1, 0, 0, 0, -1]
-    return []
+        if len(places) >= len(numbers) and relevant.issuperset(places) and point.keys().isdisjoint(places):
+            known = [(Fraction(number), 0) for number in (*numbers, *[0] * len(places))]
+            point.update(zip(places, known, strict=False))
 
 
 def _norms(reading: Reading, point: Point, relevant: set[int]) -> None:
