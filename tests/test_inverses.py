@@ -9,7 +9,7 @@ import pytest
 from chasles.proof.certificate import Rejected, check
 from chasles.proof.judge import Judge
 from chasles.proof.refutation import check_counterexample
-from chasles.proof.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
+from chasles.proof.verdict import Contradictory, Fails, Holds, HoldsUnder, IllFormed, Verdict
 from chasles.statements import (
     Always,
     Claim,
@@ -283,7 +283,7 @@ def test_what_has_no_inverse_proves_nothing(singular: Node) -> None:
     size = Identity(singular.shape[0])
     for right in (size, 2 * size):
         found = decided(Claim("1", inverse(singular) @ singular, right))
-        assert isinstance(found, Undecided | IllFormed)
+        assert isinstance(found, Contradictory | IllFormed)
 
 
 def test_in_theorems_and_conditions() -> None:

@@ -49,7 +49,7 @@ def certified(
     """
     unused = _drop_unneeded(context, solved, done, own)
     used = _used_hypotheses(context, solved, done)
-    needs = tuple(h.text for h in context.problem.hypotheses if h in used and h.kind != "given")
+    needs = tuple(h.text for h in context.problem.hypotheses if h in used and h.kind not in ("given", "direction"))
     if write is not None:
         certificate = write(context, done, witness)
     else:

@@ -106,6 +106,7 @@ def _angles(context: Context, point: Point, draw: Random, rich: bool) -> None:
             continue
         if context.pi_measures:
             quarters = draw.choice((1, 2, -1, 3, -2, 5))
+            quarters = abs(quarters) if variable.symbol in context.problem.nonnegative else quarters
             cosine, sine = QUARTERS[quarters % 4]
             point[variable.symbol.name] = Fraction(quarters, 2) / context.unfold.coordinates.unit(variable.symbol)
         else:

@@ -21,16 +21,12 @@ from chasles.vocabulary import Node
 __all__ = ["Shown", "check_counterexample"]
 
 Value = Mapping[int, Fraction]
-IDENTITY = (1, 0, 0, 0, 1, 0, 0, 0, 1)
 SIMPLEST = {
-    "unit": (1, 0, 0),
-    "positive": (1,),
-    "rotation": IDENTITY,
-    "orthonormal": IDENTITY,
+    **dict.fromkeys(("unit", "direction", "unit column", "positive"), (1,)),
+    **dict.fromkeys(("rotation", "orthonormal", "definite"), (1, 0, 0, 0, 1, 0, 0, 0, 1)),
     "half_turn": (1, 0, 0, 0, -1, 0, 0, 0, -1),
-    "definite": IDENTITY,
 }
-"""Entries of the subjects of a hypothesis, where a counterexample leaves all of them out."""
+"""Entries of the subjects of a hypothesis, zeros behind them, where a counterexample leaves all of them out."""
 
 
 class Shown(Protocol):
@@ -134,8 +130,9 @@ def _choose(reading: Reading, point: Point, relevant: set[int]) -> None:
     for subjects, numbers in wanted:
         entries = [entry for subject in subjects for row in reading(subject) for entry in row]
         places = [place for entry in entries for place in entry.places]
-        if len(places) == len(numbers) and relevant.issuperset(places) and point.keys().isdisjoint(places):
-            point.update({place: (Fraction(number), 0) for place, number in zip(places, numbers, strict=True)})
+        if len(places) >= len(numbers) and relevant.issuperset(places) and point.keys().isdisjoint(places):
+            known = [(Fraction(number), 0) for number in (*numbers, *[0] * len(places))]
+            point.update(zip(places, known, strict=False))
 
 
 def _norms(reading: Reading, point: Point, relevant: set[int]) -> None:

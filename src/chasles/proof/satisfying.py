@@ -31,6 +31,7 @@ KINDS = (
     "orthonormal",
     "rotation",
     "unit",
+    "direction",
     "unit column",
     "definite",
     "symmetric",
@@ -57,7 +58,7 @@ def bind(
     """Give the subjects of a hypothesis values that satisfy it."""
     subjects = [s for s in hypothesis.subjects if isinstance(s, Symbol)]
     match hypothesis.kind:
-        case "unit":
+        case "unit" | "direction":
             (vector,) = subjects
             if (vector, 0) not in values:
                 rates = _turning([[x] for x in unit_vector(draw, rich)], orders.get(vector, 0), draw, rich)

@@ -11,6 +11,7 @@ from dataclasses import replace as with_fields
 from fractions import Fraction
 
 from chasles.statements.angles import determined_angle, turning
+from chasles.statements.directions import with_directions
 from chasles.statements.forms import Definite, Iff, OnlyWhere
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.inverses import Inverses, reached
@@ -61,7 +62,8 @@ class Problem:
 
     `rules` replace symbols (or rates of symbols); `unknowns` are the symbols that the conditions must determine. What
     the goals prove, they prove under `presupposed` hypotheses, by which squares are squares. They are about each of
-    the `cases`: if nothing satisfies one, they say nothing.
+    the `cases`: if nothing satisfies one, they say nothing. Nor does anything refute them where a symbol is negative
+    that is among the `nonnegative`.
     """
 
     goals: tuple[Goal, ...]
@@ -71,6 +73,7 @@ class Problem:
     hypotheses: tuple[Hypothesis, ...] = ()
     presupposed: tuple[Hypothesis, ...] = ()
     cases: tuple[Goal, ...] = ()
+    nonnegative: tuple[Symbol, ...] = ()
 
 
 def default_form(statement: Statement) -> str:
@@ -129,7 +132,7 @@ def problem_of(statement: Decidable, form: str = "printed", standing: Standing =
         goals = tuple(_goals(statement, form, standing))
     for goal in goals:
         added(measured(goal.left), measured(goal.right), (goal.left, goal.right), "equate")
-    return _with_simple_lengths(without_inverses(with_fields(problem, goals=goals)))
+    return with_directions(_with_simple_lengths(without_inverses(with_fields(problem, goals=goals))))
 
 
 def _angle_rules(

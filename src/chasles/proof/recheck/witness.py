@@ -44,8 +44,9 @@ def point_of(reading: Reading, values: Mapping[str, Any]) -> Point:
             fits = numbers.get(place, cosine) == cosine and numbers.get(place + 1, sine) == sine
             if quarters.denominator != 1 or not fits:
                 raise Rejected(f"cosine and sine of {symbol} are not those of the angle given")
+    lengths = {reading.places.get(symbol.name) for symbol in reading.problem.nonnegative}
     for place, value in numbers.items():
-        if reading.variables[place][0] == "norm" and value < 0:
+        if (place in lengths or reading.variables[place][0] == "norm") and value < 0:
             raise Rejected("a norm is given a negative value")
     return {place: (value, int(place in bare)) for place, value in numbers.items()}
 
