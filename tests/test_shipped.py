@@ -9,6 +9,7 @@ import sys
 from collections.abc import Callable
 from dataclasses import replace as with_fields
 from importlib import import_module
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -236,15 +237,49 @@ def test_only_what_is_new_is_searched_for(searched: list[str]) -> None:
     assert 1 <= len(searched) <= 2, searched
 
 
-def commands(environment: dict[str, str], *words: str) -> str:
-    """What a command prints in a process of its own."""
-    done = subprocess.run(
-        [sys.executable, "-m", "chasles", *words],
-        env={**os.environ, "CHASLES_CACHE": "", "NO_COLOR": "1", "COLUMNS": "120", **environment},
-        capture_output=True, text=True, check=False, timeout=600,
-    )  # fmt: skip
-    assert done.returncode == 0, done.stderr
-    return done.stdout
+COMMANDS = """
+import json, re, sys
+from hashlib import sha256
+from pathlib import Path
+if {hidden!r}:
+    sys.modules["flint"] = None
+from click.testing import CliRunner
+from chasles.cli import main
+from chasles.proof.rings import backend
+from chasles.statements.exercises import exercise_numbers
+
+assert backend() == ("sympy" if {hidden!r} else "flint")
+said = {{}}
+words = [["decide"], ["derive"], ["repair"], ["report", "--out", {out!r}], ["decide", "--brief", "--anew"]]
+for one in [*words, *(["solve", number] for number in exercise_numbers())]:
+    done = CliRunner().invoke(main, one)
+    timed = r"decided in|all in|index.html|chapter.tex"
+    lines = [line for line in done.stdout.splitlines() if not re.search(timed, line)]
+    said[" ".join(one)] = done.exit_code, done.stderr, lines
+for file in sorted(Path({out!r}).iterdir()):
+    said[file.name] = sha256(file.read_bytes()).hexdigest()
+print(json.dumps(said))
+"""
+
+
+@pytest.mark.slow
+def test_all_commands_say_the_same_without_flint(tmp_path: Path) -> None:
+    """On one processor, and with nothing that an earlier run kept; everything proved anew once."""
+    environment = {**os.environ, "CHASLES_CACHE": "", "CHASLES_PROCESSES": "1", "COLUMNS": "120", "NO_COLOR": "1"}
+    found = []
+    for hidden in (True, False) if find_spec("flint") else (True,):
+        script = COMMANDS.format(hidden=hidden, out=str(tmp_path / "report"))
+        done = subprocess.run(
+            [sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=False, timeout=600
+        )
+        assert done.returncode == 0, done.stderr
+        found.append(json.loads(done.stdout))
+    out = str(tmp_path / "report")
+    for name, said in found[0].items():
+        if not isinstance(said, str):
+            assert said[:2] == [0, ""], name
+        assert said == found[-1][name], name.replace(out, "OUT")
+    assert found[0]["decide"][2][-1] == found[0]["decide --brief --anew"][2][-1]
 
 
 def test_anew_searches_for_all(searched: list[str], monkeypatch: pytest.MonkeyPatch) -> None:

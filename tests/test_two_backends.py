@@ -8,11 +8,15 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
+from fractions import Fraction
 from importlib.util import find_spec
 from pathlib import Path
+from random import Random
 from typing import Any
 
 import pytest
+
+from chasles.proof.rings import _SympyRing
 
 ROOT = Path(__file__).resolve().parents[1]
 EVERY = 60
@@ -95,3 +99,27 @@ def test_the_numbers_below_the_polynomials_do_not_matter() -> None:
         pytest.skip("needs python-flint, to compare with")
     sections = ("3.2", "3.3")
     assert decided("sympy", 0, ground="flint", sections=sections)[0] == decided("flint", 0, sections=sections)[0]
+
+
+@pytest.mark.parametrize("order", ["lex", "grevlex"])
+@pytest.mark.parametrize("seed", range(12))
+def test_division_is_that_of_the_order(order: str, seed: int) -> None:
+    """Quotient and remainder are unique: nothing that is left is divisible, and SymPy's own division finds the same."""
+    draw, ring = Random(seed), _SympyRing("xyzw", order)
+
+    def polynomial(terms: int, degree: int) -> Any:
+        drawn = {
+            tuple(draw.randint(0, degree) for _ in range(4)): Fraction(draw.randint(-5, 5) or 1, draw.randint(1, 4))
+            for _ in range(terms)
+        }
+        return ring.from_terms(drawn)
+
+    for _ in range(6):
+        divisor = polynomial(draw.randint(1, 4), 2)
+        dividend = polynomial(draw.randint(1, 6), 3) * divisor + polynomial(draw.randint(1, 6), 4)
+        quotient, remainder = ring.divide(dividend, divisor)
+        assert (quotient, remainder) == dividend.div(divisor)
+        assert quotient * divisor + remainder == dividend
+        assert dict(quotient) == dict(dividend.div(divisor)[0])
+    assert ring.divide(divisor, divisor) == (ring.constant(Fraction(1)), ring.constant(Fraction(0)))
+    assert ring.divide(ring.constant(Fraction(0)), divisor)[0] == 0

@@ -10,6 +10,8 @@ import os
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import cache
+from heapq import heapify, heappop, heappush
+from operator import add, sub
 from typing import Any, Protocol
 
 __all__ = ["Exponents", "Polynomial", "Ring", "backend", "make_ring"]
@@ -81,6 +83,7 @@ class _SympyRing:
 
         self.names = tuple(names)
         symbols = [Symbol(f"x{i}") for i in range(max(len(names), 1))]
+        self._lexicographic = order == "lex"
         self._ring = PolyRing(symbols, QQ, "lex" if order == "lex" else "grevlex")
         self._rationals = QQ
         self.generators = tuple(self._ring.gens)[: len(names)]
@@ -105,11 +108,39 @@ class _SympyRing:
         return tuple(polynomial.degrees())
 
     def divide(self, polynomial: Polynomial, divisor: Polynomial) -> tuple[Polynomial, Polynomial]:
-        quotient, remainder = polynomial.div(divisor)
-        return quotient, remainder
+        """Quotient and remainder, the largest monomial first, from a heap: SymPy searches all of them each time."""
+        lead, top = divisor.LM, divisor.LC
+        places = [(place, exponent) for place, exponent in enumerate(lead) if exponent]
+        rest = [(tuple(map(sub, monomial, lead)), -c / top) for monomial, c in divisor.items() if monomial != lead]
+        left, quotient = dict(polynomial), {}
+        waiting = [self._waiting(m) for m in left if all(m[place] >= least for place, least in places)]
+        heapify(waiting)
+        while waiting:
+            monomial = heappop(waiting)[-1]
+            if monomial not in left:
+                continue
+            coefficient = left.pop(monomial)
+            quotient[tuple(map(sub, monomial, lead))] = coefficient / top
+            for shift, factor in rest:
+                other = tuple(map(add, monomial, shift))
+                if other in left:
+                    left[other] += coefficient * factor
+                    if not left[other]:
+                        del left[other]
+                else:
+                    left[other] = coefficient * factor
+                    if all(other[place] >= least for place, least in places):
+                        heappush(waiting, self._waiting(other))
+        return polynomial.new(quotient), polynomial.new(left)
+
+    def _waiting(self, monomial: Exponents) -> tuple[Any, ...]:
+        """The monomial, behind what is the smaller the larger it is in the order of the ring."""
+        if self._lexicographic:
+            return tuple(-exponent for exponent in monomial), monomial
+        return -sum(monomial), monomial[::-1], monomial
 
     def derivative(self, polynomial: Polynomial, variable: int) -> Polynomial:
-        return polynomial.diff(self.generators[variable])
+        return polynomial.diff(variable)
 
     def _fraction(self, value: Any) -> Fraction:
         return Fraction(int(self._rationals.numer(value)), int(self._rationals.denom(value)))
