@@ -23,6 +23,8 @@ from .sympy_values import Values, atoms_of, orders_of
 
 __all__ = ["Equation", "Point", "entries", "pairs", "points"]
 
+SMALLEST = mpf(10) ** -10
+"""What is smaller is not taken for positive: the search may have run into zero."""
 SPARE = 3
 """So many derivatives of the given equations are satisfied beyond those that the question names."""
 TIME = sp.Symbol("t")
@@ -157,7 +159,7 @@ def points(
             pinned[atom, 0] = mpf(0)
     for _ in range(tries):
         whole = {(a, 0): mpf(_integer(a, draw)) for a in system.atoms if a.is_integer and (a, 0) not in pinned}
-        held = {**whole, **pinned}
+        held = {**_held(system, draw), **whole, **pinned}
         free = [place for place in system.places if place not in held]
 
         def residuals(values: Any, free: Any = free, held: Any = held) -> list[Any]:
@@ -177,6 +179,20 @@ def points(
         point = system.assembled([known.get(p, held.get(p)) for p in system.places])
         if _in_domain(question, point):
             yield point
+
+
+def _held(system: _System, draw: Random) -> dict[Any, Any]:
+    """Values that some symbols keep: beside what moves all, most often, else some of those with assumptions.
+
+    Otherwise equations such as J f' = K g h would be satisfied where all constants vanish, most of the time.
+    """
+    symbols = [a for a in system.atoms if isinstance(a, sp.Symbol)]
+    moving = len(symbols) < len(system.atoms)
+    if moving:
+        chosen = symbols if draw.random() < 0.75 else []
+    else:
+        chosen = [a for a in symbols if a._assumptions_orig and draw.random() < 0.4]
+    return {(a, 0): mpf(_start(a, 0, draw, {})) for a in chosen}
 
 
 def _start(atom: Any, k: int, draw: Random, near: Mapping[Any, float]) -> float:
@@ -204,8 +220,8 @@ def _in_domain(question: Equation, point: Point) -> bool:
     for atom in question.atoms:
         value = point[atom][0]
         if (
-            (atom.is_positive and not value > 0)
-            or (atom.is_negative and not value < 0)
+            (atom.is_positive and not value > SMALLEST)
+            or (atom.is_negative and not value < -SMALLEST)
             or (atom.is_nonnegative and value < 0)
             or (atom.is_nonpositive and value > 0)
         ):

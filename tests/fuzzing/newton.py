@@ -19,6 +19,7 @@ Residuals = Callable[[Sequence[Any]], list[Any]]
 STEPS, REFINEMENTS = 25, 14
 STUCK = 7
 """A search that has not come nearer in so many steps is given up."""
+FARTHEST = 1e7
 SMALL = mpf(10) ** -40
 
 
@@ -28,30 +29,44 @@ def solved(residuals: Residuals, start: Sequence[float]) -> list[Any] | None:
     if not values.size:
         return refined(residuals, [], None)
     inverse = None
-    size = np.inf
     sizes: list[float] = []
     with np.errstate(all="ignore"):
         for _ in range(STEPS):
-            try:
-                found = _linearised(residuals, values)
-            except (Undefined, OverflowError, ZeroDivisionError):
-                return None
+            found = _linearised(residuals, values)
             if found is None:
                 return None
             at, slope = found
-            size = float(np.max(np.abs(at), initial=0.0))
-            sizes.append(size)
-            if len(sizes) > STUCK and size > 0.3 * sizes[-1 - STUCK]:
+            sizes.append(float(np.max(np.abs(at), initial=0.0)))
+            if len(sizes) > STUCK and sizes[-1] > 0.3 * sizes[-1 - STUCK]:
                 return None
             inverse = np.linalg.pinv(slope, rcond=1e-9)
-            step = inverse @ at
-            if not np.all(np.isfinite(step)) or np.max(np.abs(values)) > 1e4:
-                return None
-            length = float(np.linalg.norm(step))
-            values = values - step * min(1.0, 3.0 / length if length else 1.0)
-            if size < 1e-13:
+            values = _searched(residuals, values, inverse @ at, float(np.linalg.norm(at)))
+            if sizes[-1] < 1e-12 * max(1.0, float(np.max(np.abs(values)))):
                 break
-    return refined(residuals, [mpf(float(v)) for v in values], inverse) if size < 1e-7 else None
+            if not np.all(np.isfinite(values)) or np.max(np.abs(values)) > FARTHEST:
+                return None
+    near = sizes[-1] < 1e-7 * max(1.0, float(np.max(np.abs(values))))
+    return refined(residuals, [mpf(float(v)) for v in values], inverse) if near else None
+
+
+def _searched(residuals: Residuals, values: Any, step: Any, size: float) -> Any:
+    """The point after the step, or after a part of it that brings the residuals down."""
+    for part in (1.0, 0.5, 0.25, 0.1):
+        there = values - part * step
+        at = _at(residuals, there)
+        if at is not None and float(np.linalg.norm(at)) < size * (1 - part / 4):
+            break
+    return there
+
+
+def _at(residuals: Residuals, values: Any) -> Any:
+    """The residuals, or None where they have no value."""
+    try:
+        found = residuals(list(values[:, None]))
+    except (Undefined, OverflowError, ZeroDivisionError):
+        return None
+    at = np.array([float(np.asarray(r, dtype=float).flat[0]) for r in found])
+    return at if np.all(np.isfinite(at)) else None
 
 
 def refined(residuals: Residuals, values: Sequence[Any], inverse: Any) -> list[Any] | None:
@@ -79,7 +94,11 @@ def _linearised(residuals: Residuals, values: Any) -> tuple[Any, Any] | None:
     width = 1e-6
     steps = np.concatenate([np.zeros((count, 1)), np.eye(count) * width, -np.eye(count) * width], axis=1)
     columns = values[:, None] + steps
-    rows = [np.broadcast_to(np.asarray(r, dtype=float), (2 * count + 1,)) for r in residuals(list(columns))]
+    try:
+        found = residuals(list(columns))
+    except (Undefined, OverflowError, ZeroDivisionError):
+        return None
+    rows = [np.broadcast_to(np.asarray(r, dtype=float), (2 * count + 1,)) for r in found]
     if not rows:
         return np.zeros(0), np.zeros((0, count))
     table = np.stack(rows)
