@@ -81,7 +81,7 @@ def _reached(found: Variables, symbol: Symbol, rates: Rates, through: frozenset[
 
 def is_turned(hypothesis: Hypothesis, rules: Mapping[Node, Node]) -> bool:
     """Whether the rates of a hypothesis follow: that of a rotation is said to be a skew-symmetric matrix times it."""
-    if hypothesis.kind != "rotation":
+    if hypothesis.kind != "rotation" or hypothesis.free:
         return False
     match rules.get(Rate(hypothesis.subjects[0])):
         case Contract((Skew(), turned)):

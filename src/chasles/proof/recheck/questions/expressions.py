@@ -12,7 +12,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 from functools import reduce
-from math import ceil
 from typing import Any
 
 import sympy
@@ -153,7 +152,7 @@ class Expressions(Algebra):
         if below & (below - 1):
             raise Rejected(f"{base}**({exponent}) has no polynomial form")
         if exponent < 0:
-            whole = ceil(-exponent)
+            whole = -int(exponent // 1)
             return self.raised(base, whole + exponent) * self.power(self.divide(base), whole)
         if isinstance(base, sympy.Abs) and exponent.numerator % 2 == 0:
             a, b = parts(self, base.args[0])

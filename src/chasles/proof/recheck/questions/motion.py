@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from math import isqrt
 from typing import Any
 
 import sympy
@@ -128,7 +129,7 @@ def _is_determinant(read: Expressions, fact: Polynomial, moving: list[Given]) ->
     """Whether the square of what is said to be one is one already, since it is the determinant of what is given."""
     square = (fact + ONE) * (fact + ONE)
     for item in moving:
-        size = round(len(item.pairs) ** 0.5)
+        size = isqrt(len(item.pairs))
         if size > 1 and item.pairs.keys() == {(i, j) for i in range(size) for j in range(size)}:
             said = differences(read, item.pairs)
             gram = [[said[i, j] + number(int(i == j)) for j in range(size)] for i in range(size)]
