@@ -18,7 +18,7 @@ GUESSES = {
     *("equals", "is_constant", "checksol", "verify_numerically"),
 }
 ROUNDED = {"evalf", "N", "isclose", "allclose", "assert_allclose", "round", "float", "Float", "approx"}
-EXACT = {"comb", "factorial", "gcd", "inf", "isqrt", "lcm", "prod"}
+EXACT = {"ceil", "comb", "factorial", "floor", "gcd", "inf", "isqrt", "lcm", "prod"}
 ENCLOSED = {"MPIntervalContext"}
 """What rounds outwards: that two intervals are apart is no guess."""
 ROUNDING = {"cmath", "decimal", "mpmath", "numpy", "random.uniform"}

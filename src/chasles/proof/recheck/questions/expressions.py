@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 from functools import reduce
+from math import ceil
 from typing import Any
 
 import sympy
@@ -152,7 +153,7 @@ class Expressions(Algebra):
         if below & (below - 1):
             raise Rejected(f"{base}**({exponent}) has no polynomial form")
         if exponent < 0:
-            whole = -int(exponent // 1)
+            whole = ceil(-exponent)
             return self.raised(base, whole + exponent) * self.power(self.divide(base), whole)
         if isinstance(base, sympy.Abs) and exponent.numerator % 2 == 0:
             a, b = parts(self, base.args[0])
