@@ -217,10 +217,6 @@ def _atanh(value: Value) -> Value:
     return _times(Fraction(1, 2), _log(quotient))
 
 
-def _acot(value: Value) -> Value:
-    return _atan2(Fraction(1), value) if sign_of(value) >= 0 else _atan(_over(Fraction(1), value))
-
-
 def _inverted(function: Callable[[Value], Value]) -> Callable[[Value], Value]:
     return lambda value: function(_over(Fraction(1), value))
 
@@ -243,7 +239,7 @@ FUNCTIONS: Mapping[type, Callable[..., Value]] = {
     sympy.sec: _under(_cos), sympy.csc: _under(_sin),
     sympy.tanh: _quotient(_sinh, _cosh), sympy.coth: _quotient(_cosh, _sinh),
     sympy.sech: _under(_cosh), sympy.csch: _under(_sinh),
-    sympy.atan: _atan, sympy.atan2: _atan2, sympy.asin: _asin, sympy.acos: _acos, sympy.acot: _acot,
+    sympy.atan: _atan, sympy.atan2: _atan2, sympy.asin: _asin, sympy.acos: _acos, sympy.acot: _inverted(_atan),
     sympy.asec: _inverted(_acos), sympy.acsc: _inverted(_asin),
     sympy.asinh: _asinh, sympy.acosh: _acosh, sympy.atanh: _atanh,
     sympy.acoth: _inverted(_atanh), sympy.asech: _inverted(_acosh), sympy.acsch: _inverted(_asinh),

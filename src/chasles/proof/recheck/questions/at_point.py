@@ -140,13 +140,15 @@ class AtPoint(Expressions, Reals):
 
     def circle(self, monomial: int, multiple: Fraction) -> Circle:
         """The cosine and sine that the point gives for a fraction of an angle."""
+        if not monomial:
+            return abs(multiple), *self.direction(number(abs(multiple)))
         if monomial not in self.circle_of:
             unit = self.symbolic.circle(monomial, multiple)[0]
             found = [name for name in self.turns if self._unit(name, monomial) is not None]
             cosines = [name for name in found if name.startswith("cos")]
             if not found:
                 angle = self.value_of(Polynomial({monomial: unit.numerator}, unit.denominator))
-                return unit, *(self._direction(angle) or (self.called("cos", angle), self.called("sin", angle)))
+                return unit, *self.direction(angle)
             if len(cosines) != 1 or "sin" + cosines[0][3:] not in found:
                 raise Unknown(f"no cosine and sine are given for {self._spelled(monomial)}")
             unit = self._unit(cosines[0], monomial) or unit
@@ -222,6 +224,10 @@ class AtPoint(Expressions, Reals):
         c, s = known
         if not (self.vanishes(c - cosine) and self.vanishes(s - sine)):
             raise Rejected(f"cosine and sine of {self._spelled(monomial)} are not those of its value at the point")
+
+    def direction(self, angle: Polynomial) -> tuple[Polynomial, Polynomial]:
+        """Cosine and sine of a number."""
+        return self._direction(angle) or (self.called("cos", angle), self.called("sin", angle))
 
     def _direction(self, angle: Polynomial) -> tuple[Polynomial, Polynomial] | None:
         """Cosine and sine of a sum of multiples of arctangents; None for other numbers."""

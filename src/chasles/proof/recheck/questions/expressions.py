@@ -12,7 +12,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 from functools import reduce
-from math import ceil
 from typing import Any
 
 import sympy
@@ -153,7 +152,7 @@ class Expressions(Algebra):
         if below & (below - 1):
             raise Rejected(f"{base}**({exponent}) has no polynomial form")
         if exponent < 0:
-            whole = ceil(-exponent)
+            whole = int(-(exponent // 1))
             return self.raised(base, whole + exponent) * self.power(self.divide(base), whole)
         if isinstance(base, sympy.Abs) and exponent.numerator % 2 == 0:
             a, b = parts(self, base.args[0])
@@ -193,6 +192,10 @@ class Expressions(Algebra):
     def argument(self, e: Any) -> Polynomial:
         """The argument of a cosine or sine, in the quantities that make angles."""
         return self(e)
+
+    def direction(self, angle: Polynomial) -> tuple[Polynomial, Polynomial]:
+        """Cosine and sine of what was read as an angle."""
+        return self.turn(angle)
 
     def value(self, polynomial: Polynomial) -> Polynomial:
         """What the quantities that make angles make of a polynomial in them."""

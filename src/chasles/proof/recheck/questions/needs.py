@@ -40,7 +40,7 @@ def require_needs(
     for domain in reading.domains:
         if not any(one.allows(domain) for one in said):
             raise Rejected("a root is real only where something is not negative of which the verdict does not speak")
-    for value, odd, sign in reading.functions.positives:
+    for value, odd, sign in list(reading.functions.positives):
         if not (any(one.implies(value) for one in said) or _is_said(said, odd, sign)):
             raise Rejected("a logarithm is real only where something is positive of which the verdict does not speak")
     factors = {terms for _, odd, _ in reading.functions.positives for terms in odd}
@@ -110,11 +110,13 @@ class _Said:
 
     def _value(self) -> Polynomial | None:
         named = {str(e): variable(place) for place, e in self.reading.atoms.items()}
-        known = set(self.reading.inverses)
+        known, positives = set(self.reading.inverses), list(self.reading.functions.positives)
+        value = None
         with suppress(Rejected):
             value = Spoken(self.reading, named)(self.spelled)
-            return value if known == set(self.reading.inverses) else None
-        return None
+        # What the need itself is about is not what makes it needed.
+        self.reading.functions.positives[:] = positives
+        return value if known == set(self.reading.inverses) else None
 
     def excludes(self, place: int) -> bool:
         """Whether it says that what a variable is the inverse of does not vanish."""

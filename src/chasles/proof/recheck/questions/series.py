@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from math import floor
 
 from chasles.proof.recheck.sparse import Rejected
 
@@ -46,14 +45,14 @@ def bounds_of(function: str, argument: Bounds, digits: int) -> Bounds:
 def _rounded(value: Fraction, digits: int, up: bool) -> Fraction:
     """A dyadic number that is not more, or, if `up`, not less."""
     scaled = value * 2**digits
-    return Fraction(-floor(-scaled) if up else floor(scaled), 2**digits)
+    return Fraction(-(-scaled // 1) if up else scaled // 1, 2**digits)
 
 
 def _exponential(x: Fraction, digits: int) -> Bounds:
     """Taylor's series for a number up to 1/2, squared again and again."""
     if x < 0:
         return inverted(_exponential(-x, digits + 3 * LARGEST))
-    halvings = floor(x).bit_length() + 1
+    halvings = int(x // 1).bit_length() + 1
     digits += 4 * halvings + 2 * int(x) + 8
     small, unit = x / 2**halvings, 1 << digits
     term = total = unit
@@ -83,10 +82,10 @@ def _artanh(z: Fraction, digits: int) -> Bounds:
         low, high = _artanh(-z, digits)
         return -high, -low
     unit = 1 << digits + 8
-    power, total, count = floor(z * unit), 0, 0
+    power, total, count = int((z * unit) // 1), 0, 0
     while power:
         total, count = total + power // (2 * count + 1), count + 1
-        power = floor(power * z * z)
+        power = int((power * z * z) // 1)
     return Fraction(total, unit), Fraction(total + 3 * count + 4, unit)
 
 
@@ -94,10 +93,10 @@ def _circular(x: Fraction, digits: int, first: int) -> Bounds:
     """Taylor's series of the cosine, or, from the `first` power on, of the sine: less than a term is left out."""
     digits += 2 * int(abs(x)) + 16
     unit, square = 1 << digits, x * x
-    term, total, count = floor(x * unit) if first else unit, 0, first
+    term, total, count = int((x * unit) // 1) if first else unit, 0, first
     while abs(term) > 1 or count <= abs(x):
         total, count = total + term, count + 2
-        term = -floor(term * square / (count * (count - 1)))
+        term = -int((term * square / (count * (count - 1))) // 1)
     doubt = 4 * count * (1 + int(abs(x))) ** 2
     return Fraction(total - doubt, unit), Fraction(total + doubt, unit)
 
