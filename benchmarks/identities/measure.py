@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import argparse
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 from time import process_time
@@ -22,11 +22,11 @@ from benchmarks.identities.pairs import built, load
 from benchmarks.identities.textbook import identities
 
 from chasles.proof.verdict import Fails, Holds, HoldsUnder
-from chasles.prove import Untreatable, prove
+from chasles.prove import Rejected, Untreatable, prove, recheck
 
 HERE = Path(__file__).parent
 BUDGET = 10.0
-Question = tuple[str, bool, Callable[[], Any]]
+Question = tuple[str, bool, partial[Any]]
 
 
 def textbook() -> Iterator[Question]:
@@ -52,8 +52,8 @@ def of_sympy(kind: str) -> Iterator[Question]:
                     yield said, true, partial(prove, left, right, budget=BUDGET)
 
 
-def outcome(true: bool, ask: Callable[[], Any]) -> tuple[str, float, str]:
-    """What came out, after how long, and what was said."""
+def outcome(true: bool, ask: partial[Any]) -> tuple[str, float, str]:
+    """What came out, after how long, and what was said; a proof or point that the checker rejects is none."""
     start, said = process_time(), ""
     try:
         verdict = ask()
@@ -62,6 +62,11 @@ def outcome(true: bool, ask: Callable[[], Any]) -> tuple[str, float, str]:
     except Exception as error:
         return "broken", process_time() - start, f"{type(error).__name__}: {error}"
     took = process_time() - start
+    if isinstance(verdict, Holds | HoldsUnder | Fails):
+        try:
+            recheck(verdict, *ask.args, **{key: said for key, said in ask.keywords.items() if key != "budget"})
+        except Rejected as reason:
+            return "REJECTED", took, str(reason)
     if isinstance(verdict, Holds | HoldsUnder):
         return ("right" if true else "WRONG"), took, " ".join(verdict.needs)
     if isinstance(verdict, Fails):
@@ -79,7 +84,7 @@ def measure(title: str, questions: Iterator[Question], every: int, verbose: bool
         came, took, said = outcome(true, ask)
         found[true][came] += 1
         times.append(took)
-        if came in ("WRONG", "broken") or (verbose and came != "right"):
+        if came in ("WRONG", "REJECTED", "broken") or (verbose and came != "right"):
             print(f"  {came:9} {1000 * took:6.0f} ms  {text[:150]}\n      {said[:200]}", flush=True)
     times.sort()
     both = found[True] + found[False]

@@ -41,7 +41,7 @@ def text_of(expression: Any) -> str:
     """The expression as it is built, in SymPy's `srepr`; a plain spelling where that is read as the same."""
     exact = sympy.srepr(expression)
     symbols = {str(s): s for s in expression.free_symbols}
-    text = str(expression)
+    text = " ".join(str(expression).split())
     try:
         plain = all(s._assumptions_orig in ({}, {"commutative": True}) for s in symbols.values())
         if plain and sympy.srepr(sympy.sympify(text)) == exact:

@@ -12,6 +12,7 @@ from chasles.proof.decide import decide_problem
 from chasles.proof.from_sympy import Question, ask
 from chasles.proof.from_sympy.contradiction import contradiction
 from chasles.proof.from_sympy.decimals import as_decimals
+from chasles.proof.from_sympy.splitting import Splitting
 from chasles.proof.recheck.questions.counterexample import check_refutation
 from chasles.proof.recheck.questions.proof import check_proof
 from chasles.proof.recheck.sparse import Rejected
@@ -50,18 +51,41 @@ def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float 
     """
     try:
         with within(EFFORT, budget):
-            asked = tuple(_asked(exact, lhs, rhs, given, nonzero))
-            question = ask(*asked)
-            if not isinstance(question, Question):
-                return question
-            verdict = _answered(question)
-            if question.formal and isinstance(verdict, Holds | HoldsUnder):
-                check_proof(verdict, *asked)
-            return verdict
-    except Rejected as reason:
-        return Undecided(f"a proof was found, and the checker cannot follow it: {reason}")
+            return _verdict(*_asked(exact, lhs, rhs, given, nonzero))
     except OutOfTime as error:
         return Undecided(str(error))
+
+
+def _verdict(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> Verdict:
+    """The verdict on the question as it stands; else by cases, or on a more general one."""
+    splitting = Splitting(lhs, rhs, given, nonzero, _answered)
+    by_cases = splitting.verdict() if splitting.wanted else None
+    if by_cases is not None and (by_cases.true or not splitting.readable):
+        return by_cases
+    try:
+        verdict = _plain(lhs, rhs, given, nonzero)
+    except Untreatable:
+        verdict = splitting.verdict() if splitting.possible else Undecided("")
+        if isinstance(verdict, Undecided):
+            raise
+        return verdict
+    if isinstance(verdict, Undecided) and splitting.possible:
+        return by_cases or splitting.verdict()
+    return verdict
+
+
+def _plain(*asked: Any) -> Verdict:
+    """The verdict on the question as it stands; a proof that the checker cannot follow is none."""
+    question = ask(*asked)
+    if not isinstance(question, Question):
+        return question
+    verdict = _answered(question)
+    if question.formal and isinstance(verdict, Holds | HoldsUnder):
+        try:
+            check_proof(verdict, *asked)
+        except Rejected as reason:
+            return Undecided(f"a proof was found, and the checker cannot follow it: {reason}")
+    return verdict
 
 
 def _asked(exact: bool, *said: Any) -> Any:

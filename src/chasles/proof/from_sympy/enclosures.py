@@ -18,7 +18,7 @@ from sympy.functions.elementary.piecewise import ExprCondPair
 from chasles.proof.deadline import check
 from chasles.proof.from_sympy.opening import is_atom
 
-__all__ = ["Enclosures", "Unbounded", "apart"]
+__all__ = ["Enclosures", "Unbounded", "apart", "ends_of"]
 
 BITS = 200
 MARGIN = Fraction(1, 2**60)
@@ -102,6 +102,16 @@ def apart(one: Value, other: Value) -> bool:
         return gap != 0
     low, high = _ends(gap)
     return low > MARGIN or high < -MARGIN
+
+
+def ends_of(number: Any, bits: int) -> tuple[Fraction, Fraction]:
+    """Between which rational numbers a number lies, computed with so many binary digits; raises `Unbounded`."""
+    iv.prec = bits
+    try:
+        value = Enclosures({})(number)
+        return (value, value) if isinstance(value, Fraction) else _ends(value)
+    finally:
+        iv.prec = BITS
 
 
 def sign_of(value: Value) -> int:
@@ -245,6 +255,7 @@ FUNCTIONS: Mapping[type, Callable[..., Value]] = {
     sympy.acoth: _inverted(_atanh), sympy.asech: _inverted(_acosh), sympy.acsch: _inverted(_asinh),
     sympy.Abs: lambda value: _times(value, Fraction(sign_of(value))),
     sympy.sign: lambda value: Fraction(sign_of(value)),
+    sympy.Heaviside: lambda value, at_zero: Fraction(sign_of(value) > 0) if sign_of(value) else at_zero,
     sympy.Max: _largest(1), sympy.Min: _largest(-1),
     sympy.floor: lambda value: Fraction(_whole(value)), sympy.ceiling: lambda value: Fraction(-_whole(-value)),
 }  # fmt: skip

@@ -73,6 +73,8 @@ def as_node(context: Context, polynomial: Polynomial) -> Node:
                 base = _variable_node(context, variable)
                 factors.append(base if exponent == 1 else Power(base, exponent))
         terms.append(multiplied(factors))
+    if not terms:
+        return Number(Fraction(0))
     return terms[0] if len(terms) == 1 else Sum(tuple(terms))
 
 

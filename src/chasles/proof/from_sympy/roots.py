@@ -15,6 +15,7 @@ from typing import Any
 import sympy
 
 from chasles.proof.context import Context, build
+from chasles.proof.from_sympy.constants import is_nonnegative
 from chasles.proof.from_sympy.numbers import Numbers, defining
 from chasles.proof.from_sympy.polynomials import Key, as_node, as_sympy, factored, key_of
 from chasles.proof.from_sympy.reader import Reader, multiplied
@@ -112,6 +113,8 @@ class _Resolver:
 
     def _note(self, context: Context, polynomial: Polynomial) -> None:
         """A root of a single factor says that this factor is not negative."""
+        if polynomial == 0:
+            return
         sign, _, factors = factored(context, polynomial)
         odd = [factor for factor, power in factors if power % 2]
         if len(odd) == 1:
@@ -213,7 +216,7 @@ class _Resolver:
             return number
         key = key_of(context, polynomial)
         expression = as_sympy(self.reader.atoms.origins, context, polynomial)
-        if not self._is_nonnegative(context, polynomial):
+        if not (self._is_nonnegative(context, polynomial) or is_nonnegative(expression)):
             self.domains.append(f"{expression} >= 0")
         self._define(key, as_node(context, polynomial), sympy.sqrt(expression))
         return self.words[key]

@@ -11,6 +11,7 @@ from chasles.proof.recheck.questions.complexes import parts
 from chasles.proof.recheck.questions.given import require_given
 from chasles.proof.recheck.questions.spoken import Spoken
 from chasles.proof.recheck.questions.symbolic import Symbolic
+from chasles.proof.recheck.questions.widened import check_enclosed
 from chasles.proof.recheck.sparse import Rejected, number, variable
 
 __all__ = ["check_refutation"]
@@ -25,7 +26,11 @@ def check_refutation(found: Any, lhs: Any, rhs: Any, given: Any = (), nonzero: A
     Raises `Rejected` with the reason if not.
     """
     try:
-        _check(found, Asked(lhs, rhs, given, nonzero))
+        asked = Asked(lhs, rhs, given, nonzero)
+        try:
+            _check(found, asked)
+        except Rejected as reason:
+            _check_values(found, asked, reason)
     except Rejected:
         raise
     except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError) as error:
@@ -50,3 +55,14 @@ def _check(found: Any, asked: Asked) -> None:
         gap = spoken(text) - value
         if not (point.vanishes(gap) or (not rest and point.is_near(gap, Fraction(0), NEAR))):
             raise Rejected(f"a side is not {text} at the point")
+
+
+def _check_values(found: Any, asked: Asked, reason: Rejected) -> None:
+    """Where the values are no numbers that the checker knows exactly, what encloses them may tell them apart."""
+    places = sorted(asked.left)
+    place = found.entry[0] - 1, found.entry[1] - 1
+    if place not in places or any(item.functions for item in asked.given):
+        raise reason
+    sides = [[side[k] for k in places] for side in (asked.left, asked.right)]
+    given = [(item.text, list(item.pairs.values())) for item in asked.given]
+    check_enclosed(found.at, places.index(place), (found.left, found.right), sides, given, asked.nonzero)

@@ -6,7 +6,7 @@ cofactors, the values of roots, and a witness: each is tried, and nothing else i
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -21,6 +21,7 @@ from chasles.proof.recheck.questions.given import require_given
 from chasles.proof.recheck.questions.needs import require_needs
 from chasles.proof.recheck.questions.reading_of_proof import Proven
 from chasles.proof.recheck.questions.spoken import Spoken
+from chasles.proof.recheck.questions.widened import check_widened
 from chasles.proof.recheck.sparse import Polynomial, Rejected, number, parsed, variable
 
 __all__ = ["PARTS", "check_proof", "claims_of"]
@@ -40,15 +41,25 @@ def check_proof(verdict: Any, lhs: Any, rhs: Any, given: Any = (), nonzero: Any 
     Raises `Rejected` with the reason if the certificate does not prove that.
     """
     try:
-        _check(verdict, Asked(lhs, rhs, given, nonzero))
+        asked = Asked(lhs, rhs, given, nonzero)
+        if {"proof", "cases"} & verdict.certificate.keys():
+            sides = [[side[place] for place in sorted(side)] for side in (asked.left, asked.right)]
+            stated = [(item.text, list(item.pairs.values())) for item in asked.given if item.pairs]
+            check_widened(verdict, sides, stated, asked.nonzero, _check_part)
+        else:
+            _check(verdict.certificate, verdict.needs, asked, verdict.witness)
     except Rejected:
         raise
     except MALFORMED as error:
         raise Rejected(f"the certificate is malformed: {type(error).__name__}: {error}") from error
 
 
-def _check(verdict: Any, asked: Asked) -> None:
-    certificate = verdict.certificate
+def _check_part(certificate: Data, needs: Sequence[str], question: tuple[Any, ...]) -> None:
+    """A part of a proof, whose witness is that of the whole."""
+    _check(certificate, needs, Asked(*question), None)
+
+
+def _check(certificate: Data, needs: Sequence[str], asked: Asked, witness: Any) -> None:
     if unknown := certificate.keys() - PARTS:
         raise Rejected(f"the certificate has a part {min(unknown)!r}, which says nothing")
     reading = Proven(asked, certificate)
@@ -60,8 +71,9 @@ def _check(verdict: Any, asked: Asked) -> None:
     granted = _inverses_given(asked, reading)
     divisors |= _prove(certificate, reading, facts, claims)
     divisors |= reading.inverses.keys() - granted - divisors
-    require_needs(verdict.needs, asked, reading, divisors, facts.used)
-    _require_witness(verdict, asked, reading)
+    require_needs(needs, asked, reading, divisors, facts.used)
+    if witness is not None:
+        _require_witness(witness, certificate["witness"], asked, reading)
 
 
 def claims_of(asked: Asked, reading: Proven, certificate: Data) -> dict[tuple[int, int], Polynomial]:
@@ -142,9 +154,9 @@ def _follows(
     return set(powers)
 
 
-def _require_witness(verdict: Any, asked: Asked, reading: Proven) -> None:
+def _require_witness(witness: Any, said: Data, asked: Asked, reading: Proven) -> None:
     """The witness satisfies all that is given and needed, everything is defined there, and its two forms agree."""
-    point = AtPoint(reading, verdict.witness)
+    point = AtPoint(reading, witness)
     require_given(asked, point, through=False)
     for left, right in ((left, asked.right[place]) for place, left in asked.left.items()):
         values = differences(point, {(0, 0): (left, right)}).values()
@@ -159,7 +171,6 @@ def _require_witness(verdict: Any, asked: Asked, reading: Proven) -> None:
     if reading.calls:
         return
     point.require_angles()
-    said = verdict.certificate["witness"]
     spoken = Spoken(point, point.spelled())
     for name, text in said.items():
         if name not in reading.places:

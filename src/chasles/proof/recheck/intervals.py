@@ -1,0 +1,212 @@
+"""Enclosing with rational ends that hold a real number for certain: sums, products, roots, and elementary functions.
+
+An end is a whole multiple of 2^-bits, rounded outwards. Elementary functions are their power series with a bound of
+what is left out, after the argument has been made small.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from math import isqrt
+
+__all__ = ["Enclosing", "Enclosure", "Unbounded"]
+
+HALVINGS = 8
+LARGEST = 4096
+"""Arguments of the exponential function are no larger than this."""
+
+
+class Unbounded(ArithmeticError):
+    """An interval is too wide to tell a divisor from zero, or a radicand from a negative number."""
+
+
+@dataclass(frozen=True, slots=True)
+class Enclosure:
+    """From `low` to `high`, in units of 2^-bits."""
+
+    low: int
+    high: int
+
+    def __add__(self, other: Enclosure) -> Enclosure:
+        return Enclosure(self.low + other.low, self.high + other.high)
+
+    def __neg__(self) -> Enclosure:
+        return Enclosure(-self.high, -self.low)
+
+    def __sub__(self, other: Enclosure) -> Enclosure:
+        return self + (-other)
+
+    def meets(self, other: Enclosure) -> bool:
+        """Whether some number is in both."""
+        return self.low <= other.high and other.low <= self.high
+
+    @property
+    def sign(self) -> int | None:
+        """The sign of every number in it; None if they differ."""
+        if self.low > 0 or self.high < 0:
+            return 1 if self.low > 0 else -1
+        return 0 if self.low == self.high == 0 else None
+
+
+class Enclosing:
+    """Arithmetic with so many binary digits after the point."""
+
+    def __init__(self, bits: int) -> None:
+        self.bits = bits
+        self.one = 1 << bits
+
+    def number(self, value: Fraction | int) -> Enclosure:
+        """A rational number."""
+        scaled = Fraction(value) * self.one
+        return Enclosure(scaled.numerator // scaled.denominator, -(-scaled.numerator // scaled.denominator))
+
+    def times(self, one: Enclosure, other: Enclosure) -> Enclosure:
+        """The product."""
+        ends = [a * b for a in (one.low, one.high) for b in (other.low, other.high)]
+        return Enclosure(min(ends) >> self.bits, -(-max(ends) >> self.bits))
+
+    def inverse(self, x: Enclosure) -> Enclosure:
+        """One over it; raises `Unbounded` if zero is in it."""
+        if x.low <= 0 <= x.high:
+            raise Unbounded("a divisor may be zero")
+        return Enclosure(self.one**2 // x.high, -(-(self.one**2) // x.low))
+
+    def power(self, x: Enclosure, exponent: int) -> Enclosure:
+        """An integral power."""
+        if exponent < 0:
+            return self.inverse(self.power(x, -exponent))
+        total, square = self.number(1), x
+        if exponent % 2 == 0 and exponent and x.low < 0:
+            x = Enclosure(0 if x.high >= 0 else -x.high, max(-x.low, x.high))
+            square = x
+        while exponent:
+            total = self.times(total, square) if exponent % 2 else total
+            square, exponent = self.times(square, square), exponent // 2
+        return total
+
+    def root(self, x: Enclosure, degree: int) -> Enclosure:
+        """The nonnegative root; raises `Unbounded` if the number may be negative."""
+        if x.low < 0:
+            raise Unbounded("a radicand may be negative")
+        unit = self.one ** (degree - 1)
+        return Enclosure(_root(x.low * unit, degree), _root(x.high * unit, degree) + 1 if x.high else 0)
+
+    def increasing(self, function: Callable[[int], Enclosure], x: Enclosure) -> Enclosure:
+        """A function that increases, from what it is at both ends."""
+        return Enclosure(function(x.low).low, function(x.high).high)
+
+    @property
+    def pi(self) -> Enclosure:
+        """Machin's formula: pi = 16 arctan(1/5) - 4 arctan(1/239)."""
+        return _pi(self.bits)
+
+    def exp(self, x: Enclosure) -> Enclosure:
+        """The exponential function; raises `Unbounded` for a very large argument."""
+        if max(abs(x.low), abs(x.high)) > LARGEST * self.one:
+            raise Unbounded("an exponent is very large")
+        return self.increasing(self._exp, x)
+
+    def _exp(self, x: int) -> Enclosure:
+        halvings = max(HALVINGS, abs(x).bit_length() - self.bits + HALVINGS)
+        finer = Enclosing(self.bits + 2 * halvings + max(0, 2 * (x >> self.bits)) + HALVINGS)
+        small = finer.number(Fraction(x, self.one << halvings))
+        total = finer.series(small, lambda k: Fraction(1, k))
+        for _ in range(halvings):
+            total = finer.times(total, total)
+        return self.coarser(total, finer)
+
+    def series(self, x: Enclosure, ratio: Callable[[int], Fraction]) -> Enclosure:
+        """1 + r(1) x + r(1) r(2) x^2 + ... for |x| at most 1/2 and ratios of size at most 1."""
+        total = term = self.number(1)
+        k = 0
+        while max(abs(term.low), abs(term.high)) > 1:
+            k += 1
+            term = self.times(self.times(term, x), self.number(ratio(k)))
+            total = total + term
+        # What is left out is at most the last term times 1/2 + 1/4 + ...
+        return Enclosure(total.low - 2, total.high + 2)
+
+    def coarser(self, x: Enclosure, finer: Enclosing) -> Enclosure:
+        """An interval of finer arithmetic."""
+        shift = finer.bits - self.bits
+        return Enclosure(x.low >> shift, -(-x.high >> shift))
+
+    def cosine_and_sine(self, x: Enclosure) -> tuple[Enclosure, Enclosure]:
+        """Of an angle: at its middle, widened by half its width, since neither changes faster than the angle."""
+        middle, reach = (x.low + x.high) // 2, (x.high - x.low) // 2 + 1
+        doublings = max(HALVINGS, abs(middle).bit_length() - self.bits + HALVINGS)
+        finer = Enclosing(self.bits + 2 * doublings + HALVINGS)
+        small = finer.number(Fraction(middle, self.one << doublings))
+        square = -finer.times(small, small)
+        cosine = finer.series(square, lambda k: Fraction(1, 2 * k * (2 * k - 1)))
+        sine = finer.times(small, finer.series(square, lambda k: Fraction(1, 2 * k * (2 * k + 1))))
+        for _ in range(doublings):
+            both = finer.times(sine, cosine)
+            cosine, sine = finer.times(cosine, cosine) - finer.times(sine, sine), both + both
+        found = []
+        for value in (self.coarser(cosine, finer), self.coarser(sine, finer)):
+            found.append(Enclosure(max(value.low - reach, -self.one), min(value.high + reach, self.one)))
+        return found[0], found[1]
+
+    def log(self, x: Enclosure) -> Enclosure:
+        """The natural logarithm; raises `Unbounded` if the number may be zero or negative."""
+        if x.low <= 0:
+            raise Unbounded("a logarithm may not be real")
+        return self.increasing(self._log, x)
+
+    def _log(self, x: int) -> Enclosure:
+        """Log x = 2^n log(x^(1/2^n)), and log y = 2 artanh((y - 1) / (y + 1))."""
+        size = abs(x.bit_length() - self.bits)
+        halvings = HALVINGS + size.bit_length()
+        finer = Enclosing(self.bits + 2 * halvings + 2 * size + HALVINGS)
+        y = finer.number(Fraction(x, self.one))
+        for _ in range(halvings):
+            y = finer.root(y, 2)
+        ratio = finer.times(y - finer.number(1), finer.inverse(y + finer.number(1)))
+        square = finer.times(ratio, ratio)
+        series = finer.series(square, lambda k: Fraction(2 * k - 1, 2 * k + 1))
+        total = finer.times(ratio, series)
+        return self.coarser(Enclosure(total.low << halvings + 1, total.high << halvings + 1), finer)
+
+    def atan(self, x: Enclosure) -> Enclosure:
+        """The inverse tangent."""
+        return self.increasing(self._atan, x)
+
+    def _atan(self, x: int) -> Enclosure:
+        """Atan x = 2 atan(x / (1 + sqrt(1 + x^2))), until the argument is small."""
+        finer = Enclosing(self.bits + 4 * HALVINGS + max(0, x.bit_length() - self.bits))
+        y, one = finer.number(Fraction(x, self.one)), finer.number(1)
+        for _ in range(HALVINGS):
+            y = finer.times(y, finer.inverse(one + finer.root(one + finer.power(y, 2), 2)))
+        series = finer.series(-finer.power(y, 2), lambda k: Fraction(2 * k - 1, 2 * k + 1))
+        total = finer.times(y, series)
+        return self.coarser(Enclosure(total.low << HALVINGS, total.high << HALVINGS), finer)
+
+
+@cache
+def _pi(bits: int) -> Enclosure:
+    finer = Enclosing(bits + HALVINGS)
+
+    def arctangent(inverse: int) -> Enclosure:
+        square = finer.number(Fraction(-1, inverse * inverse))
+        series = finer.series(square, lambda k: Fraction(2 * k - 1, 2 * k + 1))
+        return finer.times(finer.number(Fraction(1, inverse)), series)
+
+    sixteen, four = finer.number(16), finer.number(4)
+    total = finer.times(sixteen, arctangent(5)) - finer.times(four, arctangent(239))
+    return Enclosing(bits).coarser(total, finer)
+
+
+def _root(number: int, degree: int) -> int:
+    """The largest integer whose power is no more than the number, by Newton's method."""
+    if degree == 2 or number < 2:
+        return isqrt(number) if degree == 2 else number
+    guess = 1 << -(-number.bit_length() // degree)
+    while True:
+        better = ((degree - 1) * guess + number // guess ** (degree - 1)) // degree
+        if better >= guess:
+            return guess
+        guess = better

@@ -1,0 +1,80 @@
+"""Enclosing hold the numbers they are said to hold, and are narrow."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from random import Random
+
+import mpmath
+import pytest
+
+from chasles.proof.recheck.intervals import Enclosing, Enclosure, Unbounded
+
+BITS = 100
+FINE = Enclosing(BITS)
+ARGUMENTS = [Fraction(0), Fraction(1), Fraction(-1), Fraction(7, 3), Fraction(-22, 7), Fraction(1, 10**6), Fraction(50)]
+ARGUMENTS += [Fraction(Random(k).randint(-(10**6), 10**6), Random(k + 1).randint(1, 10**5)) for k in range(20)]
+
+
+def holds(found: Enclosure, exact: mpmath.mpf, units: int = 2**12) -> None:
+    with mpmath.workdps(120):
+        scaled = exact * mpmath.mpf(2) ** BITS
+        assert found.low <= scaled <= found.high
+        assert found.high - found.low <= units * (1 + abs(exact)) + 4
+
+
+def of(x: Fraction) -> mpmath.mpf:
+    return mpmath.mpf(x.numerator) / x.denominator
+
+
+@pytest.mark.parametrize("x", ARGUMENTS, ids=str)
+def test_elementary_functions(x: Fraction) -> None:
+    with mpmath.workdps(120):
+        interval = FINE.number(x)
+        cosine, sine = FINE.cosine_and_sine(interval)
+        holds(cosine, mpmath.cos(of(x)))
+        holds(sine, mpmath.sin(of(x)))
+        holds(FINE.atan(interval), mpmath.atan(of(x)))
+        if abs(x) <= 60:
+            holds(FINE.exp(interval), mpmath.exp(of(x)))
+        if x > 0:
+            holds(FINE.log(interval), mpmath.log(of(x)), 2**40)
+            for degree in (2, 3, 4, 7):
+                holds(FINE.root(interval, degree), mpmath.root(of(x), degree), 2**60)
+        if x:
+            holds(FINE.inverse(interval), 1 / of(x), 2**60)
+        for exponent in (0, 1, 2, 3, 5):
+            holds(FINE.power(interval, exponent), of(x) ** exponent, 2**40)
+
+
+def test_pi() -> None:
+    for bits in (10, 50, 300):
+        found = Enclosing(bits).pi
+        with mpmath.workdps(200):
+            assert found.low <= mpmath.pi * mpmath.mpf(2) ** bits <= found.high
+        assert found.high - found.low < 20
+
+
+def test_wide_intervals_hold_what_is_between() -> None:
+    wide = Enclosure(-FINE.one, 2 * FINE.one)
+    assert FINE.power(wide, 2).low == 0
+    assert FINE.power(wide, 2).high >= 4 * FINE.one
+    assert FINE.power(wide, 3).low <= -FINE.one
+    cosine, sine = FINE.cosine_and_sine(Enclosure(0, 7 * FINE.one))
+    assert (cosine.low, cosine.high) == (sine.low, sine.high) == (-FINE.one, FINE.one)
+    assert wide.sign is None
+    assert (Enclosure(0, 0).sign, Enclosure(1, 2).sign, Enclosure(-2, -1).sign) == (0, 1, -1)
+
+
+BEYOND = {
+    "inverse": lambda: FINE.inverse(Enclosure(-1, 1)),
+    "log": lambda: FINE.log(Enclosure(-1, 1)),
+    "root": lambda: FINE.root(Enclosure(-1, 1), 2),
+    "exp": lambda: FINE.exp(FINE.number(10**5)),
+}
+
+
+@pytest.mark.parametrize("operation", BEYOND)
+def test_what_is_not_bounded_is_said(operation: str) -> None:
+    with pytest.raises(Unbounded):
+        BEYOND[operation]()
