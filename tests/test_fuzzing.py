@@ -32,13 +32,13 @@ from .fuzzing.sympy_values import Values
 x, y, t = symbols("x y t")
 f, g, th = (Function(name)(t) for name in ("f", "g", "theta"))
 SEED = 11
-SAMPLE = 30
-BATCH = 15
+SAMPLE = 20
+BATCH = 10
 VARIANTS = 20
 
 
-PENDING = ("own certificate rejected", "forgery", "verdict on nothing")
-"""Checker and verdicts on nothing are not yet as they should be."""
+PENDING = ("own certificate rejected",)
+"""The checker does not yet follow all that is said of functions and of imaginary parts."""
 
 
 @pytest.mark.slow

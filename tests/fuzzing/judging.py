@@ -58,8 +58,10 @@ def judge(question: Equation, draw: Random, answer: Answer | None = None) -> Jud
 def _alarms(question: Equation, answer: Answer, seen: list[Point], draw: Random) -> Iterator[Alarm]:
     violated = next(violations(question, seen), None)
     if answer.name == "contradictory":
-        if seen:
-            yield Alarm("false contradictory", f"satisfied at {shown(seen[0])}")
+        sides = [e for side in (question.lhs, question.rhs) for e in entries(side)]
+        defined = [point for point in seen if all(_both(e, sp.Integer(0), point) for e in sides)]
+        if defined:
+            yield Alarm("false contradictory", f"satisfied at {shown(defined[0])}")
         return
     if answer.name == "ill-formed":
         yield Alarm("ill-formed", answer.verdict.reason)

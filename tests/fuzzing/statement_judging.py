@@ -9,7 +9,7 @@ from random import Random
 from typing import Any
 
 from chasles import vocabulary as w
-from chasles.statements import Definite, Minimum, Theorem
+from chasles.statements import Definite, Iff, Minimum, Theorem
 
 from .asking import Answer, ask_statement, statement_rejection
 from .judging import FAR, POINTS, Alarm, Judged
@@ -34,7 +34,8 @@ def judge_statement(asked: Asked, draw: Random) -> Judged:
 def _alarms(asked: Asked, answer: Answer, seen: list[Motion], draw: Random) -> Iterator[Alarm]:
     violated = next(violations_of(asked, seen), None)
     if answer.name == "contradictory":
-        if seen:
+        if seen and not any(isinstance(form, Iff) for form in getattr(asked.statement, "forms", ())):
+            # An equivalence needs points where what it speaks of vanishes, not just any.
             yield Alarm("false contradictory", f"satisfied at {_shown(seen[0])}")
         return
     if answer.name == "ill-formed":

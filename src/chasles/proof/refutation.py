@@ -51,7 +51,7 @@ def check_counterexample(problem: Problem, shown: Shown) -> None:
     """
     try:
         reasons = list(_objections(problem, shown))
-    except (ArithmeticError, LookupError, RecursionError, TypeError) as error:
+    except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError) as error:
         raise Rejected(f"the counterexample is malformed: {type(error).__name__}: {error}") from error
     if all(reasons):
         raise Rejected(reasons[0] if reasons else f"no equation of the statement is called {shown.goal!r}")
