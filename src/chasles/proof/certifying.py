@@ -90,12 +90,13 @@ def _drop_unneeded(
             for k, g in enumerate(context.generators)
             if g.hypothesis is None or g.hypothesis not in dropped | {hypothesis}
         ]
-        basis = stated(ring, tuple(context.generators[k].polynomial for k in kept), complete=False)
+        values = bool(context.basis.explicit)
+        basis = stated(ring, tuple(context.generators[k].polynomial for k in kept), complete=False, values=values)
         attempts = [basis.reduce(entry.ratio.numerator) for entry in done]
         if all(remainder == 0 for _, remainder in attempts):
             dropped.add(hypothesis)
             for entry, (cofactors, _) in zip(done, attempts, strict=True):
-                entry.cofactors, entry.by_division = {kept[k]: c for k, c in cofactors.items()}, True
+                entry.cofactors, entry.by_division = {kept[k]: c for k, c in cofactors.items()}, not values
     used = {h.text for h in _used_hypotheses(context, solved, done)}
     return tuple(h.text for h in own if h.text not in used)
 

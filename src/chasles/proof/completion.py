@@ -6,12 +6,14 @@ chosen to be a basis as they stand.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass, field
 from fractions import Fraction
 from heapq import heapify, heappop, heappush
 from math import inf
 
 from chasles.proof.deadline import OutOfTime, spend, within
+from chasles.proof.explicit import Explicit, explicit, put_in
 from chasles.proof.normal_form import leads_of, reduce_by
 from chasles.proof.rings import Exponents, Polynomial, Ring
 
@@ -22,20 +24,37 @@ Combination = dict[int, Polynomial]
 
 @dataclass(frozen=True, slots=True)
 class Basis:
-    """Generators, and each of them as a combination of the stated hypotheses."""
+    """Generators, and each of them as a combination of the stated hypotheses.
+
+    Of `explicit` ones, which give a variable as a polynomial in others, the values are put in first.
+    """
 
     ring: Ring
     generators: tuple[Polynomial, ...]
     origins: tuple[Combination, ...]
     complete: bool
+    explicit: tuple[Explicit, ...] = ()
     _leads: list[Exponents] = field(default_factory=list, compare=False, repr=False)
 
     def reduce(self, polynomial: Polynomial) -> tuple[Combination, Polynomial]:
         """Cofactors on the stated hypotheses, and the remainder."""
+        if self.explicit:
+            known, polynomial = put_in(self.ring, polynomial, self.explicit)
+            others, remainder = self.without({k for k, _, _ in self.explicit}).reduce(polynomial)
+            cofactors = folded(known, self.origins)
+            for k, cofactor in others.items():
+                cofactors[k] = cofactors[k] + cofactor if k in cofactors else cofactor
+            return {k: c for k, c in cofactors.items() if c != 0}, remainder
         if not self._leads:
             self._leads.extend(leads_of(self.ring, self.generators))
         reduction = reduce_by(self.ring, polynomial, self.generators, self._leads)
         return folded(reduction.cofactors, self.origins), reduction.remainder
+
+    def without(self, places: Collection[int]) -> Basis:
+        """The generators that are not at these places."""
+        kept = [k for k in range(len(self.generators)) if k not in places]
+        chosen = tuple(self.generators[k] for k in kept), tuple(self.origins[k] for k in kept)
+        return Basis(self.ring, *chosen, complete=False)
 
 
 def folded(cofactors: Combination, origins: tuple[Combination, ...]) -> Combination:
@@ -48,10 +67,11 @@ def folded(cofactors: Combination, origins: tuple[Combination, ...]) -> Combinat
     return {k: c for k, c in total.items() if c != 0}
 
 
-def stated(ring: Ring, hypotheses: tuple[Polynomial, ...], *, complete: bool) -> Basis:
-    """The hypotheses themselves as generators."""
+def stated(ring: Ring, hypotheses: tuple[Polynomial, ...], *, complete: bool, values: bool = False) -> Basis:
+    """The hypotheses themselves as generators; `values` says whether explicit ones are put in first."""
     one = ring.constant(Fraction(1))
-    return Basis(ring, hypotheses, tuple({k: one} for k in range(len(hypotheses))), complete)
+    origins = tuple({k: one} for k in range(len(hypotheses)))
+    return Basis(ring, hypotheses, origins, complete, tuple(explicit(ring, hypotheses)) if values else ())
 
 
 def completed(basis: Basis, products: float = inf) -> Basis:

@@ -89,7 +89,9 @@ def build(problem: Problem) -> Context:
     unfold, atoms = _door(problem, found, active, order)
     variables, ring = unfold.variables, unfold.field.ring
     generators = tuple(_generators(unfold, variables, active))
-    basis = stated(ring, tuple(g.polynomial for g in generators), complete=order == "grevlex")
+    # In a lexicographic order, equations that give a variable are used so by themselves.
+    values = order == "grevlex" and all(h.free for h in active)
+    basis = stated(ring, tuple(g.polynomial for g in generators), complete=order == "grevlex", values=values)
     _refuse_restrictions(problem, active, unfold, basis, found)
     bare = {k for k, v in enumerate(variables) if v.kind == "entry" and v.order == 0 and v.symbol in found.angles}
     circle = {k for k, v in enumerate(variables) if v.symbol == PI}

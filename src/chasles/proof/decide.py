@@ -138,7 +138,7 @@ def _prove(context: Context, basis: Basis, todo: list[Entry]) -> bool:
         if entry.cofactors is None:
             cofactors, remainder = basis.reduce(entry.ratio.numerator)
             if remainder == 0:
-                entry.cofactors, entry.by_division = cofactors, basis is context.basis
+                entry.cofactors, entry.by_division = cofactors, basis is context.basis and not basis.explicit
     return all(entry.cofactors is not None for entry in todo)
 
 

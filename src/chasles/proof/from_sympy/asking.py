@@ -15,7 +15,7 @@ from chasles.proof.from_sympy.complexes import Parts
 from chasles.proof.from_sympy.divisors import Divisor, divisor_of
 from chasles.proof.from_sympy.elementary import Elementary
 from chasles.proof.from_sympy.given import Equations, Given, collected, evident, impossible, orders_of
-from chasles.proof.from_sympy.opening import Entries, is_atom, opened
+from chasles.proof.from_sympy.opening import Entries, opened
 from chasles.proof.from_sympy.question import Question, matrix_of
 from chasles.proof.from_sympy.reader import Reader
 from chasles.proof.from_sympy.readings import READINGS
@@ -101,7 +101,7 @@ class _Asking:
         self.goal = Goal("", matrix_of(nodes[:size], shape), matrix_of(nodes[size : 2 * size], shape))
         self.equations = [self._hypothesis(item) for item in given.equations]
         for divisor in evident(given, expressions[declared : declared + 2 * size] if size == 1 else ()):
-            reader.declare(reader(divisor), Divisor(divisor_of(divisor).text, not is_atom(divisor)))
+            reader.declare(reader(divisor), Divisor(divisor_of(divisor).text, evident=True))
 
     def question(self, asked: tuple[Any, Any, Any, Any]) -> Question:
         """All that was read, as a problem, with what to say of it; `asked` is what was handed in."""
@@ -127,7 +127,6 @@ class _Asking:
             search=search,
             needs=(*(text for text, _, _ in self.given.substitutions), *self.elementary.needs, *met, *roots.domains),
             hidden=frozenset((*unsaid, *higher, *(h.text for h in roots.hypotheses))),
-            assumed=frozenset(item.text for item in self.given.equations if item.assumed),
             sources={item.text: item.sources for item in self.given.equations if item.sources},
             origins=reader.atoms.origins,
             roots=frozenset((*words, *(root.word for root in reader.roots.values()))),

@@ -60,7 +60,7 @@ def contradiction(question: Question, effort: float = EFFORT) -> Contradictory |
         again = _impossible(question, fewer) if len(fewer) < len(kept) else None
         if again is not None:
             found, kept = again, [h for h in fewer if h in again.used]
-    own = [h for h in kept if h.text not in question.hidden or h.text in question.assumed]
+    own = [h for h in kept if h.text not in question.hidden]
     said = dict.fromkeys(text for h in own for text in question.said_of(h))
     certificate = {"vanishes": found.polynomial, "cofactors": dict(found.cofactors)}
     return Contradictory((*said, *found.assumed), certificate) if said else None
@@ -95,10 +95,7 @@ def _reduced(basis: Basis) -> Iterator[tuple[Polynomial, Combination]]:
     """Each of the polynomials, and what the others leave of it, as combinations of the stated ones."""
     yield from zip(basis.generators, basis.origins, strict=True)
     for k, polynomial in enumerate(basis.generators):
-        rest = slice(0, k), slice(k + 1, None)
-        generators = tuple(g for part in rest for g in basis.generators[part])
-        origins = tuple(o for part in rest for o in basis.origins[part])
-        cofactors, remainder = Basis(basis.ring, generators, origins, complete=False).reduce(polynomial)
+        cofactors, remainder = basis.without({k}).reduce(polynomial)
         if remainder != 0:
             combination = dict(basis.origins[k])
             for place, cofactor in cofactors.items():

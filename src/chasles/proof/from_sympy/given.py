@@ -43,7 +43,7 @@ class Moving:
 class Equations:
     """Equations under one name, of which the `sources` are what the user gave.
 
-    They are `derived` if they follow by differentiation, `assumed` if SymPy is told so of a symbol.
+    They are `derived` if they follow by differentiation.
     """
 
     text: str
@@ -51,7 +51,6 @@ class Equations:
     sources: tuple[str, ...]
     triad: Triad | None = None
     derived: bool = False
-    assumed: bool = False
     moving: list[Moving] = field(default_factory=list)
 
     @property
@@ -86,9 +85,6 @@ def collected(given: Any, spoken_of: Sequence[Any], parts: Parts) -> tuple[Given
             text = _text(item, what)
             taken = any(text == other.text for other in result.equations)
             result.equations.append(Equations(f"{text} [{place}]" if taken else text, pairs, (text,)))
-    sides_of_all = [side for item in result.equations for side in item.sides]
-    for atom in sorted({part for e in (*spoken_of, *sides_of_all) for part in _zeros_in(e)}, key=str):
-        result.equations.append(Equations(f"{atom} is zero", [(atom, sympy.S.Zero)], (), assumed=True))
     expressions = _without_given_angles(result, list(spoken_of))
     _state_triads(result)
     _differentiate(result, expressions)
@@ -100,12 +96,7 @@ def impossible(given: Given, declared: Sequence[Any]) -> str | None:
     for item in given.equations:
         if any((left - right).is_zero is False and not (left - right).free_symbols for left, right in item.pairs):
             return (item.sources or (item.text,))[0]
-    return next((f"{scalar} != 0" for scalar in declared if sympy.expand(scalar) == 0), None)
-
-
-def _zeros_in(expression: Any) -> Iterator[Any]:
-    """The atoms that SymPy is told to be zero."""
-    return (part for part in expression.atoms(sympy.Symbol, AppliedUndef) if part.is_zero)
+    return next((f"{scalar} != 0" for scalar in declared if scalar.is_zero or sympy.expand(scalar) == 0), None)
 
 
 def evident(given: Given, sides: Sequence[Any]) -> Iterator[Any]:

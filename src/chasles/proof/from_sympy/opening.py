@@ -88,7 +88,8 @@ def _spelled_out(write: Callable[[Any], Any], value: Any) -> Any:
 
 
 def _evaluated(entry: Any) -> Any:
-    """The entry with derivatives of expressions taken."""
+    """The entry with derivatives of expressions taken, and zero for the symbols that SymPy is told to be."""
+    entry = entry.xreplace({atom: sympy.S.Zero for atom in entry.atoms(sympy.Symbol, AppliedUndef) if atom.is_zero})
     for inexact in entry.atoms(sympy.Float):
         exact = str(sympy.nsimplify(inexact, rational=True))
         raise Untreatable(f"{inexact} is a floating-point number, which is not exact: write Rational({exact!r})")

@@ -26,7 +26,7 @@ class Question:
     """A problem in words, with the search for its points and the names that SymPy has for its variables.
 
     `needs` are reported whatever the proof uses: divisors, the domains of roots, substituted angles. `hidden` texts are
-    true by themselves, or `assumed` of symbols. `sources` give the texts of what the user said for that of what follows
+    true by themselves. `sources` give the texts of what the user said for that of what follows
     from it, `origins` what each word stands for; `roots` follow from the other coordinates of a point, and so do the
     atoms `substituted`. If it is `formal`, words stand for values of functions: a point of the problem need not be one
     of the question.
@@ -37,7 +37,6 @@ class Question:
     search: Search
     needs: tuple[str, ...]
     hidden: frozenset[str]
-    assumed: frozenset[str]
     sources: Mapping[str, tuple[str, ...]]
     origins: Mapping[Symbol, Any]
     roots: frozenset[Symbol]

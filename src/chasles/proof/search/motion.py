@@ -89,8 +89,6 @@ class Motion:
         ring = context.field.ring
         said = {label for block in self.blocks for row in block.rows for label in row.labels}
         used = {label for block in self.blocks for row in block.rows for label in row.labels[: row.times]} | set(pivots)
-        kept = tuple(g.polynomial for g in context.generators if g.label in used or g.label not in said)
-        basis = stated(ring, kept, complete=False)
         solved = []
         for generator in context.generators:
             place = stage.place.get(pivots.get(generator.label, ""))
@@ -98,6 +96,9 @@ class Motion:
                 factor = ring.derivative(generator.polynomial, place)
                 if not values.of(sparse(ring, factor)).is_zero:
                     solved.append((place, factor, generator.polynomial))
+                    used.discard(generator.label)
+        kept = tuple(g.polynomial for g in context.generators if g.label in used or g.label not in said)
+        basis = stated(ring, kept, complete=False)
         still = self._still(stage)
         for generator in context.generators:
             if generator.label in surplus:

@@ -72,10 +72,15 @@ def entries_of(value: Any) -> Entries:
     if isinstance(value, MatrixExpr):
         return {(i, j): MatrixElement(value, i, j) for i in range(value.rows) for j in range(value.cols)}
     if isinstance(value, MatrixBase):
-        return {(i, j): value[i, j] for i in range(value.rows) for j in range(value.cols)}
+        return {(i, j): _valued(value[i, j]) for i in range(value.rows) for j in range(value.cols)}
     if not isinstance(value, sympy.Expr):
         raise Rejected(f"{value} is no scalar and no matrix")
-    return {(0, 0): value}
+    return {(0, 0): _valued(value)}
+
+
+def _valued(e: Any) -> Any:
+    """The expression with zero for what SymPy is told to be zero."""
+    return e.xreplace({part: sympy.S.Zero for part in e.atoms(sympy.Symbol, AppliedUndef) if part.is_zero})
 
 
 def _given(item: Any, what: str) -> Given:

@@ -45,7 +45,9 @@ def require_motion(given: Iterable[Given], point: AtPoint, through: bool) -> Non
     stated = [fact for item in moving for fact in differences(read, item.pairs).values()]
     stated = [fact for fact in stated if fact and not _is_determinant(read, fact, moving)]
     unlike = {frozenset(base.terms.items()): base for _, base in map(primitive, stated)}
-    last = [_last(point, fact, time) for fact in unlike.values()]
+    chains = [_chain(point, fact, time) for fact in unlike.values()]
+    last = [chain[-1] for chain in chains]
+    lower = [fact for chain in chains for fact in reversed(chain[:-1])]
     if not through:
         return
     highest: dict[Any, int] = {}
@@ -63,12 +65,13 @@ def require_motion(given: Iterable[Given], point: AtPoint, through: bool) -> Non
         row = [point.value_of(read.rate(fact, rate)) for rate in rates]
         if _rank(point, [*rows, row]) > len(rows):
             rows.append(row)
-        elif not _follows(read, fact, [*last[:k], *last[k + 1 :]]):
+        elif not _follows(point, fact, [*last[:k], *last[k + 1 :], *lower], time):
             raise Rejected("it is not seen that there is a motion through the point")
 
 
-def _last(point: AtPoint, fact: Polynomial, time: Any) -> Polynomial:
-    """The highest derivative that speaks of what has a value only; raises `Rejected` if one does not vanish."""
+def _chain(point: AtPoint, fact: Polynomial, time: Any) -> list[Polynomial]:
+    """It and its derivatives that speak of what has a value only; raises `Rejected` if one does not vanish."""
+    chain = [fact]
     if not point.vanishes(point.value_of(fact)):
         raise Rejected("an equation given does not vanish at the point")
     for _ in range(MOST_RATES):
@@ -82,7 +85,8 @@ def _last(point: AtPoint, fact: Polynomial, time: Any) -> Polynomial:
         if not rate:
             break
         fact = rate
-    return fact
+        chain.append(fact)
+    return chain
 
 
 def _spoken_of(read: Expressions, fact: Polynomial) -> set[int]:
@@ -100,17 +104,26 @@ def _spoken_of(read: Expressions, fact: Polynomial) -> set[int]:
     return known & read.atoms.keys()
 
 
-def _follows(read: Expressions, fact: Polynomial, others: list[Polynomial]) -> bool:
-    """Whether nothing is left of something when what others say of their highest rates is put in."""
+def _follows(point: AtPoint, fact: Polynomial, others: list[Polynomial], time: Any) -> bool:
+    """Whether something vanishes at all times when the highest rates that others determine are put in.
+
+    What is left of it, a multiple, may also speak of nothing that changes: it vanishes at the point.
+    """
+    read = point.symbolic
     for other in others:
         rates = [k for k in other.places if isinstance(read.atoms.get(k), sympy.Derivative)]
         for place in sorted(rates, key=lambda k: -read.atoms[k].derivative_count):
-            slope = constant(other.partials()[place])
-            if slope is not None and place in fact.places:
-                value = variable(place) - other * number(1 / slope)
-                fact = read.normal(_put(fact, place, value))
+            slope, own = other.partials()[place], fact.partials().get(place)
+            number_of = constant(slope)
+            if own is not None and number_of is not None:
+                fact = read.normal(_put(fact, place, variable(place) - other * number(1 / number_of)))
                 break
-    return read.vanishes(fact)
+            linear = own is not None and place not in slope.places | own.places
+            if own is not None and linear and point.sign(point.value_of(slope)):
+                fact = read.normal(fact * slope - own * other)
+                break
+    changing = (read.atoms[place] for place in _spoken_of(read, fact))
+    return read.vanishes(fact) or not any(e.has(time) for e in changing)
 
 
 def _put(polynomial: Polynomial, place: int, value: Polynomial) -> Polynomial:

@@ -7,7 +7,6 @@ cofactors, the values of roots, and a witness: each is tried, and nothing else i
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from fractions import Fraction
 from typing import Any
 
 import sympy
@@ -20,9 +19,10 @@ from chasles.proof.recheck.questions.facts import Facts
 from chasles.proof.recheck.questions.given import require_given
 from chasles.proof.recheck.questions.needs import require_needs
 from chasles.proof.recheck.questions.reading_of_proof import Proven
+from chasles.proof.recheck.questions.signs import is_positive
 from chasles.proof.recheck.questions.spoken import Spoken
 from chasles.proof.recheck.questions.widened import check_widened
-from chasles.proof.recheck.sparse import Polynomial, Rejected, number, parsed, variable
+from chasles.proof.recheck.sparse import ONE, Polynomial, Rejected, number, parsed, variable
 
 __all__ = ["PARTS", "check_proof", "claims_of"]
 
@@ -134,19 +134,23 @@ def _follows(
         raise Rejected(f"the certificate says {min(unknown)!r} of entry {label}, which means nothing")
     cofactors = [(parsed(text, reading.places), facts[fact]) for fact, text in said.get("cofactors", {}).items()]
     numerator, below = reading.cleared(claim)
-    powers, scale = dict[int, int](), Fraction(1)
+    powers, factor = dict[int, int](), ONE
     for which, power in said.get("times", {}).items():
         divisor = reading.normal(parsed(certificate["divisors"][int(which)], reading.places))
         place = reading.inverse_place(divisor)
-        if place is None or isinstance(power, bool) or not isinstance(power, int) or power < 1:
-            raise Rejected(f"entry {label} is multiplied by what the question does not divide by")
-        powers[place] = powers.get(place, 0) + power
-        scale *= primitive(divisor)[0] ** power
+        if isinstance(power, bool) or not isinstance(power, int) or power < 1:
+            raise Rejected(f"entry {label} is multiplied by a power {power!r}")
+        if place is not None:
+            powers[place] = powers.get(place, 0) + power
+        elif not (is_positive(reading, divisor) or is_positive(reading, number(-1) * divisor)):
+            raise Rejected(f"entry {label} is multiplied by what the question does not divide by, and may vanish")
+        for _ in range(power):
+            factor = factor * (divisor if place is None else number(primitive(divisor)[0]))
     left, right = (
         reading.divisors({k: max(0, other.get(k, 0) - own.get(k, 0)) for k in powers.keys() | below.keys()})
         for own, other in ((below, powers), (powers, below))
     )
-    rest = reading.normal(numerator * left * number(scale))
+    rest = reading.normal(numerator * left * factor)
     for cofactor, fact in cofactors:
         rest = rest - reading.normal(cofactor * fact * right)
     if reading.normal(rest):
