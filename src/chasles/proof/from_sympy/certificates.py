@@ -145,6 +145,7 @@ class _Labels:
             size = len(frame["rows"])
             rows = range(1, size * (2 if frame["proper"] else 1) + 1)
             self.names += [f"frame {k} {i},{j}" for i in rows for j in range(1, size + 1)]
+        self.names += [f"zero {name}" for name, place in reading.places.items() if _is_zero(reading.atoms.get(place))]
         self.equal = [f"equal {k}" for k in range(len(certificate.get("equal", ())))]
         self.known: dict[Key, tuple[str, Fraction]] = {}
         self.order = -1
@@ -174,6 +175,10 @@ class _Labels:
                 continue
             self.known.setdefault(_key(base), (label, scale))
         return True
+
+
+def _is_zero(atom: Any) -> bool:
+    return atom is not None and bool(atom.is_zero)
 
 
 def _key(polynomial: Polynomial) -> Key:

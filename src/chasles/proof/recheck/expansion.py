@@ -9,11 +9,10 @@ from itertools import chain
 from operator import add, mul
 
 from chasles import vocabulary as w
-from chasles.proof.recheck.sparse import ONE, ZERO, Polynomial, Rejected, number
+from chasles.proof.recheck.determinants import Matrix, cofactor, determinant
+from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected, number
 
-__all__ = ["Matrix", "determinant", "expanded", "scaled"]
-
-Matrix = list[list[Polynomial]]
+__all__ = ["Matrix", "expanded", "scaled"]
 
 
 def expanded(node: w.Node, of: Callable[[w.Node], Matrix]) -> Matrix:
@@ -56,7 +55,7 @@ def expanded(node: w.Node, of: Callable[[w.Node], Matrix]) -> Matrix:
             return [[determinant(of(x))]]
         case w.Cofactor(x):
             m = of(x)
-            return [[_cofactor(m, i, j) for j in range(len(m))] for i in range(len(m))]
+            return [[cofactor(m, i, j) for j in range(len(m))] for i in range(len(m))]
         case _:
             raise Rejected(f"{node} ({type(node).__name__}) has no polynomial form")
 
@@ -81,14 +80,3 @@ def _flipped(matrix: Matrix) -> Matrix:
 def _skew(vector: Matrix) -> Matrix:
     (x,), (y,), (z,) = vector
     return [[ZERO, -z, y], [z, ZERO, -x], [-y, x, ZERO]]
-
-
-def determinant(m: Matrix) -> Polynomial:
-    """The determinant, by expansion along the first row."""
-    terms = (entry * _cofactor(m, 0, j) for j, entry in enumerate(m[0] if m else []) if entry)
-    return reduce(add, terms, ZERO) if m else ONE
-
-
-def _cofactor(m: Matrix, i: int, j: int) -> Polynomial:
-    minor = determinant([row[:j] + row[j + 1 :] for row in (*m[:i], *m[i + 1 :])])
-    return -minor if (i + j) % 2 else minor

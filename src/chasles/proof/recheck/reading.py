@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from chasles import vocabulary as w
+from chasles.proof.recheck.determinants import determinant
 from chasles.proof.recheck.division import Division, divided, solved_for
-from chasles.proof.recheck.expansion import determinant
 from chasles.proof.recheck.quantities import Quantities
 from chasles.proof.recheck.sparse import Polynomial, Rejected, cleared, product
 from chasles.statements import Hypothesis, Problem

@@ -9,7 +9,7 @@ from itertools import combinations_with_replacement
 from operator import add
 from typing import Any
 
-from chasles.proof.recheck.expansion import Matrix, determinant
+from chasles.proof.recheck.determinants import cofactor, determinant
 from chasles.proof.recheck.questions.algebra import primitive
 from chasles.proof.recheck.questions.asked import Asked
 from chasles.proof.recheck.questions.complexes import differences
@@ -19,7 +19,7 @@ from chasles.proof.recheck.sparse import ONE, Polynomial, Rejected, number, pars
 
 __all__ = ["Facts"]
 
-LABEL = re.compile(r"(given|frame|equal) (\d+)(?: (\d+),(\d+))?(?: d(\d+))?")
+LABEL = re.compile(r"(given|frame|equal|zero) (\S+)(?: (\d+),(\d+))?(?: d(\d+))?")
 MOST_RATES = 20
 Frame = tuple[dict[tuple[int, int], Polynomial], set[str], bool]
 """What a frame satisfies, the equations that say that it is one, and whether they hold at all times."""
@@ -29,7 +29,8 @@ class Facts:
     """What vanishes, by label: "given 0 1,1" is the first entry of the first equation, with " d2" its second rate.
 
     "frame 0 1,2" is an entry of M M^T - 1 for the first frame M of the certificate, "frame 0 4,2" one of M less its
-    cofactors; "equal 0" are two products of the same size. `used` are the texts of the equations that were asked for.
+    cofactors; "equal 0" are two products of the same size, and "zero x" is a quantity that SymPy takes to be zero.
+    `used` are the texts of the equations that were asked for.
     """
 
     def __init__(self, asked: Asked, reading: Proven, certificate: Mapping[str, Any]) -> None:
@@ -48,7 +49,10 @@ class Facts:
         found = LABEL.fullmatch(label)
         if found is None:
             raise Rejected(f"{label!r} names nothing that is given")
-        kind, place, rates = found[1], int(found[2]), int(found[5] or 0)
+        rates = int(found[5] or 0)
+        if found[1] == "zero" and not found[3] and not rates:
+            return self._zero(found[2])
+        kind, place = found[1], int(found[2])
         entry = (int(found[3]) - 1, int(found[4]) - 1) if found[3] else None
         if kind == "equal" and entry is None and not rates:
             one, other = self._certificate["equal"][place]
@@ -70,6 +74,15 @@ class Facts:
             fact = self.reading.rate(fact, time_of(item for item in self.asked.given if item.functions))
         return fact
 
+    def _zero(self, name: str) -> Polynomial:
+        """What SymPy assumes to be zero."""
+        place = self.reading.places[name]
+        e = self.reading.atoms.get(place)
+        if e is None or not e.is_zero:
+            raise Rejected(f"{name} is not assumed to be zero")
+        self.used.add(f"{e} is zero")
+        return variable(place)
+
     def _frame(self, place: int) -> Frame:
         """What a square matrix with orthonormal columns satisfies besides, and the equations that say what it is."""
         if place not in self._frames:
@@ -85,7 +98,7 @@ class Facts:
             entries = {(i, j): _dot(rows[i], rows[j]) - number(int(i == j)) for i in range(size) for j in range(size)}
             if said["proper"]:
                 texts |= self._source(determinant(rows) - ONE)
-                entries |= {(size + i, j): rows[i][j] - _cofactor(rows, i, j) for i in range(size) for j in range(size)}
+                entries |= {(size + i, j): rows[i][j] - cofactor(rows, i, j) for i in range(size) for j in range(size)}
             moving = all(any(item.functions for item in self.asked.given if item.text == text) for text in texts)
             self._frames[place] = entries, texts, moving
         return self._frames[place]
@@ -102,8 +115,3 @@ class Facts:
 
 def _dot(one: list[Polynomial], other: list[Polynomial]) -> Polynomial:
     return reduce(add, (a * b for a, b in zip(one, other, strict=True)))
-
-
-def _cofactor(rows: Matrix, i: int, j: int) -> Polynomial:
-    minor = determinant([row[:j] + row[j + 1 :] for k, row in enumerate(rows) if k != i])
-    return minor if (i + j) % 2 == 0 else -minor

@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy
 
-from chasles.proof.recheck.expansion import determinant
+from chasles.proof.recheck.determinants import determinant
 from chasles.proof.recheck.questions.algebra import constant, primitive
 from chasles.proof.recheck.questions.asked import Given
 from chasles.proof.recheck.questions.at_point import AtPoint

@@ -28,7 +28,7 @@ def require_needs(
     `divisors` are the places of inverses. Raises `Rejected` if not.
     """
     stated = list(stated)
-    texts = {item.text for item in asked.given}
+    texts = {item.text for item in asked.given} | {f"{e} is zero" for e in reading.atoms.values() if e.is_zero}
     for text in (*used, *reading.substituted):
         if text not in stated:
             raise Rejected(f"the proof uses {text}, and the verdict does not say so")

@@ -73,7 +73,7 @@ def _check(certificate: Data, needs: Sequence[str], asked: Asked, witness: Any) 
     divisors |= reading.inverses.keys() - granted - divisors
     require_needs(needs, asked, reading, divisors, facts.used)
     if witness is not None:
-        _require_witness(witness, certificate["witness"], asked, reading)
+        _require_witness(witness, certificate["witness"], asked, reading, divisors)
 
 
 def claims_of(asked: Asked, reading: Proven, certificate: Data) -> dict[tuple[int, int], Polynomial]:
@@ -137,6 +137,8 @@ def _follows(
     powers, factor = dict[int, int](), ONE
     for which, power in said.get("times", {}).items():
         divisor = reading.normal(parsed(certificate["divisors"][int(which)], reading.places))
+        if reading.inverse_place(divisor) is None and is_positive(reading, divisor):
+            reading.inverse(divisor)
         place = reading.inverse_place(divisor)
         if isinstance(power, bool) or not isinstance(power, int) or power < 1:
             raise Rejected(f"entry {label} is multiplied by a power {power!r}")
@@ -158,14 +160,13 @@ def _follows(
     return set(powers)
 
 
-def _require_witness(witness: Any, said: Data, asked: Asked, reading: Proven) -> None:
+def _require_witness(witness: Any, said: Data, asked: Asked, reading: Proven, divisors: set[int]) -> None:
     """The witness satisfies all that is given and needed, everything is defined there, and its two forms agree."""
     point = AtPoint(reading, witness)
     require_given(asked, point, through=False)
-    for left, right in ((left, asked.right[place]) for place, left in asked.left.items()):
-        values = differences(point, {(0, 0): (left, right)}).values()
-        if not reading.calls and any(map(point.sign, values)):
-            raise Rejected("the two sides differ at the witness")
+    for place in divisors:
+        if not point.sign(point.value_of(reading.inverses[place])):
+            raise Rejected("what is divided by is zero at the witness")
     for domain in reading.domains:
         if point.sign(point.value_of(domain)) < 0:
             raise Rejected("a root is not real at the witness")

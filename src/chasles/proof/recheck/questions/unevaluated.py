@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import sympy
 from sympy.matrices import MatrixBase, MatrixExpr
 
-from chasles.proof.recheck.expansion import Matrix, determinant
+from chasles.proof.recheck.determinants import Matrix, cofactor, determinant
 from chasles.proof.recheck.questions.algebra import constant
 from chasles.proof.recheck.sparse import ONE, ZERO, Polynomial, Rejected, number
 
@@ -75,10 +75,7 @@ def _inverse(reading: Expressions, matrix: Matrix, spelled: str) -> Matrix:
     """The adjugate over the determinant."""
     below = reading.over(reading.normal(determinant(matrix)), spelled)
     size = range(len(matrix))
-    minors = [
-        [determinant([row[:i] + row[i + 1 :] for k, row in enumerate(matrix) if k != j]) for j in size] for i in size
-    ]
-    return [[reading.normal(minors[i][j] * below) * number((-1) ** (i + j)) for j in size] for i in size]
+    return [[reading.normal(cofactor(matrix, j, i) * below) for j in size] for i in size]
 
 
 def _running(e: Any) -> Iterator[Mapping[Any, Any]]:
