@@ -56,6 +56,9 @@ class AtPoint(Expressions, Reals):
             return self.arctangent(Fraction(int(e.args[0].p), int(e.args[0].q)))
         if isinstance(e, sympy.Derivative) and not is_atom(e):
             return self.value_of(self.symbolic(e))
+        if isinstance(e, sympy.Pow) and not e.exp.is_Rational:
+            exponent = constant(self(e.exp))
+            return super()._read(e) if exponent is None else self.raised(e.base, exponent)
         return super()._read(e)
 
     def atom(self, e: Any) -> Polynomial:
@@ -181,6 +184,13 @@ class AtPoint(Expressions, Reals):
                     raise Rejected(f"the point gives the cosine of another fraction of {self._spelled(monomial)}")
                 return c if place in cosine.places else s
         raise Unknown(f"no value is given for {self.symbolic.names[place]}")
+
+    def valued(self) -> set[int]:
+        """The places of quantities, and of cosines and sines, that the point itself gives values."""
+        read = self.symbolic
+        atoms = {place for place, e in read.atoms.items() if str(e) in self.numbers and e not in read.values}
+        turned = [circle for m, circle in read.circles.items() if any(self._unit(name, m) for name in self.turns)]
+        return atoms.union(*(c.places | s.places for _, c, s in turned))
 
     def spelled(self) -> dict[str, Polynomial]:
         """The values of quantities and of angles by SymPy's spelling."""

@@ -11,8 +11,9 @@ from chasles.proof.recheck.questions.complexes import parts
 from chasles.proof.recheck.questions.given import require_given
 from chasles.proof.recheck.questions.spoken import Spoken
 from chasles.proof.recheck.questions.symbolic import Symbolic
+from chasles.proof.recheck.questions.valuation import Unknown
 from chasles.proof.recheck.questions.widened import check_enclosed
-from chasles.proof.recheck.sparse import Rejected, number, variable
+from chasles.proof.recheck.sparse import Polynomial, Rejected, number, variable
 
 __all__ = ["check_refutation"]
 
@@ -44,7 +45,7 @@ def _check(found: Any, asked: Asked) -> None:
         raise Rejected(f"the equation has no entry {row}, {column}")
     point = AtPoint(Symbolic({}, {}), found.at)
     require_given(asked, point)
-    left, right = parts(point, asked.left[place]), parts(point, asked.right[place])
+    left, right = (_value(point, side[place]) for side in (asked.left, asked.right))
     point.require_angles()
     if not any(point.sign(one - other) for one, other in zip(left, right, strict=True)):
         raise Rejected("both sides are equal at the point")
@@ -66,3 +67,12 @@ def _check_values(found: Any, asked: Asked, reason: Rejected) -> None:
     sides = [[side[k] for k in places] for side in (asked.left, asked.right)]
     given = [(item.text, list(item.pairs.values())) for item in asked.given]
     check_enclosed(found.at, places.index(place), (found.left, found.right), sides, given, asked.nonzero)
+
+
+def _value(point: AtPoint, e: Any) -> tuple[Polynomial, Polynomial]:
+    """The real and imaginary part at the point; what cancels by equations between angles needs no value."""
+    try:
+        return parts(point, e)
+    except Unknown:
+        real, imaginary = parts(point.symbolic, e)
+        return point.value_of(real), point.value_of(imaginary)

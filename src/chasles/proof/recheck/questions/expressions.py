@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 from functools import reduce
+from operator import add
 from typing import Any
 
 import sympy
@@ -80,12 +81,13 @@ class Expressions(Algebra):
 
     def substitute(self, e: Any, value: Polynomial) -> None:
         """From here on, a real quantity has this value, which is linear in others."""
-        place = self.place(e)
-        for known, old in self.values.items():
-            if place in old.places:
-                slope = old.partials()[place]
-                self.values[known] = old + slope * (value - variable(place))
-        self.values[e] = value
+        self.place(e)
+        earlier, self.values[e] = dict(self.values), value
+        for known, old in earlier.items():
+            # What is linear in a quantity, or in rates of it, is so in what these become.
+            places = [place for place in old.places if place in self.atoms]
+            moved = {place: self.atom(self.atoms[place]) - variable(place) for place in places}
+            self.values[known] = old + reduce(add, (old.partials()[k] * new for k, new in moved.items()), ZERO)
         self._known.clear()
 
     def place(self, e: Any) -> int:

@@ -9,8 +9,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import sympy
-
 from chasles.proof.recheck.questions.algebra import primitive
 from chasles.proof.recheck.questions.asked import Asked
 from chasles.proof.recheck.questions.at_point import AtPoint
@@ -185,8 +183,7 @@ def _require_witness(witness: Any, said: Data, asked: Asked, reading: Proven, di
     spelled = {str(e): e for e in reading.atoms.values()}
     if unknown := point.numbers.keys() - spelled.keys():
         raise Rejected(f"the witness gives a value to {min(unknown)}, which does not occur")
+    valued = point.valued()
     for name, place in reading.places.items():
-        e = reading.atoms.get(place)
-        free = e is not None and (str(e) not in point.numbers or e in reading.values or e is sympy.pi)
-        if name not in said and not free:
+        if name not in said and (place in reading.words or place in valued):
             raise Rejected(f"no value is given for {name}")
