@@ -58,7 +58,7 @@ class Writing:
             "angles": {word.name: _product(powers) for word, powers in self.reader.angles.products.items()},
             "substituted": {str(atom): text for text, atom, _ in self.given.substitutions},
             "words": list(self._words(context)),
-            "roots": [[_text(context, square), list(_factors(context, root))] for square, root in self.roots.values],
+            "roots": list(self._values(context)),
             "equal": list(self._equal(context)),
             "frames": [
                 {"rows": [list(row) for row in frame.rows], "proper": frame.proper}
@@ -73,6 +73,8 @@ class Writing:
             entries = dict(self._entries(context, done, certificate))
         except Rejected as reason:
             return certificate | {"unread": str(reason)}
+        if not any("times" in said for said in entries.values()):
+            certificate.pop("divisors", None)
         return certificate | ({"entries": entries} if entries else {})
 
     def _positive(self) -> Iterator[str]:
@@ -87,14 +89,26 @@ class Writing:
         return next(named, str(atom))
 
     def _words(self, context: Context) -> Iterator[list[str]]:
+        for word, inside in self._defined():
+            match inside:
+                case Power(of, 2):
+                    yield [str(word), "abs", _text(context, of)]
+                case _:
+                    yield [str(word), "sqrt", _text(context, inside)]
+
+    def _values(self, context: Context) -> Iterator[list[Any]]:
+        """Roots by their squares; what a word is the root of is said already."""
+        own = {_text(context, inside): f"1*{word}" for word, inside in self._defined()}
+        said: dict[str, list[str]] = {
+            _text(context, square): list(_factors(context, e)) for square, e in self.roots.values
+        }
+        yield from ([square, factors] for square, factors in said.items() if factors != [own.get(square)])
+
+    def _defined(self) -> Iterator[tuple[Node, Node]]:
         for hypothesis in self.roots.hypotheses:
             if hypothesis.kind == "root":
                 word, inside = hypothesis.subjects
-                match inside:
-                    case Power(of, 2):
-                        yield [str(word), "abs", _text(context, of)]
-                    case _:
-                        yield [str(word), "sqrt", _text(context, inside)]
+                yield word, inside
 
     def _equal(self, context: Context) -> Iterator[list[list[str]]]:
         for hypothesis in self.roots.hypotheses:

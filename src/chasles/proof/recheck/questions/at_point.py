@@ -17,7 +17,7 @@ from chasles.proof.recheck.questions.reals import Reals
 from chasles.proof.recheck.questions.symbolic import Symbolic
 from chasles.proof.recheck.questions.turns import turned
 from chasles.proof.recheck.questions.valuation import Unknown, Valuation
-from chasles.proof.recheck.sparse import ONE, Polynomial, Rejected, exponents, number
+from chasles.proof.recheck.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number
 
 __all__ = ["AtPoint"]
 
