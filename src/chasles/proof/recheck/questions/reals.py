@@ -88,9 +88,6 @@ class Reals(Algebra):
                 total *= self.power(variable(place), power // 2)
                 total *= self._variable(variable(place)) if power % 2 else ONE
             return total
-        for place in self._angles_of.keys() & self.squares.keys():
-            if not self.normal(value - self.squares[place]):
-                return variable(place) * self._sign_of(place)
         root = next((m for m in value.terms if m), 0)
         square = constant(self.normal(Polynomial({2 * root: 1})))
         if len(value.terms) != 2 or 0 not in value.terms or square is None:
