@@ -287,6 +287,19 @@ def test_a_witness_outside_the_domain_is_rejected(value: Any) -> None:
             recheck(replace(verdict, witness={**verdict.witness, "x": sp.sympify(value)}), lhs, rhs)
 
 
+@pytest.mark.parametrize(
+    ("lhs", "rhs"),
+    [(log(8, 2, evaluate=False), 3), (cbrt(x + y) ** 4, (x + y) * cbrt(x + y)), (cbrt(2) * cbrt(3), cbrt(6)),
+     (cbrt(exp(3 * x)), exp(x)), (log(x, 10), log(x) / log(10))],
+    ids=name,
+)  # fmt: skip
+def test_roots_of_sums_and_other_bases_are_decided_or_left_open(lhs: Any, rhs: Any) -> None:
+    verdict = prove(lhs, rhs)
+    assert isinstance(verdict, Holds | HoldsUnder | Undecided), verdict
+    if not isinstance(verdict, Undecided):
+        recheck(verdict, lhs, rhs)
+
+
 def test_two_symbols_of_one_name_are_not_confused() -> None:
     for one, other in ((exp(x), exp(sp.Symbol("x", positive=True))), (atan(x), atan(sp.Symbol("x", real=True)))):
         with pytest.raises(Untreatable, match="two different symbols"):

@@ -87,6 +87,8 @@ class Elementary:
         for rules in (EXPONENTIALS, LOGARITHMS):
             if e.func in rules and len(e.args) == 1:
                 return rules[e.func](self, self.read(e.args[0]), e.args[0])
+        if e.func is sympy.log:
+            return self.read(sympy.log(e.args[0]) / sympy.log(e.args[1]))
         arguments = tuple(map(self.read, e.args))
         if e.func in INVERSE:
             return self._arc(*INVERSE[e.func](*arguments))

@@ -166,7 +166,9 @@ def _power(base: Value, exponent: Value) -> Value:
     return iv.exp(_interval(exponent) * iv.log(_interval(base)))
 
 
-def _log(value: Value) -> Value:
+def _log(value: Value, base: Value = None) -> Value:
+    if base is not None:
+        return _over(_log(value), _log(base))
     if sign_of(value) <= 0:
         raise Unbounded
     return Fraction(0) if value == 1 else iv.log(_interval(value))

@@ -35,6 +35,10 @@ def _under(sign: int) -> Callable[[Expressions, Polynomial], Polynomial]:
     return lambda read, u: read.exp(u) * TWO * read.over(read.exp(u * TWO) + number(sign), "a hyperbolic function")
 
 
+def _log(read: Expressions, u: Polynomial, base: Polynomial | None = None) -> Polynomial:
+    return read.log(u) if base is None else read.log(u) * read.over(read.log(base), "the logarithm of a base")
+
+
 def _of_positive(read: Expressions, value: Polynomial) -> Polynomial:
     read.know(value)
     return read.log(read.normal(value), evident=True)
@@ -71,7 +75,7 @@ def _inverted(rule: Callable[[Expressions, Polynomial], Polynomial]) -> Callable
 
 FUNCTIONS: Mapping[str, Callable[..., Polynomial]] = {
     "exp": lambda read, u: read.exp(u),
-    "log": lambda read, u: read.log(u),
+    "log": _log,
     "sinh": _halved(-1),
     "cosh": _halved(1),
     "tanh": _quotient(1),

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Functions", "Positive"]
 
+LARGEST_FACTOR = 100
 Positive = tuple[Polynomial, frozenset[Terms], int]
 """What has to be positive, its factors with odd powers, and its sign where these are positive."""
 
@@ -108,10 +109,10 @@ class Functions:
 
     def _state_root(self, base: Polynomial, exponent: Fraction) -> None:
         """A positive quantity is a power of a new variable."""
-        (place,) = base.places
-        e = self.reading.atoms[place]
-        if exponent.numerator != 1 or base.terms != {1 << 8 * place: 1}:
+        place = next((place for place in base.places if place in self.reading.atoms), -1)
+        if exponent.numerator != 1 or place < 0 or base.terms != {1 << 8 * place: 1} or base.below != 1:
             raise Rejected("the certificate names a root of what is no quantity")
+        e = self.reading.atoms[place]
         self.require_positive(base)
         root = self.named("root", base)
         self.reading.calls[root] = "root", (base, number(exponent))
@@ -216,6 +217,10 @@ class Functions:
                 while known is not None and rest % int(known) == 0:
                     rest //= int(known)
                     total += variable(place) * number(sign)
+            for factor in range(2, LARGEST_FACTOR):
+                while rest % factor == 0:
+                    rest //= factor
+                    total += self._of_base(number(factor)) * number(sign)
             if rest != 1:
                 total += self._of_base(number(rest)) * number(sign)
         return total
