@@ -37,6 +37,7 @@ from chasles.statements import (
 from chasles.vocabulary import (
     CPM,
     FREQUENCY,
+    Identity,
     Node,
     Zero,
     cos,
@@ -85,6 +86,8 @@ CONTRADICTORY: dict[str, tuple[tuple[Statement, ...], Assumed, Assumed]] = {
     "a triad of no length one": ((), (orthonormal(e, f, g), nonzero(dot(g, g) - 1)), ()),
     "an entry of no unit column": ((let(m, number(2)),), (unit_column(m, k),), ()),
     "a trace of no half-turn": ((), (half_turn(Q), nonzero(tr(Q) + 1)), ()),
+    "minus one, and definite": ((let(M, -Identity(3)),), (definite(M),), (unit(e),)),
+    "a definite matrix minus a square": ((let(M, -(k**2) * Identity(3)),), (definite(M),), (unit(e),)),
     "a definite matrix of determinant zero": ((let(M, Zero(3, 3)),), (definite(M),), (unit(e),)),
     "a skew-symmetric matrix that is symmetric": ((let(M, CPM(a)),), (symmetric(M), nonzero(norm(a))), (unit(e),)),
     "a circle without points": ((), (nonzero(sin(phi) ** 2 + cos(phi) ** 2 - 1),), (unit(e),)),

@@ -66,13 +66,19 @@ def _idle(context: Context) -> tuple[Hypothesis, ...]:
 
 
 def _alone(problem: Problem, hypotheses: tuple[Hypothesis, ...]) -> Problem:
-    """The problem of the hypotheses alone; those on what a rule replaces are said of what replaces it."""
+    """The problem of the hypotheses alone; those on what a rule replaces are said of what replaces it.
+
+    Of a definite matrix it is then used that it is symmetric and that its determinant is positive.
+    """
     ruled = {left for left, _ in problem.rules}
     said = []
     for each in hypotheses:
         differences = tuple(Sum((left, Negative(right))) for left, right in each.equations)
         of_rules = bool(each.equations) and not ruled.isdisjoint(each.subjects)
-        said.append(replace(each, kind="given", subjects=differences) if of_rules else each)
+        if of_rules and each.kind == "definite":
+            said.append(replace(each, kind="positive", subjects=each.nonvanishing))
+        else:
+            said.append(replace(each, kind="given", subjects=differences) if of_rules else each)
     goals = tuple(Goal(h.text, subject, subject) for h in said for subject in h.subjects)
     return Problem(goals, problem.rules, (), (), tuple(said))
 

@@ -76,7 +76,7 @@ def bind(
                 values |= {(vector, k): [[row[j]] for row in rate] for k, rate in enumerate(rates)}
         case "unit column":
             _on_sphere(subjects, orders, values, draw, rich)
-        case "positive":
+        case "positive" if subjects:
             (quantity,) = subjects
             known = values.get((quantity, 0))
             values[quantity, 0] = [[abs(known[0][0])]] if known else [[Fraction(draw.randint(1, 5))]]
