@@ -58,7 +58,7 @@ class Writing:
             "angles": {word.name: _product(powers) for word, powers in self.reader.angles.products.items()},
             "substituted": {str(atom): text for text, atom, _ in self.given.substitutions},
             "words": list(self._words(context)),
-            "roots": [[_text(context, square), list(_factors(context, root))] for square, root in self.roots.values],
+            "roots": list(self._roots(context)),
             "equal": list(self._equal(context)),
             "frames": [
                 {"rows": [list(row) for row in frame.rows], "proper": frame.proper}
@@ -85,6 +85,14 @@ class Writing:
         """The name of the word for an atom, or its spelling if it has none."""
         named = (word.name for known, word in self.reader.atoms.words.items() if str(known) == str(atom))
         return next(named, str(atom))
+
+    def _roots(self, context: Context) -> Iterator[list[Any]]:
+        """The values of roots, as far as they speak of what is left of the question."""
+        for square, root in self.roots.values:
+            try:
+                yield [_text(context, square), list(_factors(context, root))]
+            except KeyError:
+                continue
 
     def _words(self, context: Context) -> Iterator[list[str]]:
         for hypothesis in self.roots.hypotheses:
