@@ -36,4 +36,4 @@ def test_nothing_is_decided_wrongly(name: str) -> None:
     questions = measure.textbook() if name == "textbook" else measure.of_sympy("real")
     found = measure.measure(name, questions, 11 if name == "textbook" else 25, verbose=True)
     assert found["WRONG"] == found["broken"] == 0
-    assert found["right"] > found.total() / 4
+    assert found["right"] > found.total() * (0.9 if name == "textbook" else 0.5)

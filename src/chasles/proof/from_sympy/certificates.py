@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -99,9 +100,11 @@ class Writing:
     def _values(self, context: Context) -> Iterator[list[Any]]:
         """Roots by their squares; what a word is the root of is said already."""
         own = {_text(context, inside): f"1*{word}" for word, inside in self._defined()}
-        said: dict[str, list[str]] = {
-            _text(context, square): list(_factors(context, e)) for square, e in self.roots.values
-        }
+        said: dict[str, list[str]] = {}
+        for square, root in self.roots.values:
+            # What is gone from the question has no variable any more.
+            with suppress(KeyError):
+                said[_text(context, square)] = list(_factors(context, root))
         yield from ([square, factors] for square, factors in said.items() if factors != [own.get(square)])
 
     def _defined(self) -> Iterator[tuple[Node, Node]]:
