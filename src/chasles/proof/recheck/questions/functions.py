@@ -43,7 +43,7 @@ class Functions:
     def named(self, function: str, *arguments: Polynomial) -> int:
         """The place of a new variable, by the name that is to be given to it."""
         name, self.pending = self.pending, None
-        place = self.reading.named(name) if name else self.reading.fresh(function)
+        place = self.reading.named(name) if name else self.reading.fresh(f"{function} {len(self.reading.calls) + 1}")
         self.reading.calls[place] = function, arguments
         return place
 

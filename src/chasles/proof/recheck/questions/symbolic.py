@@ -52,7 +52,7 @@ class Symbolic(Expressions):
         known = (place for place, call in self.calls.items() if call[0] == function and _same(call[1], arguments))
         place = next(known, None)
         if place is None:
-            place = self.fresh(function)
+            place = self.fresh(f"{function} {len(self.calls) + 1}")
             self.calls[place] = function, arguments
         return variable(place)
 
