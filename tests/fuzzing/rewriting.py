@@ -92,6 +92,8 @@ def rewritten(e: Any, draw: Random, times: int = 2) -> Any:
 def distorted(e: Any, draw: Random) -> Any:
     """The expression with a slip: it may still be equal to it."""
     parts = [p for p in sp.preorder_traversal(e) if p.args or isinstance(p, sp.Symbol | sp.Integer)]
+    if not parts:
+        return e + 1
     part = draw.choice(parts)
     symbols = sorted(e.free_symbols, key=str) or [sp.Integer(2)]
     other = draw.choice((-part, part + 1, 2 * part, part + draw.choice(symbols), sp.Abs(part), part**2))
