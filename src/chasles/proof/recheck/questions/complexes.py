@@ -95,8 +95,9 @@ def _times(reading: Expressions, one: Pair, other: Pair) -> Pair:
 def _power(reading: Expressions, base: Pair, exponent: int, spelled: str) -> Pair:
     if exponent < 0:
         a, b = base
-        inverse = reading.over(reading.normal(a * a + b * b), f"Abs({spelled})**2")
-        base = reading.normal(a * inverse), reading.normal(-b * inverse)
+        square = reading.normal(a * a + b * b) if b else a
+        inverse = reading.over(square, f"Abs({spelled})**2" if b else spelled)
+        base = (reading.normal(a * inverse), reading.normal(-b * inverse)) if b else (inverse, ZERO)
     return reduce(lambda one, other: _times(reading, one, other), [base] * abs(exponent), (ONE, ZERO))
 
 
