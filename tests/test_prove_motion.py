@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import permutations
 from typing import Any
 
 import pytest
@@ -173,3 +174,11 @@ def test_functions_of_several_variables_are_refused_where_they_would_have_to_be_
     for given in ([Eq(u, 0)], [Eq(f, sp.Function("q")(s))]):
         with pytest.raises(Untreatable, match="of several variables are not differentiated"):
             prove(u.diff(t, x) + d(f), 0, given=given)
+
+
+@pytest.mark.parametrize("order", list(permutations(range(3))))
+@pytest.mark.parametrize(("left", "right"), [(3 * f * g, 2 * f * g - 2 * d(g) ** 2), (d(f), g), (f, 0)])
+def test_what_is_contradictory_later_is_contradictory(left: Any, right: Any, order: tuple[int, ...]) -> None:
+    """With f' = g the second rate of f is the first one of g, which is said to be zero, and one."""
+    given = [Eq(d(f), g), Eq(d(g), 0), Eq(d(f, 2), 1)]
+    assert isinstance(prove(left, right, given=[given[place] for place in order]), Contradictory)

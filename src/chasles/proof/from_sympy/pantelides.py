@@ -22,7 +22,7 @@ MOST = 8
 class Offsets:
     """`times` says how often each equation is differentiated, `highest` the rate with which each function occurs then.
 
-    An equation that occurs with no such rate is differentiated until it does, or not at all.
+    Every equation is differentiated until one of its functions occurs with that rate.
     """
 
     times: list[int] = field(default_factory=list)
@@ -37,13 +37,10 @@ def offsets(equations: Sequence[Orders]) -> Offsets:
     for row in ranked:
         found = _assigned(equations, {**times, row: 0})
         times = found or times
-    highest = _highest(equations, times)
-    for row in ranked:
-        if row not in times:
-            times[row] = max(0, min(highest.get(f, order) - order for f, order in equations[row].items()))
-            for f, order in equations[row].items():
-                highest[f] = max(highest.get(f, 0), order + times[row])
-    return Offsets([times[row] for row in range(len(equations))], highest)
+    highest = _highest(equations, {**dict.fromkeys(ranked, 0), **times})
+    # What is left over may speak of higher rates than the others do: these are then differentiated as far.
+    reached = [min(highest[f] - order for f, order in orders.items()) for orders in equations]
+    return Offsets(reached, highest)
 
 
 def _highest(equations: Sequence[Orders], times: Mapping[int, int]) -> dict[Any, int]:
