@@ -135,8 +135,6 @@ def _follows(
     powers, factor = dict[int, int](), ONE
     for which, power in said.get("times", {}).items():
         divisor = reading.normal(parsed(certificate["divisors"][int(which)], reading.places))
-        if reading.inverse_place(divisor) is None and is_positive(reading, divisor):
-            reading.inverse(divisor)
         place = reading.inverse_place(divisor)
         if isinstance(power, bool) or not isinstance(power, int) or power < 1:
             raise Rejected(f"entry {label} is multiplied by a power {power!r}")
