@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from math import inf
 from typing import Any
@@ -88,8 +89,10 @@ def _plain(*asked: Any) -> Verdict:
     return verdict
 
 
-def _asked(exact: bool, *said: Any) -> Any:
-    return map(as_decimals, said) if exact else said
+def _asked(exact: bool, *said: Any) -> tuple[Any, ...]:
+    """What was asked, iterators written out, since they are read more than once."""
+    said = tuple(tuple(each) if isinstance(each, Iterator) else each for each in said)
+    return tuple(map(as_decimals, said)) if exact else said
 
 
 def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), exact: bool = False) -> None:
