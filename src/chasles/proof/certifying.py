@@ -90,7 +90,8 @@ def _drop_unneeded(
             for k, g in enumerate(context.generators)
             if g.hypothesis is None or g.hypothesis not in dropped | {hypothesis}
         ]
-        values = bool(context.basis.explicit)
+        explicit = {k for k, _, _ in context.basis.explicit}
+        values = [place for place, k in enumerate(kept) if k in explicit]
         basis = stated(ring, tuple(context.generators[k].polynomial for k in kept), complete=False, values=values)
         attempts = [basis.reduce(entry.ratio.numerator) for entry in done]
         if all(remainder == 0 for _, remainder in attempts):

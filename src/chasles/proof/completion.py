@@ -67,11 +67,11 @@ def folded(cofactors: Combination, origins: tuple[Combination, ...]) -> Combinat
     return {k: c for k, c in total.items() if c != 0}
 
 
-def stated(ring: Ring, hypotheses: tuple[Polynomial, ...], *, complete: bool, values: bool = False) -> Basis:
-    """The hypotheses themselves as generators; `values` says whether explicit ones are put in first."""
+def stated(ring: Ring, hypotheses: tuple[Polynomial, ...], *, complete: bool, values: Collection[int] = ()) -> Basis:
+    """The hypotheses themselves as generators; explicit ones among those at the places `values` are put in first."""
     one = ring.constant(Fraction(1))
     origins = tuple({k: one} for k in range(len(hypotheses)))
-    return Basis(ring, hypotheses, origins, complete, tuple(explicit(ring, hypotheses)) if values else ())
+    return Basis(ring, hypotheses, origins, complete, tuple(explicit(ring, hypotheses, values)))
 
 
 def completed(basis: Basis, products: float = inf) -> Basis:

@@ -90,7 +90,9 @@ def build(problem: Problem) -> Context:
     variables, ring = unfold.variables, unfold.field.ring
     generators = tuple(_generators(unfold, variables, active))
     # In a lexicographic order, equations that give a variable are used so by themselves.
-    values = order == "grevlex" and all(h.free for h in active)
+    free = order == "grevlex" and all(h.free for h in active)
+    # What a rotation satisfies is a Groebner basis as it stands, and is no value of its entries.
+    values = [k for k, g in enumerate(generators) if free and g.hypothesis and g.hypothesis.kind == "equation"]
     basis = stated(ring, tuple(g.polynomial for g in generators), complete=order == "grevlex", values=values)
     _refuse_restrictions(problem, active, unfold, basis, found)
     bare = {k for k, v in enumerate(variables) if v.kind == "entry" and v.order == 0 and v.symbol in found.angles}

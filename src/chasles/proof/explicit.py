@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
 from chasles.proof.deadline import afford
@@ -14,10 +14,14 @@ Explicit = tuple[int, int, Polynomial]
 """The place of an equation, the place of a variable, and the variable less its value."""
 
 
-def explicit(ring: Ring, equations: Sequence[Polynomial]) -> list[Explicit]:
-    """The equations in which the variable that ranks highest occurs alone, in one term: not in each other's values."""
+def explicit(ring: Ring, equations: Sequence[Polynomial], places: Iterable[int]) -> list[Explicit]:
+    """The equations in which the variable that ranks highest occurs alone, in one term: not in each other's values.
+
+    Only those at the given places are looked at.
+    """
     found: list[Explicit] = []
-    for k, equation in enumerate(equations):
+    for k in places:
+        equation = equations[k]
         terms = ring.terms(equation)
         place = min((j for exponents, _ in terms for j, e in enumerate(exponents) if e), default=None)
         own = [(sum(exponents), c) for exponents, c in terms if place is not None and exponents[place]]

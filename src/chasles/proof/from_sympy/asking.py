@@ -147,7 +147,9 @@ class _Asking:
 
     def _hypothesis(self, item: Equations) -> Hypothesis:
         pairs = tuple((self.reader(a), self.reader(b)) for a, b in item.pairs)
-        kind = "rotation" if item.triad and item.triad.proper and len(item.pairs) > 6 else "equation"
+        frames = {other.sources for other in self.given.equations if other.triad}
+        kind = "rate of a frame" if item.derived and item.sources in frames else "equation"
+        kind = "rotation" if item.triad and item.triad.proper and len(item.pairs) > 6 else kind
         subjects = tuple(dict.fromkeys(side for pair in pairs for side in pair))
         return Hypothesis(kind, subjects, pairs, (), "", item.text, free=True)
 
