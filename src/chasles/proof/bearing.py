@@ -11,8 +11,10 @@ from chasles.vocabulary import Contract, Node, Rate, Skew, Symbol, undotted
 
 __all__ = ["bearing", "complete_subjects", "free_symbols", "is_turned"]
 
-Rates = dict[Node, list[tuple[int, set[Symbol]]]]
-"""For each symbol, of which of its rates a rule speaks and by which symbols."""
+Rates = dict[Node, list[tuple[int, dict[Symbol, int]]]]
+"""For each symbol, of which of its rates a rule speaks, and by which rates of which symbols."""
+MOST = 8
+"""Nothing is differentiated more often: what is not closed by then refutes nothing, as the checker sees to."""
 
 
 def complete_subjects(problem: Problem, found: Variables) -> None:
@@ -39,7 +41,7 @@ def bearing(problem: Problem, found: Variables) -> tuple[Hypothesis, ...]:
     for left, right in rules.items():
         base, order = undotted(left)
         if order:
-            rates.setdefault(base, []).append((order, free_symbols(right, rules)))
+            rates.setdefault(base, []).append((order, _spoken_of(right, rules)))
     active: dict[Hypothesis, int] = {}
     changed = True
     while changed:
@@ -67,14 +69,15 @@ def _order(
     """Up to which rate the equations of a hypothesis say something of use."""
     if not hypothesis.equations or hypothesis.kind == "given" or is_turned(hypothesis, rules):
         return 0
-    return max((_reached(found, symbol, rates, frozenset()) for symbol in symbols), default=0)
+    return min(MOST, max((_reached(found, symbol, rates, frozenset()) for symbol in symbols), default=0))
 
 
 def _reached(found: Variables, symbol: Symbol, rates: Rates, through: frozenset[Symbol]) -> int:
     """Up to which rate a symbol is asked for: by what occurs, by a rule for a rate, and by what that rule speaks of."""
     reached = found.reached.get(symbol, 0)
     for order, told in rates.get(symbol, ()):
-        further = (_reached(found, other, rates, through | {symbol}) for other in told - through - {symbol})
+        others = {other: dots for other, dots in told.items() if other not in through | {symbol}}
+        further = (_reached(found, other, rates, through | {symbol}) - dots for other, dots in others.items())
         reached = max(reached, order + max(further, default=0))
     return reached
 
@@ -91,6 +94,11 @@ def is_turned(hypothesis: Hypothesis, rules: Mapping[Node, Node]) -> bool:
 
 def free_symbols(node: Node, rules: Mapping[Node, Node]) -> set[Symbol]:
     """The symbols that an expression speaks of, once the rules are applied."""
+    return set(_spoken_of(node, rules))
+
+
+def _spoken_of(node: Node, rules: Mapping[Node, Node]) -> dict[Symbol, int]:
+    """The same, with the highest rate of each."""
     found = Variables()
     scan(found, node, 0, rules)
-    return set(found.orders) | set(found.angles)
+    return {symbol: found.reached.get(symbol, 0) for symbol in (*found.orders, *found.angles)}
