@@ -13,7 +13,7 @@ from click.testing import CliRunner, Result
 
 from chasles.cli import main
 from chasles.proof.judge import Judge
-from chasles.proof.road import Passage, Road, steps, walk
+from chasles.proof.road import Passage, Road, state, steps, walk
 from chasles.proof.verdict import Fails, Undecided
 from chasles.statements import Claim, DeclarationError, Statement, load
 from chasles.statements.derivation import (
@@ -152,8 +152,8 @@ def test_a_wrong_expansion_stops_the_road(judge: Judge, monkeypatch: pytest.Monk
 
 
 def test_a_wrong_coefficient_stops_the_road(judge: Judge, monkeypatch: pytest.MonkeyPatch) -> None:
-    right = steps.combined
-    monkeypatch.setattr(steps, "combined", lambda *given: Scale(Number(2), right(*given)))  # type: ignore[arg-type]
+    right = state.combined
+    monkeypatch.setattr(state, "combined", lambda *given: Scale(Number(2), right(*given)))  # type: ignore[arg-type]
     road = walk(ROADS["velocities_of_a_rigid_body"], judge)
     assert (last(road).kind, last(road).verdict.name) == ("factor", "fails")
 
