@@ -39,6 +39,8 @@ ASSUMED = (
     "odd",
     "rational",
 )
+PARTS = frozenset(("on", "size", "cases", "proof", "needs", "parts", "facts", "impossible", "witness"))
+"""What a certificate by cases, or of a more general question, may say."""
 Standard = Callable[[Mapping[str, Any], Sequence[str], tuple[Any, ...]], None]
 """Checks a certificate, with what it needs, of both sides, what is given and what does not vanish."""
 
@@ -54,6 +56,8 @@ def check_widened(
     whole = Case(tuple(map(tuple, sides)), pairs, tuple(nonzero))
     if missing := [texts for texts in whole.required() if not texts & set(verdict.needs)]:
         raise Rejected(f"the question needs {min(missing[0])}, and the verdict does not say so")
+    if verdict.certificate["witness"] != {name: str(value) for name, value in verdict.witness.items()}:
+        raise Rejected("the verdict and its certificate have different witnesses")
     _Widened(tuple(verdict.needs), texts, check).tree(whole, verdict.certificate)
     _require_witness(verdict, whole)
 
@@ -64,6 +68,8 @@ class _Widened:
 
     def tree(self, case: Case, node: Mapping[str, Any]) -> None:
         """A certificate of one case."""
+        if unknown := node.keys() - PARTS:
+            raise Rejected(f"the certificate has a part {min(unknown)!r}, which says nothing")
         if case.lost:
             if case.lost not in self.needs:
                 raise Rejected(f"one of the cases is excluded by {case.lost}, and the verdict does not say so")
