@@ -14,13 +14,13 @@ from chasles.proof.recheck.questions.algebra import primitive
 from chasles.proof.recheck.questions.asked import Asked
 from chasles.proof.recheck.questions.complexes import differences
 from chasles.proof.recheck.questions.motion import time_of
+from chasles.proof.recheck.questions.rates import MOST_RATES
 from chasles.proof.recheck.questions.reading_of_proof import Proven
 from chasles.proof.recheck.sparse import ONE, Polynomial, Rejected, number, parsed, variable
 
 __all__ = ["Facts"]
 
 LABEL = re.compile(r"(given|frame|equal|zero) (\S+)(?: (\d+),(\d+))?(?: d(\d+))?")
-MOST_RATES = 20
 Frame = tuple[dict[tuple[int, int], Polynomial], set[str], bool]
 """What a frame satisfies, the equations that say that it is one, and whether they hold at all times."""
 

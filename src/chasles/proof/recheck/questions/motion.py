@@ -14,12 +14,11 @@ from chasles.proof.recheck.questions.asked import Given
 from chasles.proof.recheck.questions.at_point import AtPoint
 from chasles.proof.recheck.questions.complexes import differences
 from chasles.proof.recheck.questions.expressions import Expressions
+from chasles.proof.recheck.questions.rates import MOST_RATES
 from chasles.proof.recheck.questions.valuation import Unknown
 from chasles.proof.recheck.sparse import ONE, Polynomial, Rejected, exponents, number, variable
 
 __all__ = ["require_motion", "time_of"]
-
-MOST_RATES = 20
 
 
 def time_of(given: Iterable[Given]) -> Any:

@@ -14,10 +14,11 @@ from chasles.proof.recheck.questions.signs import is_positive
 from chasles.proof.recheck.questions.spoken import Spoken
 from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected, variable
 
-__all__ = ["require_needs"]
+__all__ = ["RELATIONS", "require_needs"]
 
 Terms = frozenset[tuple[int, int]]
 RELATIONS = (" != 0", " > 0", " >= 0")
+"""How a need that is no equation ends."""
 
 
 def require_needs(

@@ -13,7 +13,10 @@ from chasles.proof.recheck.sparse import ONE, ZERO, Polynomial, number, variable
 if TYPE_CHECKING:
     from chasles.proof.recheck.questions.expressions import Expressions
 
-__all__ = ["Rates"]
+__all__ = ["MOST_RATES", "Rates"]
+
+MOST_RATES = 20
+"""Nothing is differentiated more often."""
 
 
 class Rates:

@@ -20,6 +20,7 @@ from chasles.proof.recheck.questions.factoring import root_of_square
 from chasles.proof.recheck.questions.functions import Functions
 from chasles.proof.recheck.questions.given import eliminate_angle
 from chasles.proof.recheck.questions.quantities import atoms_of
+from chasles.proof.recheck.questions.rates import MOST_RATES
 from chasles.proof.recheck.questions.signs import is_nonnegative
 from chasles.proof.recheck.questions.spoken import Spoken
 from chasles.proof.recheck.questions.symbolic import Symbolic
@@ -28,7 +29,6 @@ from chasles.proof.recheck.sparse import ONE, Polynomial, Rejected, exponents, n
 __all__ = ["Proven"]
 
 TURNED = re.compile(r"(?:cos|sin)\(([1-9]\d*)?(.+?)(?:/([1-9]\d*))?\)")
-MOST_RATES = 20
 Terms = frozenset[tuple[int, int]]
 
 

@@ -16,17 +16,14 @@ from sympy.core.function import AppliedUndef
 
 from chasles.proof.recheck.questions.cases import Case
 from chasles.proof.recheck.questions.enclosed import Values, vanishes
+from chasles.proof.recheck.questions.needs import RELATIONS
 from chasles.proof.recheck.questions.quantities import is_atom
+from chasles.proof.recheck.questions.readings import CIRCULAR
 from chasles.proof.recheck.sparse import Rejected
 
 __all__ = ["check_enclosed", "check_widened"]
 
-CIRCULAR = {
-    sympy.sin: ("sin", ""), sympy.cos: ("cos", ""), sympy.tan: ("sin", "cos"), sympy.cot: ("cos", "sin"),
-    sympy.sec: ("", "cos"), sympy.csc: ("", "sin"),
-}  # fmt: skip
 PLAIN = re.compile(r"[A-Za-z0-9_+\-*/(), .\[\]]*")
-RELATIONS = (" != 0", " > 0", " >= 0")
 ASSUMED = (
     "positive",
     "negative",
