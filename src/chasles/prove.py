@@ -57,35 +57,37 @@ def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float 
         return Undecided(str(error))
 
 
-def _verdict(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> Verdict:
+def _verdict(*asked: Any) -> Verdict:
     """The verdict on the question as it stands; else by cases, or on a more general one."""
-    splitting = Splitting(lhs, rhs, given, nonzero, _answered)
-    by_cases = splitting.verdict() if splitting.wanted else None
+    splitting = Splitting(*asked, _answered)
+    by_cases = _followed(splitting.verdict(), asked) if splitting.wanted else None
     if by_cases is not None and (by_cases.true or not splitting.readable):
         return by_cases
+    refused = None
     try:
-        verdict = _plain(lhs, rhs, given, nonzero)
-    except Untreatable:
-        verdict = splitting.verdict() if splitting.possible else Undecided("")
-        if isinstance(verdict, Undecided):
-            raise
-        return verdict
+        question = ask(*asked)
+        verdict = _followed(_answered(question), asked) if isinstance(question, Question) else question
+    except Untreatable as error:
+        refused = error
+        verdict = Undecided(str(error))
     if isinstance(verdict, Undecided) and splitting.possible:
-        return by_cases or splitting.verdict()
+        again = by_cases or _followed(splitting.verdict(), asked)
+        verdict = verdict if isinstance(again, Undecided) else again
+    if isinstance(verdict, Undecided) and refused is not None:
+        raise refused
     return verdict
 
 
-def _plain(*asked: Any) -> Verdict:
-    """The verdict on the question as it stands; a proof that the checker cannot follow is none."""
-    question = ask(*asked)
-    if not isinstance(question, Question):
-        return question
-    verdict = _answered(question)
-    if question.formal and isinstance(verdict, Holds | HoldsUnder):
-        try:
-            check_proof(verdict, *asked)
-        except Rejected as reason:
-            return Undecided(f"a proof was found, and the checker cannot follow it: {reason}")
+def _followed(verdict: Verdict, asked: tuple[Any, ...]) -> Verdict:
+    """The verdict, if it needs no proof or the checker follows it: what it does not follow is undecided."""
+    try:
+        match verdict:
+            case Holds() | HoldsUnder():
+                check_proof(verdict, *asked)
+            case Fails(found):
+                check_refutation(found, *asked)
+    except Rejected as reason:
+        return Undecided(f"an answer was found that the checker does not follow: {reason}")
     return verdict
 
 
@@ -130,8 +132,12 @@ def _answered(question: Question) -> Verdict:
         return Fails(found) if found else verdict
     if sampling and question.formal and isinstance(verdict, Holds | HoldsUnder):
         point = sampling.point()
-        nowhere = Undecided("it follows from what is given, but no point was found that satisfies all of it")
-        return nowhere if point is None else replace(verdict, witness=point)
+        if point is None:
+            return Undecided("it follows from what is given, but no point was found that satisfies all of it")
+        said = {str(name): str(value) for name, value in point.items()}
+        named = [name for name in verdict.certificate["witness"] if name.startswith(("cos(", "sin("))]
+        more = {"turns": named} if named else {}
+        return replace(verdict, certificate={**verdict.certificate, **more, "witness": said}, witness=point)
     return verdict
 
 

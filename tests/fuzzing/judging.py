@@ -46,7 +46,7 @@ def judge(question: Equation, draw: Random, answer: Answer | None = None) -> Jud
     if answer.name == "crash":
         return Judged(answer, Alarm("crash", answer.words))
     if answer.name == "untreatable":
-        alarm = None if question.lenient else Alarm("declined", answer.words)
+        alarm = None if question.lenient or "multiplied by zero" in answer.words else Alarm("declined", answer.words)
         return Judged(answer, alarm)
     if answer.name == "undecided":
         return Judged(answer, None)
@@ -129,7 +129,13 @@ def completions(question: Equation, at: Mapping[str, Any], draw: Random) -> Iter
         unit, angle = cosine.args[0].as_coeff_Mul()
         if angle in angles and isinstance(cosine, sp.cos):
             sine = next((v for e, v in extra if e == sp.sin(cosine.args[0])), mp.sqrt(abs(1 - value**2)))
-            held[angle, 0] = mp.atan2(sine, value) / (mpf(int(unit.p)) / int(unit.q))
+            turned = mp.atan2(sine, value)
+            turned += (
+                2
+                * mp.pi
+                * (int(turned <= 0 and bool(angle.is_nonnegative)) - int(turned >= 0 and bool(angle.is_nonpositive)))
+            )
+            held[angle, 0] = turned / (mpf(int(unit.p)) / int(unit.q))
         elif angle in angles and (angle, 0) not in held:
             held[angle, 0] = mp.asin(value) / (mpf(int(unit.p)) / int(unit.q))
     yield from points(question, draw, 4, held, extra)

@@ -85,7 +85,7 @@ def _unfolded(question: Equation) -> Equation:
                 question,
                 lhs=question.lhs.xreplace(values),
                 rhs=question.rhs.xreplace(values),
-                given=tuple(e.xreplace(values) for e in rest if e.xreplace(values) not in (True, False, 0)),
+                given=tuple(said for e in rest if (said := e.xreplace(values)) not in (True, 0)),
                 nonzero=tuple(sp.sympify(e).xreplace(values) for e in question.nonzero),
             )
     return question

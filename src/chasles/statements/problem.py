@@ -108,8 +108,12 @@ def problem_of(statement: Decidable, form: str = "printed", standing: Standing =
         if isinstance(given, Condition) and given.on:
             conditions += _equations(f"({given.number})", left, right)
             unknowns |= dict.fromkeys(given.on)
-        elif isinstance(given, Condition):
+        elif isinstance(given, Condition) and given.assuming:
             continue
+        elif isinstance(given, Condition):
+            raise TypeError(
+                f"({statement.number}) is given ({given.number}), a condition on nothing: name in `on` what it restricts"
+            )
         elif is_rule(given):
             rules.append((bare(left), right))
         elif indices_of(left):

@@ -69,6 +69,9 @@ class Parts:
             return reduce(_plus if isinstance(e, sympy.Add) else _times, map(self, e.args))
         if isinstance(e, sympy.Abs) and e.args[0].is_Mul:
             return reduce(_times, (self(sympy.Abs(factor)) for factor in e.args[0].args))
+        if isinstance(e, sympy.Derivative):
+            re, im = self(e.expr)
+            return re.diff(*e.variables), im.diff(*e.variables)
         rule = RULES.get(e.func)
         parts = [self(argument) for argument in e.args]
         if rule is not None and len(parts) == 1:

@@ -29,8 +29,15 @@ class Divisor:
 def divisor_of(expression: Any) -> Divisor:
     """What is said of a divisor: of a positive symbol that it is positive; nothing of a number."""
     named = is_atom(expression) and not (isinstance(expression, Word) and not isinstance(expression, Signed))
-    evident = not expression.free_symbols or bool(expression.is_nonzero and not named)
+    evident = not _with_cosines(expression).free_symbols or bool(expression.is_nonzero and not named)
     return Divisor(f"{expression} {'> 0' if expression.is_positive else '!= 0'}", evident)
+
+
+def _with_cosines(e: Any) -> Any:
+    """The expression without squares of sines, so that the sum of both squares is seen to be one."""
+    squares = {p for p in e.atoms(sympy.Pow) if isinstance(p.base, sympy.sin) and p.exp.is_Integer and p.exp > 1}
+    values = {p: (1 - sympy.cos(p.base.args[0]) ** 2) ** (p.exp // 2) * p.base ** (p.exp % 2) for p in squares}
+    return sympy.expand(e.xreplace(values)) if values else e
 
 
 def is_reciprocal(e: Any) -> bool:

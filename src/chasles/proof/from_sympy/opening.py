@@ -89,7 +89,12 @@ def _spelled_out(write: Callable[[Any], Any], value: Any) -> Any:
 
 def _evaluated(entry: Any) -> Any:
     """The entry with derivatives of expressions taken, and zero for the symbols that SymPy is told to be."""
-    entry = entry.xreplace({atom: sympy.S.Zero for atom in entry.atoms(sympy.Symbol, AppliedUndef) if atom.is_zero})
+    zeros = {atom: sympy.S.Zero for atom in entry.atoms(sympy.Symbol, AppliedUndef) if atom.is_zero}
+    if zeros:
+        whole, entry = entry, entry.xreplace(zeros)
+        met = {e.xreplace(zeros) for e in whole.atoms(sympy.Pow, sympy.Function)}
+        if any(e.args and e.free_symbols for e in met - entry.atoms(sympy.Pow, sympy.Function)):
+            raise Untreatable(f"{excerpt(whole)} is not treated: it is multiplied by zero, and has to be defined")
     for inexact in entry.atoms(sympy.Float):
         exact = str(sympy.nsimplify(inexact, rational=True))
         raise Untreatable(f"{inexact} is a floating-point number, which is not exact: write Rational({exact!r})")

@@ -27,6 +27,10 @@ class Arcs:
 
     def arc(self, y: Polynomial, x: Polynomial) -> Polynomial:
         """The angle of the point (x, y), which is not the origin."""
+        if self.reading.complete and self.reading.is_number(x) and self.reading.is_number(y):
+            multiple = self.reading.part_of_turn(y, x)
+            if multiple is not None:
+                return self.reading.half_turn() * number(multiple)
         if constant(x) is None and is_positive(self.reading, x):
             y, x = self.reading.normal(y * self.reading.inverse(x)), ONE
         (above, below), (other, another) = self.reading.cleared(y), self.reading.cleared(x)

@@ -80,7 +80,12 @@ def entries_of(value: Any) -> Entries:
 
 def _valued(e: Any) -> Any:
     """The expression with zero for what SymPy is told to be zero."""
-    return e.xreplace({part: sympy.S.Zero for part in e.atoms(sympy.Symbol, AppliedUndef) if part.is_zero})
+    zeros = {part: sympy.S.Zero for part in e.atoms(sympy.Symbol, AppliedUndef) if part.is_zero}
+    value = e.xreplace(zeros) if zeros else e
+    met = {part.xreplace(zeros) for part in e.atoms(sympy.Pow, sympy.Function)} if zeros else set()
+    if any(part.args and part.free_symbols for part in met - value.atoms(sympy.Pow, sympy.Function)):
+        raise Rejected(f"{e} is multiplied by zero, and may not be defined")
+    return value
 
 
 def _given(item: Any, what: str) -> Given:

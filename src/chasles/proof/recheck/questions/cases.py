@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from itertools import combinations
 from math import prod
 from typing import Any
 
@@ -105,11 +106,12 @@ class Case:
                     return value if truth else None
             return sympy.nan
         if isinstance(part, sympy.Max | sympy.Min):
-            one, other, *rest = sorted(part.args, key=str)
-            sign = self.sign(one - other)
-            if sign is None:
-                return None
-            return part.func(one if (sign >= 0) == isinstance(part, sympy.Max) else other, *rest)
+            for one, other in combinations(sorted(part.args, key=str), 2):
+                sign = self.sign(one - other)
+                if sign is not None:
+                    least = other if (sign >= 0) == isinstance(part, sympy.Max) else one
+                    return part.func(*(e for e in part.args if e != least))
+            return None
         sign = self.sign(part.args[0])
         if sign is None:
             return None
@@ -162,8 +164,7 @@ class Case:
             if isinstance(part, sympy.Piecewise):
                 differences = [r.lhs - r.rhs for _, condition in part.args for r in condition.atoms(Relational)]
             elif isinstance(part, sympy.Max | sympy.Min):
-                one, other = sorted(part.args, key=str)[:2]
-                differences = [one - other]
+                differences = [one - other for one, other in combinations(sorted(part.args, key=str), 2)]
             else:
                 differences = [part.args[0]]
             for e in differences:

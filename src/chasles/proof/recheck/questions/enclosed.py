@@ -132,6 +132,12 @@ ENCLOSED: dict[type, Callable[[Values, Any], Enclosure]] = {
         sympy.atanh: lambda x: (sympy.log(1 + x) - sympy.log(1 - x)) / 2,
         sympy.asin: lambda x: 2 * sympy.atan(x / (1 + sympy.sqrt(1 - x**2))),
         sympy.acos: lambda x: sympy.pi / 2 - 2 * sympy.atan(x / (1 + sympy.sqrt(1 - x**2))),
+        sympy.acot: lambda x: sympy.atan(1 / x),
+        sympy.asec: lambda x: sympy.acos(1 / x),
+        sympy.acsc: lambda x: sympy.asin(1 / x),
+        sympy.acsch: lambda x: sympy.asinh(1 / x),
+        sympy.asech: lambda x: sympy.acosh(1 / x),
+        sympy.acoth: lambda x: sympy.atanh(1 / x),
     }.items()},
 }  # fmt: skip
 

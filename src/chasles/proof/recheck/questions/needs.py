@@ -67,7 +67,7 @@ def _is_said(said: list[_Said], odd: frozenset[Terms], sign: int) -> bool:
 def _is_evident(reading: Proven, place: int) -> bool:
     """Whether something visibly does not vanish; of a quantity by itself it is said in any case."""
     base = reading.inverses[place]
-    if base.places <= reading.numeric:
+    if reading.is_number(base):
         return bool(reading.sign(base))
     if len(base.terms) == 1 and base.places <= reading.atoms.keys():
         return False

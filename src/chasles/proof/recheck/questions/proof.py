@@ -27,7 +27,7 @@ __all__ = ["PARTS", "check_proof", "claims_of"]
 Data = Mapping[str, Any]
 PARTS = frozenset((
     "variant", "names", "positive", "turned", "angles", "substituted", "words", "roots", "equal", "frames",
-    "divisors", "entries", "witness",
+    "divisors", "entries", "turns", "witness",
 ))  # fmt: skip
 """What a certificate may say."""
 MALFORMED = (ArithmeticError, AssertionError, AttributeError, LookupError, RecursionError, TypeError, ValueError)
@@ -170,6 +170,8 @@ def _require_witness(witness: Any, said: Data, asked: Asked, reading: Proven, di
         if point.sign(point.value_of(value)) <= 0:
             raise Rejected("a logarithm is not real at the witness")
     if reading.calls:
+        if said != {str(name): str(value) for name, value in witness.items()}:
+            raise Rejected("the verdict and its certificate have different witnesses")
         return
     point.require_angles()
     spoken = Spoken(point, point.spelled())

@@ -33,12 +33,14 @@ Terms = frozenset[tuple[int, int]]
 
 
 class Proven(Symbolic):
-    """Reads a question; `domains` must not be negative for the roots to be real, `numeric` are the roots of numbers."""
+    """Reads a question; `domains` must not be negative for the roots to be real, `numeric` are the roots of numbers.
+
+    It is `complete` once all is read that the certificate says.
+    """
 
     def __init__(self, asked: Asked, certificate: Mapping[str, Any]) -> None:
-        units = {
-            m[2]: Fraction(int(m[1] or 1), int(m[3] or 1)) for m in map(TURNED.fullmatch, certificate["witness"]) if m
-        }
+        turns = map(TURNED.fullmatch, (*certificate["witness"], *certificate.get("turns", ())))
+        units = {m[2]: Fraction(int(m[1] or 1), int(m[3] or 1)) for m in turns if m}
         names = {spelled: name for name, spelled in certificate["names"].items()}
         if len(names) < len(certificate["names"]):
             raise Rejected("two names of the certificate stand for the same quantity")
@@ -56,7 +58,9 @@ class Proven(Symbolic):
             self._eliminate(asked, e, text)
         self.functions = Functions(self)
         self.arcs = Arcs(self, self.functions)
+        self.complete = False
         self._state(certificate, units, {str(e) for e in self.atoms.values()})
+        self.complete = True
 
     def _state(self, certificate: Mapping[str, Any], units: Mapping[str, Fraction], spelled: set[str]) -> None:
         """The functions and the roots of which the certificate speaks, each after those that are in it."""
@@ -208,6 +212,14 @@ class Proven(Symbolic):
         """Whether something is not negative where the roots are real."""
         return _signed(polynomial) in self._nonnegative
 
+    def is_number(self, polynomial: Polynomial) -> bool:
+        """Whether something is made of numbers alone."""
+        return all(map(self._is_numeric, polynomial.places))
+
+    def _is_numeric(self, place: int) -> bool:
+        parts = (self.inverses[place],) if place in self.inverses else self.calls.get(place, (None, None))[1]
+        return place in self.numeric or (parts is not None and all(map(self.is_number, parts)))
+
     def equal(self, one: list[Polynomial], other: list[Polynomial]) -> Polynomial:
         """The difference of two products, which is zero: no factor is negative, and the squares are the same."""
         for factor in map(self.normal, (*one, *other)):
@@ -241,10 +253,9 @@ class Proven(Symbolic):
             sides = [] if (whole := root_of_square(inside)) is None else [whole, -whole]
             if (root := next(filter(self._is_seen, sides), None)) is not None:
                 return root * outside
-            if sides or is_nonnegative(self, inside):
-                place = self.fresh("root", inside)
-                self.words.add(place)
-                self._roots[key] = scale, variable(place)
+            known = self.complete and self.is_number(inside)
+            if sides or is_nonnegative(self, inside) or (known and self.sign(inside) > 0):
+                self._roots[key] = scale, self._new_root(inside)
         if key not in self._roots:
             raise Rejected("the certificate does not say what a root is")
         known, root = self._roots[key]
@@ -258,15 +269,19 @@ class Proven(Symbolic):
             while factor is not None and factor > 1 and rest % factor == 0:
                 rest //= factor.numerator
                 total = self.normal(total * variable(place))
-        if rest > 0 and isqrt(rest) ** 2 != rest and self.arcs.points:
-            # Of the cosine of an angle whose tangent is given.
-            place = self.fresh("root", number(rest))
-            self.words.add(place)
-            self.numeric.add(place)
-            return total * variable(place)
+        if rest > 0 and isqrt(rest) ** 2 != rest and (self.complete or self.arcs.points):
+            return total * self._new_root(number(rest))
         if rest < 0 or isqrt(rest) ** 2 != rest:
             raise Rejected(f"the certificate does not say what the root of {square} is")
         return total * number(isqrt(rest))
+
+    def _new_root(self, square: Polynomial) -> Polynomial:
+        """The root of what is not negative, and of which the certificate does not speak."""
+        place = self.fresh("root", square)
+        self.words.add(place)
+        if square.places <= self.numeric:
+            self.numeric.add(place)
+        return variable(place)
 
     def absolute(self, value: Polynomial) -> Polynomial:
         """The absolute value: the root of the square, or what is visibly not negative."""

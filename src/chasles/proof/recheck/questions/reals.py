@@ -18,6 +18,8 @@ __all__ = ["Reals"]
 DIGITS = (64, 256, 1024)
 """Binary digits with which a sign is looked for."""
 LARGEST_PRIME = 10_000
+LARGEST_PART = 60
+"""Angles are looked for among the multiples of pi with denominators up to this."""
 
 
 class Reals(Algebra):
@@ -176,6 +178,22 @@ class Reals(Algebra):
         if not up:
             raise Rejected("the origin has no angle")
         return self.pi * number(Fraction(up, 2)) - self._arc(x * self.inverse(y))
+
+    def part_of_turn(self, y: Polynomial, x: Polynomial) -> Fraction | None:
+        """The multiple of pi that is the angle of a point, if it is one with a small denominator.
+
+        A power of x + i y is real then; which of the roots of a real number it is tells how near the angle is.
+        """
+        least, most = self._bounds(self.normal(self._angle(y, x)), DIGITS[0])
+        low, high = self._bounds(self.pi, DIGITS[0])
+        multiple = (least / low).limit_denominator(LARGEST_PART)
+        real, imaginary = ONE, number(0)
+        for _ in range(multiple.denominator):
+            real, imaginary = self.normal(real * x - imaginary * y), self.normal(real * y + imaginary * x)
+        if self.cleared(imaginary)[0]:
+            return None
+        doubt = max(abs(end - multiple * half) for end in (least, most) for half in (low, high))
+        return multiple if 2 * doubt * multiple.denominator < low else None
 
     def _arc(self, tangent: Polynomial) -> Polynomial:
         numerator, below = self.cleared(tangent)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from fractions import Fraction
 
 import sympy
@@ -63,6 +64,12 @@ class Symbolic(Expressions):
     def is_near(self, value: Polynomial, other: Fraction, distance: Fraction) -> bool:
         """Whether a number is known to differ from another by less than a distance."""
         return self.reals.is_near(self._numbers(value), other, distance)
+
+    def part_of_turn(self, y: Polynomial, x: Polynomial) -> Fraction | None:
+        """The multiple of pi that is the angle of a point, which is of numbers, if it is seen to be one."""
+        with suppress(Rejected):
+            return self.reals.part_of_turn(*map(self._numbers, (y, x)))
+        return None
 
     def _number(self, place: int) -> Polynomial:
         if self.atoms.get(place) is sympy.pi:

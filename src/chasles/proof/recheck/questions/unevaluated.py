@@ -28,7 +28,7 @@ LARGEST_NUMBER = 200
 def matrix_of(reading: Expressions, e: Any) -> Matrix:
     """The entries of a matrix; raises `Rejected` for what is none of given size."""
     match e:
-        case MatrixBase() | sympy.MatrixSymbol() | sympy.Identity() | sympy.ZeroMatrix():
+        case MatrixBase() | sympy.MatrixSymbol() | sympy.Identity() | sympy.ZeroMatrix() | sympy.OneMatrix():
             return [[reading(e[i, j]) for j in range(e.cols)] for i in range(e.rows)]
         case sympy.MatAdd():
             return reduce(_plus, (matrix_of(reading, term) for term in e.args))
