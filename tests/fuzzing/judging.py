@@ -130,11 +130,8 @@ def completions(question: Equation, at: Mapping[str, Any], draw: Random) -> Iter
         if angle in angles and isinstance(cosine, sp.cos):
             sine = next((v for e, v in extra if e == sp.sin(cosine.args[0])), mp.sqrt(abs(1 - value**2)))
             turned = mp.atan2(sine, value)
-            turned += (
-                2
-                * mp.pi
-                * (int(turned <= 0 and bool(angle.is_nonnegative)) - int(turned >= 0 and bool(angle.is_nonpositive)))
-            )
+            below, above = turned <= 0 and bool(angle.is_nonnegative), turned >= 0 and bool(angle.is_nonpositive)
+            turned += 2 * mp.pi * (int(below) - int(above))
             held[angle, 0] = turned / (mpf(int(unit.p)) / int(unit.q))
         elif angle in angles and (angle, 0) not in held:
             held[angle, 0] = mp.asin(value) / (mpf(int(unit.p)) / int(unit.q))

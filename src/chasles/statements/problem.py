@@ -112,7 +112,7 @@ def problem_of(statement: Decidable, form: str = "printed", standing: Standing =
             continue
         elif isinstance(given, Condition):
             raise TypeError(
-                f"({statement.number}) is given ({given.number}), a condition on nothing: name in `on` what it restricts"
+                f"({statement.number}) is given ({given.number}), a condition on nothing: say `on` what it is"
             )
         elif is_rule(given):
             rules.append((bare(left), right))

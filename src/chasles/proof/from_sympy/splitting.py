@@ -171,6 +171,8 @@ class Splitting:
             said = sympy.sympify(text.removesuffix(relation), locals=names)
         except (sympy.SympifyError, TypeError):
             return False
+        if not said.free_symbols and case.sign(said) in ((1, -1) if relation == " != 0" else (1,)):
+            return True
         if not said.free_symbols & {symbol for symbol, _ in case.path}:
             self.needs[text] = None
         elif case.sign(said) not in (1, -1):

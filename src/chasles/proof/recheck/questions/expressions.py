@@ -217,7 +217,7 @@ class Expressions(Algebra):
             else:
                 unit, c, s = self.circle(monomial, multiple)
                 if (multiple / unit).denominator != 1:
-                    raise Rejected(f"an angle is no whole multiple of {unit} {self.angles[monomial]}")
+                    raise Rejected(f"an angle is no whole multiple of {unit} {self.angles.get(monomial, 1)}")
                 times = int(multiple / unit)
             s = s if times > 0 else -s
             for _ in range(abs(times)):
