@@ -151,10 +151,10 @@ def test_a_wrong_expansion_stops_the_road(judge: Judge, monkeypatch: pytest.Monk
     assert (last(road).kind, last(road).verdict.name) == ("expand", "fails")
 
 
-def test_a_wrong_coefficient_stops_the_road(judge: Judge, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_wrong_coefficient_stops_the_road(monkeypatch: pytest.MonkeyPatch) -> None:
     right = state.combined
     monkeypatch.setattr(state, "combined", lambda *given: Scale(Number(2), right(*given)))  # type: ignore[arg-type]
-    road = walk(ROADS["velocities_of_a_rigid_body"], judge)
+    road = walk(ROADS["velocities_of_a_rigid_body"], Judge(book=load()))
     assert (last(road).kind, last(road).verdict.name) == ("factor", "fails")
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterator
 from copy import deepcopy
 from dataclasses import replace
@@ -211,15 +212,23 @@ def test_what_is_given_holds_at_a_counterexample_with_its_rates() -> None:
     rejected(Fails(Counterexample(skipped, (1, 1), "5", "1")), f.diff(t, 3), f, given=[Eq(f.diff(t), f)])
 
 
+@pytest.fixture
+def unchecked(monkeypatch: pytest.MonkeyPatch) -> None:
+    """`prove` shows what was found without having it checked."""
+    monkeypatch.setattr(sys.modules[prove.__module__], "_followed", lambda verdict, asked: verdict)
+
+
 BROKEN_SIGNS = [(sqrt(x**2), x), (sqrt(x**2 * y**2), x * y), (sqrt((x + y) ** 2), x + y)]
 
 
+@pytest.mark.usefixtures("unchecked")
 @pytest.mark.parametrize(("lhs", "rhs"), BROKEN_SIGNS, ids=name)
 def test_a_prover_that_takes_everything_for_nonnegative(lhs: Any, rhs: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(roots._Resolver, "_is_nonnegative", lambda *_: True)
     rejected(proved(lhs, rhs, []), lhs, rhs)
 
 
+@pytest.mark.usefixtures("unchecked")
 def test_a_prover_that_loses_a_domain(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(roots._Resolver, "_is_nonnegative", lambda *_: True)
     verdict = proved(sqrt(x) * sqrt(y), sqrt(x * y), [])
@@ -227,6 +236,7 @@ def test_a_prover_that_loses_a_domain(monkeypatch: pytest.MonkeyPatch) -> None:
     rejected(verdict, sqrt(x) * sqrt(y), sqrt(x * y))
 
 
+@pytest.mark.usefixtures("unchecked")
 def test_a_prover_with_the_wrong_sign_of_roots(monkeypatch: pytest.MonkeyPatch) -> None:
     right = roots._Resolver._square_free
 
@@ -238,6 +248,7 @@ def test_a_prover_with_the_wrong_sign_of_roots(monkeypatch: pytest.MonkeyPatch) 
     rejected(proved(sqrt(x**4) * y, -y * x**2, []), sqrt(x**4) * y, -y * x**2)
 
 
+@pytest.mark.usefixtures("unchecked")
 def test_a_prover_that_takes_for_given_what_is_not(monkeypatch: pytest.MonkeyPatch) -> None:
     right = given_equations._state_triads
 
@@ -249,11 +260,19 @@ def test_a_prover_that_takes_for_given_what_is_not(monkeypatch: pytest.MonkeyPat
     rejected(proved(x, y, [Eq(z, 1)]), x, y, [Eq(z, 1)])
 
 
+@pytest.mark.usefixtures("unchecked")
 def test_a_prover_that_hides_a_divisor(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(readers, "divisor_of", lambda expression: Divisor(f"{expression} != 0", evident=True))
     verdict = proved(1 / (x - 1) - 1 / (x + 1), 2 / (x**2 - 1), [])
     assert not verdict.needs
     rejected(verdict, 1 / (x - 1) - 1 / (x + 1), 2 / (x**2 - 1))
+
+
+def test_a_broken_prover_says_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert prove(sqrt(x**2) * y, sp.Abs(x) * y).true
+    monkeypatch.setattr(roots._Resolver, "_is_nonnegative", lambda *_: True)
+    for lhs, rhs in BROKEN_SIGNS:
+        assert not prove(lhs, rhs).true
 
 
 def test_real_numbers_are_told_apart() -> None:

@@ -186,8 +186,7 @@ def test_polynomials_that_are_not_known_are_refused_in_one_line(monkeypatch: pyt
 def undecided(monkeypatch: pytest.MonkeyPatch) -> None:
     """Nothing can be decided."""
     monkeypatch.setattr("chasles.proof.judge.decide_problem", lambda *_: Undecided("it is beyond the prover"))
-    monkeypatch.setattr("chasles.proof.judge.repair", lambda *_: ())
-    monkeypatch.setattr("chasles.proof.road.state.decide_problem", lambda *_: Undecided("it is beyond the prover"))
+    monkeypatch.setattr("chasles.proof.judge.repair", lambda *_, **__: ())
     judge = Judge(book=load())
     monkeypatch.setattr("chasles.exact.decided._judge", lambda: judge)
 

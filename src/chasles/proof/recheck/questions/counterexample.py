@@ -9,7 +9,7 @@ from chasles.proof.recheck.questions.asked import Asked
 from chasles.proof.recheck.questions.at_point import AtPoint
 from chasles.proof.recheck.questions.complexes import parts
 from chasles.proof.recheck.questions.given import require_given
-from chasles.proof.recheck.questions.quantities import atoms_of
+from chasles.proof.recheck.questions.quantities import atoms_of, require_independent
 from chasles.proof.recheck.questions.spoken import Spoken
 from chasles.proof.recheck.questions.symbolic import Symbolic
 from chasles.proof.recheck.questions.valuation import Unknown
@@ -45,7 +45,9 @@ def _check(found: Any, asked: Asked) -> None:
     if place not in asked.left:
         raise Rejected(f"the equation has no entry {row}, {column}")
     point = AtPoint(Symbolic({}, {}), found.at)
-    for e in (atom for expression in asked.expressions for atom in atoms_of(expression)):
+    atoms = [atom for expression in asked.expressions for atom in atoms_of(expression)]
+    require_independent(atoms)
+    for e in atoms:
         point.symbolic.place(e)
     require_given(asked, point)
     left, right = (_value(point, side[place]) for side in (asked.left, asked.right))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import sympy
@@ -11,7 +11,7 @@ from sympy.matrices.expressions.matexpr import MatrixElement
 
 from chasles.proof.recheck.sparse import Rejected
 
-__all__ = ["atoms_of", "is_atom", "require_real"]
+__all__ = ["atoms_of", "is_atom", "require_independent", "require_real"]
 
 
 def is_atom(e: Any) -> bool:
@@ -32,6 +32,15 @@ def atoms_of(e: Any) -> Iterator[Any]:
     else:
         for part in e.args:
             yield from atoms_of(part)
+
+
+def require_independent(atoms: Iterable[Any]) -> None:
+    """Raise `Rejected` where a function occurs with two sets of arguments, which may be the same at some point."""
+    arguments: dict[Any, Any] = {}
+    for e in atoms:
+        function = e.expr if isinstance(e, sympy.Derivative) else e
+        if isinstance(function, AppliedUndef) and arguments.setdefault(function.func, function.args) != function.args:
+            raise Rejected(f"{function} occurs with other arguments too")
 
 
 def require_real(e: Any) -> None:

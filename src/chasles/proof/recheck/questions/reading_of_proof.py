@@ -53,7 +53,8 @@ class Proven(Symbolic):
         for e in dict.fromkeys(atom for expression in asked.expressions for atom in atoms_of(expression)):
             self.place(e)
             self._state_rates(e, names)
-        self.numeric.add(self.place(sympy.pi))
+        if not any(str(e) == "pi" and e is not sympy.pi for e in self.atoms.values()):
+            self.numeric.add(self.place(sympy.pi))
         for e, text in certificate.get("substituted", {}).items():
             self._eliminate(asked, e, text)
         self.functions = Functions(self)

@@ -17,7 +17,7 @@ from sympy.core.function import AppliedUndef
 from chasles.proof.recheck.questions.cases import Case
 from chasles.proof.recheck.questions.enclosed import Values, vanishes
 from chasles.proof.recheck.questions.needs import RELATIONS
-from chasles.proof.recheck.questions.quantities import is_atom
+from chasles.proof.recheck.questions.quantities import is_atom, require_independent, require_real
 from chasles.proof.recheck.questions.readings import CIRCULAR
 from chasles.proof.recheck.sparse import Rejected
 
@@ -217,8 +217,11 @@ def check_enclosed(
 
 def _values(case: Case, at: Mapping[str, Any]) -> Values:
     """The values at a point that the symbols may have, and at which what is given holds."""
-    point = {}
-    for atom in {atom for e in case.spoken for atom in _atoms(e)}:
+    point: dict[Any, Any] = {}
+    atoms = {atom for e in case.spoken for atom in _atoms(e)}
+    require_independent(atoms)
+    for atom in atoms:
+        require_real(atom)
         if str(atom) not in at:
             raise Rejected(f"no value is given for {atom}")
         value = at[str(atom)]
