@@ -59,7 +59,8 @@ def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float 
 
 def _verdict(*asked: Any) -> Verdict:
     """The verdict on the question as it stands; else by cases, or on a more general one."""
-    splitting = Splitting(*asked, _answered)
+    lhs, rhs, given, nonzero = asked
+    splitting = Splitting(lhs, rhs, given, nonzero, _answered)
     by_cases = _followed(splitting.verdict(), asked) if splitting.wanted else None
     if by_cases is not None and (by_cases.true or not splitting.readable):
         return by_cases

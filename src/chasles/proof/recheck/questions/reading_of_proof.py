@@ -254,8 +254,8 @@ class Proven(Symbolic):
             sides = [] if (whole := root_of_square(inside)) is None else [whole, -whole]
             if (root := next(filter(self._is_seen, sides), None)) is not None:
                 return root * outside
-            known = self.complete and self.is_number(inside)
-            if sides or is_nonnegative(self, inside) or (known and self.sign(inside) > 0):
+            positive = self.complete and self.is_number(inside) and self.sign(inside) > 0
+            if sides or positive or is_nonnegative(self, inside):
                 self._roots[key] = scale, self._new_root(inside)
         if key not in self._roots:
             raise Rejected("the certificate does not say what a root is")
