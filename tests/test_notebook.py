@@ -9,6 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from types import FrameType
 from typing import Any
+from warnings import catch_warnings, simplefilter
 
 import pytest
 import sympy
@@ -238,6 +239,70 @@ def test_ipython_shows_them(shown: dict[str, Any]) -> None:
     bundle, _ = formatters.DisplayFormatter().format(decision)
     assert bundle["text/html"] == decision._repr_html_()
     assert bundle["text/plain"].startswith("(3.18)  ✓ holds under")
+
+
+CELLS = {
+    "decided": "decided",
+    "verdict": "decided.verdict",
+    "certificate": "decided.certificate",
+    "repair": "repaired.correction.repairs[0]",
+    "entry": "book.select(['3.18'])[0]",
+    "statement": "book.select(['3.18'])[0].statement",
+    "expression": "book.select(['3.18'])[0].statement.right",
+    "chapter": "book",
+    "proved": "chasles.prove(sympy.sin(x) ** 2 + sympy.cos(x) ** 2, 1)",
+    "refuted": "refuted",
+    "counterexample": "refuted.counterexample",
+    "derivation": "roads_in('r02_screw_axis')['point_of_the_screw_axis']",
+    "kernel": "chasles.kernel('screw_axis_point')",
+    "compiled": "chasles.compile(sympy.sin(x) * y, [x, y])",
+    "solution": "chasles.solve('3.5')",
+}
+OPENING = """
+import chasles, sympy
+from chasles.proof.judge import Judge
+from chasles.statements import load
+from chasles.statements.roads import roads_in
+book = load()
+judge = Judge(book=book)
+decided = judge.decide(book.select(["3.18"])[0].statement)
+repaired = judge.decide(book.select(["3.96e"])[0].statement)
+x, y = sympy.symbols("x y")
+refuted = chasles.prove(sympy.sin(2 * x), sympy.sin(x))
+"""
+
+
+@pytest.fixture(scope="module")
+def cells() -> dict[str, list[Any]]:
+    """What a kernel of its own sends for each cell."""
+    nbformat = pytest.importorskip("nbformat", reason="needs nbclient")
+    nbclient = pytest.importorskip("nbclient", reason="needs nbclient")
+    pytest.importorskip("ipykernel", reason="needs ipykernel")
+    new = nbformat.v4.new_code_cell
+    printing = new("from chasles.cli.commands.show import command\ncommand.main(['3.18'], standalone_mode=False)")
+    book = nbformat.v4.new_notebook(cells=[new(OPENING), *map(new, CELLS.values()), printing])
+    with catch_warnings():
+        simplefilter("ignore")  # what Jupyter warns of is its own matter
+        nbclient.NotebookClient(book, timeout=300, kernel_name="python3").execute()
+    assert book.cells[0].outputs == []
+    return dict(zip([*CELLS, "printing"], (cell.outputs for cell in book.cells[1:]), strict=True))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", CELLS)
+def test_a_kernel_displays_each_once(name: str, cells: dict[str, list[Any]]) -> None:
+    """In a kernel Rich would display by itself, and CLICOLOR_FORCE is set."""
+    (output,) = cells[name]
+    assert output.output_type == "execute_result"
+    assert sorted(output.data) == ["text/html", "text/latex", "text/plain"]
+    assert output.data["text/plain"].strip()
+    assert "\x1b" not in output.data["text/plain"]
+
+
+@pytest.mark.slow
+def test_a_command_in_a_kernel_prints(cells: dict[str, list[Any]]) -> None:
+    assert {output.output_type for output in cells["printing"]} == {"stream"}
+    assert "(3.18)" in "".join(output.text for output in cells["printing"])
 
 
 def test_an_emitted_kernel_is_told_and_called() -> None:

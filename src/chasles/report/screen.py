@@ -17,11 +17,12 @@ NARROW = 64
 _UNBROKEN = 10_000
 
 
-def console_on(file: TextIO, environ: Mapping[str, str]) -> Console:
+def console_on(file: TextIO, environ: Mapping[str, str], *, terminal: bool | None = None) -> Console:
     """A console with colours where the file is a terminal and nothing in the environment says otherwise.
 
     NO_COLOR that is not empty and CLICOLOR=0 turn them off; CLICOLOR_FORCE that is neither empty nor 0 turns them on,
-    unless NO_COLOR is there, as FORCE_COLOR does.
+    unless NO_COLOR is there, as FORCE_COLOR does. `terminal` settles it whatever the file and the environment say: a
+    notebook's kernel sets both of those variables. Nothing but the file is written to, in a notebook neither.
     """
     forced = environ.get("CLICOLOR_FORCE", "0") not in ("", "0")
     plain = bool(environ.get("NO_COLOR")) or (environ.get("CLICOLOR") == "0" and not forced)
@@ -31,17 +32,18 @@ def console_on(file: TextIO, environ: Mapping[str, str]) -> Console:
         highlight=False,
         emoji=False,
         no_color=plain or None,
-        force_terminal=True if forced else None,
+        force_terminal=True if forced and terminal is None else terminal,
+        force_jupyter=False,
     )
 
 
 class Screen:
-    """A place to print pages on; `signs` says whether it can show more than ASCII."""
+    """A place to print pages on; `signs` says whether it can show more than ASCII, `terminal` whether it is one."""
 
-    def __init__(self, file: TextIO | None = None) -> None:
+    def __init__(self, file: TextIO | None = None, *, terminal: bool | None = None) -> None:
         self._file = file or sys.stdout
-        chosen = os.environ.get("COLUMNS", "")
-        self.console = console_on(self._file, os.environ)
+        chosen = os.environ.get("COLUMNS", "") if terminal is None else ""
+        self.console = console_on(self._file, os.environ, terminal=terminal)
         if not self.console.is_terminal and not chosen.isdecimal():
             self.console.width = _UNBROKEN
 

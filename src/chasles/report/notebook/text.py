@@ -35,7 +35,7 @@ __all__ = ["text"]
 def text(value: object) -> str:
     """The value as a terminal shows it, without colours. Raises TypeError for what is not displayed."""
     file = StringIO()
-    screen = Screen(file)
+    screen = Screen(file, terminal=False)
     screen.show(*_pages(value, screen))
     return file.getvalue().rstrip("\n")
 
