@@ -64,12 +64,17 @@ wheel: $(VENV)/pyvenv.cfg
 clean:
 	rm -rf $(VENV) .types build dist docs/_build .mypy_cache .pytest_cache .ruff_cache .hypothesis .benchmarks
 
+# The folder first, and pip before the environment that would have it: what venv says of either is no help.
 $(VENV)/pyvenv.cfg:
+	@test -w . || { echo "This folder cannot be written, and make sets up $(VENV) in it: $(CURDIR)" >&2; \
+	    echo "Make it writable, or copy the checkout to a folder of yours and run make there." >&2; exit 1; }
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
 	    || { echo "chasles needs Python 3.11 or newer as '$(PYTHON)'; make PYTHON=... names another" >&2; exit 1; }
+	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || { \
+	    echo "'$(PYTHON)' cannot make a virtual environment: install the Debian package python3-venv" >&2; exit 1; }
 	@echo "Setting up $(VENV): a minute or so, most of it downloads"
 	@$(PYTHON) -m venv $(VENV) >/dev/null || { rm -rf $(VENV); \
-	    echo "'$(PYTHON)' cannot make a virtual environment: install the Debian package python3-venv" >&2; exit 1; }
+	    echo "'$(PYTHON) -m venv $(VENV)' did not succeed: what it says stands above" >&2; exit 1; }
 
 $(VENV)/.buildtools: pyproject.toml | $(VENV)/pyvenv.cfg
 	@$(BIN)/python -c 'import tomllib; t = tomllib.load(open("pyproject.toml", "rb")); \

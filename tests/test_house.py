@@ -162,9 +162,9 @@ def test_c_library_is_found_by_cmake(c_library: Path, tmp_path: Path) -> None:
 @needs_c
 @pytest.mark.skipif(shutil.which("pkg-config") is None, reason="no pkg-config on this machine")
 def test_c_library_is_found_by_pkg_config(c_library: Path, tmp_path: Path) -> None:
-    moved = shutil.copytree(c_library, tmp_path / "moved")
+    moved = shutil.copytree(c_library, tmp_path / "größer & moved")
     (folder,) = (path.parent for path in moved.rglob("chasles.pc"))
-    flags = succeed("pkg-config", "--cflags", "--libs", "chasles", PKG_CONFIG_PATH=str(folder)).split()
     (tmp_path / "consumer.c").write_text(CONSUMER, "utf-8")
-    succeed(*CC.split(), "consumer.c", *flags, "-o", "consumer", cwd=tmp_path)
+    command = f"eval {CC} consumer.c $(pkg-config --cflags --libs chasles) -o consumer"
+    succeed("sh", "-c", command, PKG_CONFIG_PATH=str(folder), cwd=tmp_path)
     assert succeed(tmp_path / "consumer") == "3\n"

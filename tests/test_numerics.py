@@ -6,7 +6,7 @@ import json
 from collections.abc import Callable
 from fractions import Fraction
 from itertools import islice
-from math import factorial
+from math import factorial, inf
 from operator import methodcaller
 from typing import Any
 
@@ -22,6 +22,7 @@ from chasles.lowering.program import Argument, Op, Program, Result, Step
 from chasles.numerics import (
     STRATEGIES,
     Evidence,
+    Finding,
     NoValue,
     Output,
     Request,
@@ -580,6 +581,24 @@ def test_evidence_is_plain_data_and_the_same_each_time() -> None:
     assert len(data["failures"]) == 3
     assert set(data["failures"][0]["at"]) == {"e", "phi"}
     assert Evidence("k", "float64", 0, 0, (), (), 0).error == 0
+
+
+@pytest.mark.parametrize(
+    ("error", "allowed", "share"),
+    [(0, 0, 0), (1, 0, inf), (3, 4, 0.75), (8, 4, 2), (inf, 4, inf), (0, 4, 0)],
+)
+def test_an_error_is_a_share_of_what_is_allowed(error: float, allowed: float, share: float) -> None:
+    found = Finding("generic", "x", error, allowed, {})
+    assert found.share == share
+    assert found.failed == (share > 1)
+
+
+def test_the_share_is_over_all_findings_not_that_of_the_largest_error() -> None:
+    found = verify(request("rotation_from_axis_angle"), rotated, samples=50)
+    assert 0 < found.share <= 1
+    assert found.share >= max(worst.share for worst in found.worst)
+    wrong = verify(request("rotation_from_axis_angle"), turned_the_other_way, samples=5)
+    assert wrong.share > 1
 
 
 # Inverses.

@@ -49,6 +49,11 @@ class Finding:
         """Whether more digits are lost than the inputs leave open."""
         return not self.error <= self.allowed
 
+    @property
+    def share(self) -> float:
+        """The error over what was allowed: above one where more digits are lost than the inputs leave open."""
+        return self.error / self.allowed if self.allowed else inf if self.failed else 0.0
+
     def as_json(self) -> dict[str, Any]:
         """The finding as plain data; errors with four digits, an infinite one as null."""
         shown = {"error": self.error, "allowed": self.allowed}
@@ -58,7 +63,10 @@ class Finding:
 
 @dataclass(frozen=True, slots=True)
 class Evidence:
-    """What was found out about one kernel in one precision; `worst` has the largest error of each strategy."""
+    """What was found out about one kernel in one precision; `worst` has the largest error of each strategy.
+
+    `share` is the largest error over what was allowed for it, which need not be that of the largest error.
+    """
 
     kernel: str
     dtype: str
@@ -67,6 +75,7 @@ class Evidence:
     worst: tuple[Finding, ...]
     failures: tuple[Finding, ...]
     failed: int
+    share: float = 0.0
 
     @property
     def passed(self) -> bool:
@@ -87,6 +96,7 @@ class Evidence:
             "skipped": self.skipped,
             "passed": self.passed,
             "failed": self.failed,
+            "share": float(f"{self.share:.4g}") if isfinite(self.share) else None,
             "worst": [finding.as_json() for finding in self.worst],
             "failures": [finding.as_json() for finding in self.failures],
         }
@@ -110,7 +120,7 @@ def verify(
     """
     worst: list[Finding] = []
     failures: list[Finding] = []
-    skipped = 0
+    skipped, share = 0, 0.0
     for strategy in strategies:
         generator = np.random.default_rng([seed, crc32(f"{request.name} {strategy}".encode())])
         inputs = list(islice(draw(request, strategy, generator, dtype), samples))
@@ -123,11 +133,11 @@ def verify(
         failures += [finding for finding in findings if finding.failed]
         if findings:
             worst.append(max(findings, key=lambda finding: finding.error))
+            share = max(share, *(finding.share for finding in findings))
     failures.sort(key=lambda finding: -finding.error)
     total = samples * len(strategies)
-    return Evidence(
-        request.name, np.dtype(dtype).name, total, skipped, tuple(worst), tuple(failures[:SHOWN]), len(failures)
-    )
+    kept = tuple(failures[:SHOWN])
+    return Evidence(request.name, np.dtype(dtype).name, total, skipped, tuple(worst), kept, len(failures), share)
 
 
 def verify_all(kernels: Iterable[tuple[Request, Function]], **options: Any) -> Iterator[Evidence]:

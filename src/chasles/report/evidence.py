@@ -65,12 +65,16 @@ def losses(found: Sequence[Evidence]) -> Iterator[RenderableType]:
 
 
 def worst_of(found: Sequence[Evidence]) -> str:
-    """The largest error of each precision and whose it is, in one line."""
+    """The largest error of each precision over what roundings and inputs explain, and whose it is, in one line.
+
+    The bare error says nothing of the kernel: where terms cancel, the inputs' last digits leave no more of the result.
+    """
     parts = []
     for dtype in dict.fromkeys(evidence.dtype for evidence in found):
-        worst = max((evidence for evidence in found if evidence.dtype == dtype), key=lambda evidence: evidence.error)
-        parts.append(f"{worst.error:.3g} in {dtype} ({worst.kernel})")
-    return f"largest errors in units of roundoff: {', '.join(parts)}"
+        worst = max((evidence for evidence in found if evidence.dtype == dtype), key=lambda evidence: evidence.share)
+        size = f"{worst.share:.2g}" if isfinite(worst.share) else "inf"
+        parts.append(f"{size} in {dtype} ({worst.kernel})")
+    return f"largest errors as a share of what roundings and the inputs' last digits explain: {', '.join(parts)}"
 
 
 def _error(evidence: Evidence | None) -> Text:
