@@ -840,6 +840,7 @@ def test_the_checker_loads_no_algebra_of_others() -> None:
                 ".motion",
                 ".quantities",
                 ".reading",
+                ".relations",
                 ".sparse",
                 ".witness",
             )
@@ -849,9 +850,9 @@ def test_the_checker_loads_no_algebra_of_others() -> None:
 
 
 def test_the_checker_is_short() -> None:
-    """Motions through a point, norms as angles, contradictions and determinants of any size take a third of it."""
+    """Motions through a point, norms as angles, contradictions and determinants of any size take two fifths of it."""
     lines = {path.name: len(path.read_text("utf-8").splitlines()) for path in CHECKER}
     assert lines["certificate.py"] < 160
     assert max(lines.values()) < 250
-    assert sum(lines.values()) < 1400
+    assert sum(lines.values()) < 1480
     assert len(inspect.getsource(Polynomial).splitlines()) < 60

@@ -557,3 +557,35 @@ def test_both_kinds_of_polynomials_say_the_same() -> None:
         said.append(json.loads(done.stdout))
     assert said[0] == said[1]
     assert len(said[0]) == len(TRUE) + len(CONDITIONAL) + len(FALSE)
+
+
+SEEDED = """
+from tests.test_mechanics import CASES
+from benchmarks.identities.textbook import identities
+from chasles.prove import Untreatable, prove
+
+def said(*asked):
+    try:
+        return repr(prove(*asked))
+    except Untreatable as error:
+        return str(error)
+
+for name, (left, right, given, _) in [*CASES.items()][::8] + [(n, CASES[n]) for n in ("quat speed", "quat speedF")]:
+    print(name, said(left, right, given))
+for item in [*identities()][::8]:
+    print(item.text, said(item.left, item.right, item.given))
+"""
+
+
+@pytest.mark.slow
+def test_two_hash_seeds_give_the_same_verdicts() -> None:
+    root = Path(__file__).parent.parent
+    texts = []
+    for seed in ("1", "5"):
+        environment = {**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": str(root)}
+        run = subprocess.run(
+            [sys.executable, "-c", SEEDED], capture_output=True, text=True, env=environment, check=True
+        )
+        texts.append(run.stdout.splitlines())
+    assert len(texts[0]) > 40
+    assert texts[0] == texts[1]

@@ -107,7 +107,10 @@ def _completed(reading: Reading, at: Mapping[str, Fraction], relevant: set[int])
     _choose(reading, point, relevant)
     _norms(reading, point, relevant)
     unknown = sorted(relevant - point.keys() - angles.keys())
-    _linear(reading, point, [place for place in unknown if reading.variables[place][0] == "entry"])
+    entries = [place for place in unknown if reading.variables[place][0] == "entry"]
+    determined = [place for place in entries if reading.variables[place][1] in reading.problem.unknowns]
+    _linear(reading, point, [place for place in determined if not reading.variables[place][2]], whole=False)
+    _linear(reading, point, [place for place in entries if place not in point])
     _norms(reading, point, relevant)
     return point
 
@@ -147,8 +150,8 @@ def _norms(reading: Reading, point: Point, relevant: set[int]) -> None:
                 point[place] = root, 0
 
 
-def _linear(reading: Reading, point: Point, missing: list[int]) -> None:
-    """What is left out and occurs linearly in what vanishes is solved for; what that leaves free is zero."""
+def _linear(reading: Reading, point: Point, missing: list[int], whole: bool = True) -> None:
+    """What is left out and occurs linearly in what vanishes is solved for; on the `whole`, what that leaves is zero."""
     rows: list[list[Fraction]] = []
     zeros = point | {place: (Fraction(0), 0) for place in missing}
     for polynomial in reading.vanishing.values():
@@ -158,12 +161,14 @@ def _linear(reading: Reading, point: Point, missing: list[int]) -> None:
             values = [value_at(part, zeros) for part in (*slopes, -polynomial)]
             if all(value.keys() <= {0} for value in values):
                 rows.append([value.get(0, Fraction(0)) for value in values])
-    for place, value in zip(missing, _solution(rows, len(missing)), strict=True):
-        point[place] = value, 0
+    found = _solution(rows, len(missing))
+    for column, place in enumerate(missing):
+        if whole or column in found:
+            point[place] = found.get(column, Fraction(0)), 0
 
 
-def _solution(rows: list[list[Fraction]], size: int) -> list[Fraction]:
-    """Values that satisfy the equations, by elimination, if any do; zero where there is a choice."""
+def _solution(rows: list[list[Fraction]], size: int) -> dict[int, Fraction]:
+    """Values that satisfy the equations, by elimination, if any do; zero is meant where there is a choice."""
     pivots: list[int] = []
     for column in range(size):
         done = len(pivots)
@@ -174,8 +179,7 @@ def _solution(rows: list[list[Fraction]], size: int) -> list[Fraction]:
             for row in {*range(len(rows))} - {done}:
                 rows[row] = [x - rows[row][column] * y for x, y in zip(rows[row], rows[done], strict=True)]
             pivots.append(column)
-    values = {column: row[-1] for column, row in zip(pivots, rows, strict=False)}
-    return [values.get(column, Fraction(0)) for column in range(size)]
+    return {column: row[-1] for column, row in zip(pivots, rows, strict=False)}
 
 
 def _root(square: Fraction) -> Fraction | None:

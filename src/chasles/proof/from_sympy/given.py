@@ -237,9 +237,9 @@ def orders_of(expressions: Iterable[Any]) -> dict[Any, int]:
     """How often each function is differentiated."""
     found: dict[Any, int] = {}
     for expression in expressions:
-        for function in _functions(expression):
+        for function in sorted(_functions(expression), key=str):
             found.setdefault(function, 0)
-        for derivative in expression.atoms(sympy.Derivative):
+        for derivative in sorted(expression.atoms(sympy.Derivative), key=str):
             if isinstance(derivative.expr, AppliedUndef):
                 found[derivative.expr] = max(found.get(derivative.expr, 0), derivative.derivative_count)
     return found

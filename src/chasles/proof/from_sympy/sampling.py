@@ -77,7 +77,8 @@ class Sampling:
         for attempt in range(attempts):
             check()
             random = Random(attempt)
-            values = {dummy: _drawn(atom, random, attempt) for atom, dummy in self._dummies.items()}
+            atoms = sorted(self._dummies.items(), key=lambda known: str(known[0]))
+            values = {dummy: _drawn(atom, random, attempt) for atom, dummy in atoms}
             enclosures = Enclosures({**values, **solved.values})
             try:
                 for expression in expressions:
@@ -104,7 +105,8 @@ class Sampling:
 
     def _coordinates(self, enclosures: Enclosures) -> dict[str, Any]:
         """The exact values of the atoms."""
-        return {str(atom): _plain(self._exact(enclosures, dummy)) for atom, dummy in self._dummies.items()}
+        found = {str(atom): _plain(self._exact(enclosures, dummy)) for atom, dummy in self._dummies.items()}
+        return dict(sorted(found.items()))
 
     def _exact(self, enclosures: Enclosures, expression: Any) -> Any:
         while expression.has(*enclosures.values):

@@ -12,6 +12,7 @@ from fractions import Fraction
 
 from chasles import vocabulary as w
 from chasles.proof.recheck.reading import Reading
+from chasles.proof.recheck.relations import independent, rank
 from chasles.proof.recheck.sparse import ZERO, Polynomial, Rejected
 from chasles.proof.recheck.witness import Point, value_at
 
@@ -28,8 +29,8 @@ def require_motion(reading: Reading, point: Point) -> None:
     variables = enumerate(reading.variables)
     new = [place for place, what in variables if what[0] == "entry" and what[2] > reading.highest]
     moving = _moving(reading, point)
-    rows = []
-    for polynomial in reading.ahead:
+    rows, stated = [], []
+    for origin, polynomial in reading.ahead:
         if moving.isdisjoint(_symbols(reading, polynomial)):
             continue
         partials = polynomial.partials()
@@ -39,7 +40,11 @@ def require_motion(reading: Reading, point: Point) -> None:
         if any(reading.variables[place][0] == "norm" and not point[place][0] for place in polynomial.places - {*new}):
             raise Rejected("a norm that is zero at the point ties rates")
         rows.append([value.get(0, Fraction(0)) for value in values])
-    if _rank(rows) < len(rows):
+        stated.append(origin)
+    if rank(rows) < len(rows):
+        needed = independent(stated, point)
+        rows = [row for row, origin in zip(rows, stated, strict=True) if origin in needed]
+    if rank(rows) < len(rows):
         raise Rejected("it is not known whether a motion through the point satisfies all that is assumed")
 
 
@@ -51,7 +56,7 @@ def _moving(reading: Reading, point: Point) -> set[w.Node]:
         base, order = w.undotted(left)
         if order and any(base == of for _, of, _ in entries):
             moving |= {base}.union(*(_symbols(reading, entry) for row in reading(right) for entry in row))
-    tied = [_symbols(reading, polynomial) for polynomial in reading.ahead]
+    tied = [_symbols(reading, polynomial) for _, polynomial in reading.ahead]
     while more := {symbol for symbols in tied if symbols & moving for symbol in symbols} - moving:
         moving |= more
     return moving
@@ -69,17 +74,3 @@ def _symbols(reading: Reading, polynomial: Polynomial) -> set[w.Node]:
             case (_, w.Node() as of, *_):
                 found |= {*w.symbols_of(of)}
     return found
-
-
-def _rank(rows: list[list[Fraction]]) -> int:
-    """The rank, by elimination."""
-    rank = 0
-    for column in range(len(rows[0]) if rows else 0):
-        pivot = next((row for row in range(rank, len(rows)) if rows[row][column]), None)
-        if pivot is not None:
-            rows[rank], rows[pivot] = rows[pivot], rows[rank]
-            for row in rows[rank + 1 :]:
-                factor = row[column] / rows[rank][column]
-                row[:] = [x - factor * y for x, y in zip(row, rows[rank], strict=True)]
-            rank += 1
-    return rank

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 
 from chasles import vocabulary as w
@@ -29,7 +29,7 @@ REPEATING = ("symmetric", "definite")
 
 @dataclass(slots=True)
 class Said:
-    """A polynomial that is zero and why; whether it `counts`, or follows near the point from others that do.
+    """A polynomial that is zero, as `stated` and differentiated, and why; it `counts`, or follows from others near by.
 
     What says nothing new is a combination of what was said before, and so are all its rates.
     """
@@ -39,6 +39,10 @@ class Said:
     polynomial: Polynomial
     counts: bool = True
     is_new: bool = True
+    stated: Polynomial = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.stated = self.polynomial
 
     @property
     def ties(self) -> bool:
@@ -61,7 +65,7 @@ class Reading(Quantities):
         self.conditions: list[Polynomial] = []
         self.positive: list[tuple[str, Polynomial]] = []
         self.greater: dict[int, Polynomial] = {}
-        self.ahead: list[Polynomial] = []
+        self.ahead: list[tuple[Polynomial, Polynomial]] = []
         self.unclosed: list[str] = []
         self.highest = 0
         divisors = [(h, node) for h in problem.hypotheses for node in h.nonvanishing]
@@ -112,7 +116,8 @@ class Reading(Quantities):
     def _close(self, said: list[Said]) -> None:
         """All that is said is zero from here on, and so are its rates, until they say nothing new or are of new rates.
 
-        What then is `ahead` determines the new rates; of what is `unclosed` it was not found out where it ends.
+        What then is `ahead`, beside what was stated, determines the new rates; of what is `unclosed` it was not found
+        out where it ends.
         """
         moves = self._open_rules()
         self.highest = max((what[2] for what in self.variables if what[0] == "entry"), default=0)
@@ -143,7 +148,8 @@ class Reading(Quantities):
             self.unclosed.append(said.label)
         is_ahead = any(what[0] == "entry" and what[2] > self.highest for what in kinds)
         if is_ahead and said.ties:
-            self.ahead.append(cleared(said.polynomial, self.atoms)[0])
+            stated, polynomial = (cleared(each, self.atoms)[0] for each in (said.stated, said.polynomial))
+            self.ahead.append((stated, polynomial))
         return not is_ahead
 
     def settle(self, values: Mapping[int, Polynomial]) -> None:
