@@ -14,7 +14,7 @@ from typing import Any
 
 import sympy
 
-from chasles.proof.recheck.intervals import Enclosing, Enclosure, Unbounded
+from chasles.proof.recheck.questions.intervals import Enclosing, Enclosure, Unbounded
 from chasles.proof.recheck.sparse import Rejected
 
 __all__ = ["Values", "sign_of_number", "vanishes"]
