@@ -24,11 +24,14 @@ def answers(book: Chapter, judge: Judge) -> dict[str, str]:
 
     What the judge has found is asked as those will ask who have it from here: all that is checked then is there too.
     """
+    finding = list(_asking(book, judge))
+    for _, ask in watched(iter(finding), len(finding), "Walking"):
+        ask()
     memory = Memory(judge.memory.everything)
     asking = list(_asking(book, Judge(book=book, memory=memory)))
     known: set[str] = set()
     groups: dict[str, dict[str, Any]] = {}
-    for name, ask in watched(iter(asking), len(asking), "Walking"):
+    for name, ask in asking:
         memory.asked.clear()
         ask()
         new = [key for key in memory.asked if memory.knows(key) and key not in known]
