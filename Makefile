@@ -35,7 +35,7 @@ compile: $(VENV)/.compiled
 	@:
 
 test: $(VENV)/.compiled $(VENV)/.tools
-	@$(BIN)/python -m pytest -n 2 $(ARGS)
+	@$(BIN)/python -m pytest -n 2 --dist worksteal $(ARGS)
 
 bench: $(VENV)/.compiled $(VENV)/.tools $(VENV)/.peers
 	@$(BIN)/python -m benchmarks.kernels $(ARGS)

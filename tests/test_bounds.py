@@ -239,6 +239,7 @@ def compare(
     return [(g, float(x) / unit) for g, x in zip(bound.guarantees, worst, strict=True)]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
 @pytest.mark.parametrize("name", [name for name in PROVED if name not in CHOOSING])
 def test_no_kernel_errs_by_more_than_is_proved(book: Book, name: str, dtype: type[np.floating[Any]]) -> None:
@@ -390,6 +391,7 @@ def test_the_manifest_has_what_is_proved_by_counting(book: Book, name: str, monk
     assert bound_of(program, request).as_data() == LISTED[name]["bound"]
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", COVERED)
 def test_the_manifest_has_what_is_proved_over_boxes(book: Book, name: str) -> None:

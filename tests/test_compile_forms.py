@@ -223,6 +223,7 @@ def drawn(draw, depth):
 POINTS = [(0.3, 1.7, -0.6), (1e-8, 2.0, 1e-8), (3.14159, 0.5, -2.0), (0.0, 1.0, 1.0), (-1.25, 0.75, 2.5)]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("seed", range(60))
 def test_no_finite_value_is_wrong(seed):
     """What is computed is as far from 60 digits as the expression as it stands may be, or nearer."""

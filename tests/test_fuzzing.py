@@ -28,13 +28,14 @@ from .fuzzing.shrinking import shrunk, smaller
 from .fuzzing.statement_judging import judge_statement
 from .fuzzing.statements import Asked
 from .fuzzing.sympy_values import Values
+from .sampling import WHOLE
 
 x, y, t = symbols("x y t")
 f, g, th = (Function(name)(t) for name in ("f", "g", "theta"))
 SEED = 11
 SAMPLE = 20
 BATCH = 10
-VARIANTS = 20
+VARIANTS = 20 if WHOLE else 5
 
 
 PENDING = ("verdict on nothing",)
@@ -42,6 +43,7 @@ PENDING = ("verdict on nothing",)
 same on both sides is said to hold under equations of motion that contradict each other only once differentiated."""
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("first", range(0, SAMPLE, BATCH))
 @pytest.mark.parametrize("language", sorted(LANGUAGES))
@@ -160,6 +162,7 @@ def test_a_rejected_certificate_is_noticed(monkeypatch: pytest.MonkeyPatch) -> N
     assert alarm.kind == "own certificate rejected"
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("kind", sorted(SYSTEMS | CONSTRAINTS))
 def test_motions_are_found_and_satisfy_what_is_given(kind: str) -> None:
     given, functions = (SYSTEMS | CONSTRAINTS)[kind]

@@ -325,6 +325,7 @@ add("quat speed", 4 * sum(d(i) ** 2 for i in qv), w.dot(w), [*quat, Eq(sum(i**2 
 add("quat speedF", sum(d(i) ** 2 for i in qv), w.dot(w), [*quat, Eq(sum(i**2 for i in qv), 1)], False)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", CASES)
 def test_mechanics_is_decided_rightly(name: str) -> None:
     lhs, rhs, given, truth = CASES[name]

@@ -30,6 +30,7 @@ from chasles.prove import prove
 from chasles.statements import Statement, load
 from chasles.vocabulary import Integral, Negative, Node, Sum
 
+from .sampling import sample
 from .sympy_words import TIME, in_sympy
 
 STATEMENTS = {entry.key: entry.statement for entry in load() if isinstance(entry.statement, Statement)}
@@ -82,6 +83,7 @@ def frames(kind: str, order: str) -> tuple[ReferenceFrame, ReferenceFrame]:
     return fixed, moving
 
 
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize(("kind", "order"), CASES)
 def test_angular_velocities(kind: str, order: str) -> None:
     fixed, moving = frames(kind, order)
@@ -95,6 +97,7 @@ def test_angular_velocities(kind: str, order: str) -> None:
     assert not equal(omega, theirs.to_matrix(moving))
 
 
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize(("kind", "order"), CASES)
 def test_kinematic_equations(kind: str, order: str) -> None:
     Q = turning(kind, order)
@@ -146,7 +149,7 @@ def vector_of(components: sympy.Matrix, frame: ReferenceFrame) -> Vector:
 def check(number: str, moving: Moving, theirs: Vector) -> None:
     said = theirs.to_matrix(moving.fixed)
     assert equal(right(number, moving.values), said)
-    assert not any(equal(mutant, said) for mutant in mutants(number, moving.values))
+    assert not any(equal(mutant, said) for mutant in sample(mutants(number, moving.values), 3))
 
 
 def test_velocity_of_two_points_of_a_body() -> None:

@@ -20,11 +20,15 @@ import pytest
 
 import chasles
 
+from .sampling import WHOLE
+
 fcntl = pytest.importorskip("fcntl", reason="the environments are laid out as on Unix")
 ROOT = Path(__file__).resolve().parents[1]
 DOWNLOADS = "CHASLES_TEST_DOWNLOADS"
 EPOCH = "1700000000"
 PURE = {"CC": "false", "CHASLES_REQUIRE_C": "0"}
+COMPILED = {"CHASLES_REQUIRE_C": "1"} | ({} if WHOLE else {"SKBUILD_CMAKE_DEFINE": "chasles_has_x86-64-v3=OFF"})
+"""For instructions that every processor has; .ci/run installs what is compiled for all."""
 NAME = f"chasles-{chasles.__version__}"
 ONE_GO = (
     'chasles decide 3.18 && chasles solve 3.7 && python -c "import chasles.kernels; print(chasles.kernels.backend)"'
@@ -120,7 +124,7 @@ def pure_wheel(once, sdist: Path) -> Path:
 @pytest.fixture(scope="session")
 def compiled_wheel(once, sdist: Path) -> Path:
     """The wheel that is built from the source distribution where there is a compiler."""
-    return once("compiled", lambda out: build(sdist, out, CHASLES_REQUIRE_C="1"))
+    return once("compiled", lambda out: build(sdist, out, **COMPILED))
 
 
 class Environment:

@@ -23,6 +23,8 @@ from chasles.report.words import VERDICTS, counted, reason, said
 from chasles.statements import Chapter, Claim, Definition, Entry, Section, Statement, load, nonzero
 from chasles.vocabulary import column, norm, scalar, vector
 
+from .sampling import sample
+
 SECTION = Section("9.1", "On | Bars")
 x, y = (vector(letter, letter, "any vector") for letter in "xy")
 k = scalar("k", "k", "any number")
@@ -182,8 +184,13 @@ def test_nothing_in_a_text_is_a_mark() -> None:
 
 
 @pytest.fixture(scope="module")
-def whole() -> dict[str, str]:
-    return pages(load(), Judge(book=load()))
+def judge() -> Judge:
+    return Judge(book=load())
+
+
+@pytest.fixture(scope="module")
+def whole(judge: Judge) -> dict[str, str]:
+    return pages(load(), judge)
 
 
 def test_the_chapter_is_complete(whole: dict[str, str]) -> None:
@@ -193,8 +200,7 @@ def test_the_chapter_is_complete(whole: dict[str, str]) -> None:
     assert "\n172 numbered equations, 4 of earlier chapters, and " in whole["VERDICTS.md"]
 
 
-def test_every_slip_of_the_chapter_is_there(whole: dict[str, str]) -> None:
-    judge = Judge(book=load())
+def test_every_slip_of_the_chapter_is_there(whole: dict[str, str], judge: Judge) -> None:
     for entry in load():
         part = f" part {entry.statement.part}" if entry.statement.part > 1 else ""
         heading = f"\n### ({entry.number}){part}\n"
@@ -209,7 +215,7 @@ def test_the_pages_are_the_same_for_every_hash_seed(whole: dict[str, str]) -> No
         "from chasles.statements import load; texts = pages(load(), Judge(book=load())).values()\n"
         "sys.stdout.buffer.write(''.join(texts).encode())"
     )
-    for seed in ("1", "2"):
+    for seed in sample(("1", "2"), 2):
         environment = {**os.environ, "PYTHONHASHSEED": seed}
         made = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, check=True)
         assert made.stdout.decode() == "".join(whole.values())

@@ -122,6 +122,7 @@ def test_what_does_not_follow_from_them_fails(lhs: Any, rhs: Any, given: list[An
     assert isinstance(prove(lhs, rhs, given=given), Fails)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("lhs", "rhs", "given"),
     [

@@ -54,6 +54,8 @@ from chasles.vocabulary import (
     vector,
 )
 
+from .sampling import WHOLE
+
 mpmath.mp.dps = 60
 Value = Any  # an array of mpmath numbers, or a number that stands for a multiple of the identity
 
@@ -359,7 +361,7 @@ def value_of(node: Node) -> Value:
 
 
 @pytest.mark.parametrize("kind", ["scalar", "vector", "matrix"])
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150 if WHOLE else 50, deadline=None)
 @given(data=st.data())
 def test_what_is_written_reads_back_as_it_was_meant(kind: str, data: st.DataObject) -> None:
     node = data.draw(expressions(kind, 3))

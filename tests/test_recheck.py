@@ -165,6 +165,7 @@ def altered(certificate: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]
             yield f"root {other}", made(lambda d, at=place, new=other: d["roots"].__setitem__(at, new))
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("lhs", "rhs", "given"), PROVED, ids=name)
 def test_an_altered_certificate_is_rejected(lhs: Any, rhs: Any, given: list[Any]) -> None:
     verdict = proved(lhs, rhs, given)
@@ -176,6 +177,7 @@ def test_an_altered_certificate_is_rejected(lhs: Any, rhs: Any, given: list[Any]
         pytest.fail(f"accepted: {what}")
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("lhs", "rhs", "given"), PROVED, ids=name)
 def test_an_altered_witness_is_rejected(lhs: Any, rhs: Any, given: list[Any]) -> None:
     verdict = proved(lhs, rhs, given)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import fields
+from functools import cache
 
 import pytest
 
@@ -14,6 +15,8 @@ from chasles.proof.repair import Repair, repair
 from chasles.proof.verdict import Holds, HoldsUnder
 from chasles.statements import Claim, Definition, Statement, load, problem_of
 from chasles.vocabulary import Misfit, Negative, Node, Number, Sum, Transpose, children, latex, plain, rebuilt
+
+from .sampling import sample
 
 CHAPTER = load()
 JUDGE = Judge(book=CHAPTER)
@@ -38,6 +41,9 @@ def repaired(statement: Statement) -> tuple[Repair, ...]:
     return repair(statement, JUDGE.standing, beside=BESIDE)
 
 
+repaired_once = cache(repaired)
+
+
 def holds(statement: Statement, left: Node, right: Node) -> bool:
     """Whether the sides are equal, decided here and now."""
     problem = problem_of(statement.saying(left, right), "printed", JUDGE.standing)
@@ -54,12 +60,14 @@ def without_reading(statement: Statement) -> Statement:
 
 def test_every_print_that_fails_is_repaired_and_proved(failing: list[Claim]) -> None:
     assert len(failing) >= 7
+    again = sample(failing, 3)
     for statement in failing:
-        found = repaired(statement)
+        found = repaired_once(statement)
         assert found, statement.number
-        assert [(e.left, e.right, e.changes) for e in found] == [
-            (e.left, e.right, e.changes) for e in repaired(statement)
-        ]
+        if statement in again:
+            assert [(e.left, e.right, e.changes) for e in found] == [
+                (e.left, e.right, e.changes) for e in repaired(statement)
+            ]
         for each in found:
             assert each.marks <= each.edits == len(each.changes) == found[0].edits
             assert isinstance(each.verdict, Holds | HoldsUnder)
@@ -69,7 +77,7 @@ def test_every_print_that_fails_is_repaired_and_proved(failing: list[Claim]) -> 
 
 
 def test_what_is_wrong_is_said(failing: list[Claim]) -> None:
-    said = {(claim.number, claim.part): repaired(claim) for claim in failing}
+    said = {(claim.number, claim.part): repaired_once(claim) for claim in failing}
     slips = {key: [each.changes[each.marks :] for each in found] for key, found in said.items()}
     assert slips["3.97a", 1] == [("the term (1 - cos(phi)) E_dot is added",)]
     assert [plain(each.right) for each in said["3.97c", 1]] == ["2 [r_0_dot 1 + R_dot, -r_dot]"]
@@ -172,10 +180,9 @@ def damages(node: Node) -> Iterator[tuple[str, Node]]:
 def test_damaged_claims_are_repaired_to_what_they_said(name: str) -> None:
     claim = BY_NAME[name].statement
     assert isinstance(claim, Claim)
-    tried = 0
-    for kind, damaged in damages(claim.right):
-        if not fit(claim.left, damaged) or holds(claim, claim.left, damaged):
-            continue
+    fitting = [(kind, damaged) for kind, damaged in damages(claim.right) if fit(claim.left, damaged)]
+    tried = sample(((kind, damaged) for kind, damaged in fitting if not holds(claim, claim.left, damaged)), 4)
+    for kind, damaged in tried:
         found = repaired(claim.saying(claim.left, damaged))
         assert found, (kind, plain(damaged))
         for each in found:
@@ -183,5 +190,4 @@ def test_damaged_claims_are_repaired_to_what_they_said(name: str) -> None:
             assert holds(claim, claim.left, each.right)
             # Where the claim restates an equation, the sides of that may differ and the two right sides with them.
             assert claim.restates is not None or holds(claim, claim.right, each.right)
-        tried += 1
     assert tried

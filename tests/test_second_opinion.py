@@ -97,6 +97,7 @@ def contradictions(entry: Entry, verdict: Verdict, opinion: Opinion) -> Iterator
         yield f"({entry.number}) {entry.name}: {verdict.name}, but at a motion the sides agree: {opinion}"
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("section", SECTIONS)
 def test_numbers_agree_with_every_verdict(section: str) -> None:
     found: list[str] = []
@@ -115,6 +116,7 @@ def test_a_wrong_verdict_is_contradicted() -> None:
     assert not [*contradictions(entry, proved, Opinion(400.0, 170.0, ""))]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("section", SECTIONS)
 def test_numbers_agree_where_everything_comes_from_its_roots(section: str) -> None:
     found: list[str] = []

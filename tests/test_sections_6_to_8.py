@@ -121,6 +121,7 @@ def test_what_is_needed(chapter: Chapter, judge: Judge, name: str, needs: set[st
     assert set(verdict.needs) == needs
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     "name",
     [

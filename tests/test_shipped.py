@@ -32,6 +32,8 @@ from chasles.statements.packages import BOOK
 from chasles.statements.roads import roads
 from chasles.vocabulary import Node, Sum, cross, dot, number, vector
 
+from .sampling import WHOLE, sample
+
 ROOT = Path(__file__).resolve().parents[1]
 CHAPTER, ROADS, SHIPPED = load(), roads(), shipped(BOOK)
 SEARCHES = ("chasles.proof.judge.decide_problem", "chasles.proof.judge.repair", "chasles.proof.road.state.combined")
@@ -97,6 +99,7 @@ REFUSED = pytest.mark.xfail(reason="the checker asks of the witness what no equa
 
 
 @pytest.mark.slow
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     "name", [pytest.param(n, marks=REFUSED) if n == "accelerations_in_a_moving_frame" else n for n in ROADS]
 )
@@ -105,6 +108,7 @@ def test_nothing_on_the_roads_is_searched_for(name: str, walker: Judge, searched
     assert searched == []
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.usefixtures("new_judge")
 @pytest.mark.parametrize("number", exercise_numbers())
 def test_nothing_of_the_exercises_is_searched_for(number: str, searched: list[str]) -> None:
@@ -112,9 +116,21 @@ def test_nothing_of_the_exercises_is_searched_for(number: str, searched: list[st
     assert searched == []
 
 
-@pytest.mark.slow
 def test_what_is_shipped_is_what_is_found() -> None:
     """`chasles emit --anew` writes what is found into the file."""
+    judge = Judge(book=CHAPTER)
+    for entry in sample(CHAPTER, 8):
+        judge.decide(entry.statement)
+    for road in sample(ROADS.values(), 12):
+        walk(road, judge)
+    found = json.loads(json.dumps(judge.memory.everything))
+    assert len(found) > 60
+    assert {key: SHIPPED.get(key) for key in found} == found
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not WHOLE, reason="proves everything anew: set CHASLES_TEST_WHOLE=1")
+def test_the_whole_file_is_what_is_found() -> None:
     assert answers(CHAPTER, Judge(book=CHAPTER))[ANSWERS] == (ROOT / "generated" / ANSWERS).read_text("utf-8")
 
 
@@ -246,20 +262,25 @@ if {hidden!r}:
 from click.testing import CliRunner
 from chasles.cli import main
 from chasles.proof.rings import backend
-from chasles.statements.exercises import exercise_numbers
 
 assert backend() == ("sympy" if {hidden!r} else "flint")
 said = {{}}
-words = [["decide"], ["derive"], ["repair"], ["report", "--out", {out!r}], ["decide", "--brief", "--anew"]]
-for one in [*words, *(["solve", number] for number in exercise_numbers())]:
+for one in {words!r}:
     done = CliRunner().invoke(main, one)
     timed = r"decided in|all in|index.html|chapter.tex"
     lines = [line for line in done.stdout.splitlines() if not re.search(timed, line)]
     said[" ".join(one)] = done.exit_code, done.stderr, lines
-for file in sorted(Path({out!r}).iterdir()):
+for file in sorted(Path({out!r}).glob("*")):
     said[file.name] = sha256(file.read_bytes()).hexdigest()
 print(json.dumps(said))
 """
+EVERY_COMMAND = [["decide"], ["derive"], ["repair"], ["report", "--out"], ["decide", "--brief", "--anew"]]
+SOME_COMMANDS = [
+    ["decide", "--section", "3.4"],
+    ["derive", "3.18", "3.96c"],
+    ["repair", "3.148", "3.96e"],
+    ["decide", "--section", "3.4", "--brief", "--anew"],
+]
 
 
 @pytest.mark.slow
@@ -267,19 +288,23 @@ def test_all_commands_say_the_same_without_flint(tmp_path: Path) -> None:
     """On one processor, and with nothing that an earlier run kept; everything proved anew once."""
     environment = {**os.environ, "CHASLES_CACHE": "", "CHASLES_PROCESSES": "1", "COLUMNS": "120", "NO_COLOR": "1"}
     found = []
+    out = str(tmp_path / "report")
+    commands = EVERY_COMMAND if WHOLE else SOME_COMMANDS
+    words = [[*words, out] if words[-1] == "--out" else words for words in commands]
+    words += [["solve", number] for number in sample(exercise_numbers(), 5)]
     for hidden in (True, False) if find_spec("flint") else (True,):
-        script = COMMANDS.format(hidden=hidden, out=str(tmp_path / "report"))
+        script = COMMANDS.format(hidden=hidden, out=out, words=words)
         done = subprocess.run(
             [sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=False, timeout=600
         )
         assert done.returncode == 0, done.stderr
         found.append(json.loads(done.stdout))
-    out = str(tmp_path / "report")
     for name, said in found[0].items():
         if not isinstance(said, str):
             assert said[:2] == [0, ""], name
         assert said == found[-1][name], name.replace(out, "OUT")
-    assert found[0]["decide"][2][-1] == found[0]["decide --brief --anew"][2][-1]
+    checked, anew = " ".join(commands[0]), " ".join(commands[-1])
+    assert found[0][checked][2][-1] == found[0][anew][2][-1]
 
 
 def test_anew_searches_for_all(searched: list[str], monkeypatch: pytest.MonkeyPatch) -> None:

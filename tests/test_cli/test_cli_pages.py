@@ -12,6 +12,8 @@ from rich.text import Text
 
 from chasles.report.screen import Screen
 
+from ..sampling import sample
+
 KEYS = [
     "number", "part", "name", "section", "role", "verdict", "needs", "contradictory", "counterexample", "corrected",
     "latex", "certificate", "milliseconds",
@@ -20,14 +22,15 @@ ESCAPE = "\x1b["
 
 
 def test_every_statement_has_a_page(run, whole: list[dict]) -> None:
-    numbers = list(dict.fromkeys(record["number"] for record in whole))
+    numbers = sample(dict.fromkeys(record["number"] for record in whole), 4)
+    shown = [record for record in whole if record["number"] in numbers]
     done = run("show", *numbers, "--latex")
     assert done.exit_code == 0
-    for record in whole:
+    for record in shown:
         assert record["name"] in done.stdout
         assert record["certificate"] is None or record["certificate"] in done.stdout
     pages = json.loads(run("show", "--json", *numbers).stdout)["statements"]
-    assert len(pages) == len(whole)
+    assert len(pages) == len(shown)
     assert all(set(page) == {*KEYS, "says", "text", "given", "assuming", "kernel", "kernels"} for page in pages)
 
 

@@ -16,6 +16,8 @@ from click.testing import CliRunner, Result
 from chasles.cli import book, comparison, main
 from chasles.statements import Chapter, load
 
+from ..sampling import sample
+
 NAMES = ["cross_product_matrix", "rotation_from_axis_angle"]
 
 
@@ -161,8 +163,9 @@ def test_the_summary_has_a_row_for_each_section_and_a_total(monkeypatch: pytest.
     from chasles.report.summary import summary_table, tallies
 
     whole = load()
-    found = tallies(list(Judge(book=whole).decide_all(whole.entries)))
+    entries = sample(whole.entries, 3)
+    found = tallies(list(Judge(book=whole).decide_all(entries)))
     assert [tally.number for tally in found] == list(dict.fromkeys(entry.section.number for entry in whole.entries))
-    assert sum(sum(tally.verdicts.values()) for tally in found) == len(whole.entries)
+    assert sum(sum(tally.verdicts.values()) for tally in found) == len(entries)
     (table,) = summary_table(Screen(), found)
     assert table.row_count == len(found) + 2

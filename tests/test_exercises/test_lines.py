@@ -131,6 +131,7 @@ def ruling(draw: Random) -> tuple[list, sp.Matrix, sp.Matrix]:
     return lines, frame, origin
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("seed", range(6))
 def test_a_known_hyperboloid(seed: int) -> None:
     draw = Random(seed)

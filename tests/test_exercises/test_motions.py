@@ -35,6 +35,7 @@ def is_found(answers: dict, known: Motion) -> None:
     assert same(answers["pitch"] * answers["phi"], known.d0)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("half_turn", [False, True])
 @pytest.mark.parametrize("seed", range(6))
 def test_a_known_screw_of_a_cube(seed: int, half_turn: bool) -> None:
@@ -93,6 +94,7 @@ def gripper(known: Motion, point: sp.Matrix) -> dict[str, object]:
     return axes | {"p": plain(point), "c": plain(known.moved(point))}
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("half_turn", [False, True])
 @pytest.mark.parametrize("seed", range(6))
 def test_a_known_screw_of_a_gripper(seed: int, half_turn: bool) -> None:

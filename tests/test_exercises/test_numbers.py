@@ -95,6 +95,7 @@ def test_the_root_of_a_negative_number_is_refused() -> None:
         root(sp.sqrt(2) - 2)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("below", [1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 30])
 def test_rational_multiples_of_pi_are_found(below: int) -> None:
     for above in range(-below + 1, below + 1):

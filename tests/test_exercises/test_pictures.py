@@ -18,6 +18,7 @@ from chasles.exact.solving import solve_with
 WITH_PICTURE = ["3.1", "3.2", "3.3", "3.4", "3.5", "3.6", "3.7", "3.10", "3.11", "3.12", "3.15", "3.16", "3.19", "3.20"]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("number", WITH_PICTURE)
 def test_labelled_axes_at_one_scale_and_names_apart(number: str) -> None:
     figure = solve_with(number, {}).figure()

@@ -9,6 +9,7 @@ from chasles.exact.solving import solve_with
 from chasles.statements.exercises import exercise
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("seed", range(3))
 @pytest.mark.parametrize("number", ["3.11", "3.13", "3.14", "3.15", "3.16", "3.20", "3.21"])
 def test_its_own_answers_are_right(number: str, seed: int) -> None:

@@ -72,6 +72,7 @@ def test_a_wedge_below_the_top(side: object, height: object, degrees: int) -> No
     assert same(answers["wedge.I_C_over_rho"], sp.Matrix(rows))
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("side", "height", "degrees", "through"),
     [(25, 150, 45, "far side"), (25, 30, 45, "top"), (25, "25*sqrt(3)", 45, "far side"), (1, "1/4", 30, "top"),

@@ -15,6 +15,8 @@ import pytest
 from chasles.lowering.evaluate import decimals, run
 from chasles.lowering.program import Op
 
+from ..sampling import WHOLE
+
 KINDS = [np.float64, np.float32]
 LENGTHS = [0, 1, 2, 3, 4, 5, 7, 8, 15, 16, 17, 63, 64, 65, 127, 128, 129, 1000]
 SPECIAL = [0.0, -0.0, 1.0, -1.0, 5e-324, -1e-310, 1e-40, 1e300, -1e300, 1e38, np.inf, -np.inf, np.nan]
@@ -141,7 +143,8 @@ def test_sines_and_cosines_are_within_a_unit_in_the_last_place(loops, kind):
     near = [k * np.pi / 2 for k in (*range(-40, 41), 2**19 - 1, 2**20 - 3, 10**6 + 1)]
     steps = [np.nextafter(x, way) for x in near for way in (-np.inf, np.inf)]
     spread = random.uniform(-1.6e6, 1.6e6, 2000), random.uniform(-4, 4, 4000), 10.0 ** random.uniform(-300, 6, 500)
-    x = np.concatenate([near, steps, *spread, ANGLES]).astype(kind)
+    every = 1 if WHOLE else 4
+    x = np.concatenate([near, steps, *(part[::every] for part in spread), ANGLES]).astype(kind)
     x = x[np.isfinite(x)]
     e = np.zeros((len(x), 3), kind)
     e[:, 2] = 1
