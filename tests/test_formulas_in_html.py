@@ -6,9 +6,9 @@ from xml.etree.ElementTree import tostring
 
 import pytest
 
-from chasles.report.html.breaking import in_lines, width_of
+from chasles.report.html.breaking import FEW, MOST, in_lines, width_of
 from chasles.report.html.differences import mark_differences
-from chasles.report.html.formulas import equation_tree, latex_for_mathml, markup, tree_of
+from chasles.report.html.formulas import equation_tree, latex_for_mathml, markup, math, tree_of
 from chasles.statements import Statement, load
 from chasles.vocabulary import symbols_of, walk
 
@@ -38,6 +38,7 @@ def marked(before: str, after: str) -> tuple[list[str], list[str]]:
         (r"a \cdot b", r"\left( a \cdot b \right) c", [], ["(", ")", "c"]),
         (r"\frac{a}{b}", r"\frac{a}{c}", ["b"], ["c"]),
         (r"x = a b + c", r"x = c", ["ab+"], []),
+        (r"\mathbf{N} \dot{\mathbf{v}}", r"\mathbf{N} \dot{\nu}", ["𝐯˙"], ["ν˙"]),
         (r"\begin{matrix} a b \end{matrix} + c", r"\begin{matrix} a & b \end{matrix} + c", [], ["b"]),
     ],
 )
@@ -63,6 +64,54 @@ def test_a_long_formula_is_broken_between_terms() -> None:
     assert "".join(lines.itertext()) == "".join(tree_of(f"x = {terms}").itertext())
     short = tree_of("x = a + b")
     assert in_lines(short) is short
+
+
+LONG = r"\sin \left( \phi \right) \mathbf{a} + \frac{b}{c} \mathbf{d}^T - \mathbf{e} \cdot \mathbf{f}"
+SUM = " + ".join([LONG] * 5)
+WIDE_FORMS = {
+    "a sum in brackets": rf"x = \left[ {SUM} \right]",
+    "with an exponent": rf"x = y + \left[ {SUM} \right]^T",
+    "in a frame": rf"x = \left[ {SUM} \right]_F",
+    "brackets in brackets": rf"x = a \left[ b \left( {SUM} \right) + c \left( {SUM} \right) \right]",
+    "a function of brackets": rf"\text{{vect}} \left( {SUM} \right) = 0",
+    "factors": " ".join([rf"\left[ {LONG} \right]"] * 6),
+    "a fraction": rf"x = \frac{{{SUM}}}{{{SUM}}}",
+    "a root": rf"x = \sqrt{{{SUM}}}",
+    "a root of a fraction": rf"x = \sqrt{{\frac{{{SUM}}}{{c}}}}",
+    "a column": rf"x = \left[ \begin{{matrix}} {SUM} \\ {SUM} \end{{matrix}} \right]",
+    "a row": rf"x = \left[ \begin{{matrix}} {SUM} & {SUM} \end{{matrix}} \right]",
+    "a wide entry": rf"x = \left[ \begin{{matrix}} 1 & {SUM} \\ 0 & 2 \end{{matrix}} \right]^T y",
+    "brackets in an entry": rf"\left[ \begin{{matrix}} \left\{{ {SUM} \right\}} a \\ 2 \end{{matrix}} \right]",
+    "no sign": " ".join(f"a_{{{k}}}" for k in range(90)),
+    "a matrix in a fraction": rf"\frac{{\left[ \begin{{matrix}} {SUM} & 1 \end{{matrix}} \right]}}{{2}} = x",
+}
+
+
+@pytest.mark.parametrize("form", WIDE_FORMS)
+def test_whatever_is_too_wide_comes_in_lines(form: str) -> None:
+    tree = tree_of(WIDE_FORMS[form])
+    said = "".join(tree.itertext())
+    assert width_of(tree) > 1.4 * MOST
+    lines = in_lines(tree)
+    assert width_of(lines) <= 1.15 * MOST
+    assert "".join(lines.itertext()) == said
+    for row in lines.iter("mrow"):
+        assert row[-1].get("form") != "prefix", "a line ends with a bracket that opens"
+        first = row[1] if row[0].tag == "mspace" and len(row) > 1 else row[0]
+        assert first.get("form") != "postfix" or not first.get("fence"), "a line begins with a bracket that closes"
+
+
+def test_words_after_a_formula_in_a_line_are_words_of_the_line() -> None:
+    assert math(r"\mathbf{Q} \text{ orthonormal, right-handed}").endswith("</math> orthonormal, right-handed")
+    for latex in (r"\text{CPM}", r"\text{ on}", r"\mathbf{Q} \text{ of } \mathbf{e}"):
+        assert math(latex).endswith("</math>")
+
+
+def test_marks_stay_where_brackets_come_apart() -> None:
+    tree = tree_of(rf"x = \left[ {SUM} \right]")
+    tree[-1].set("class", "taken")
+    marked = [part for part in in_lines(tree).iter() if part.get("class") == "taken"]
+    assert "".join("".join(part.itertext()) for part in marked) == "".join(tree[-1].itertext())
 
 
 def test_brackets_and_bold_letters_are_what_browsers_draw() -> None:
@@ -94,6 +143,8 @@ def test_a_function_of_a_letter_does_not_run_on() -> None:
 
 def test_a_left_side_does_not_stand_alone() -> None:
     wide = " ".join(f"a_{{{k}}}" for k in range(60))
-    tree = tree_of(f"x = {wide}")
-    assert in_lines(tree) is tree
-    assert len(in_lines(tree_of(f"x = {wide} + {wide}")).findall("mtr")) == 2
+    for formula in (f"x = {wide}", f"x = {wide} + {wide}"):
+        rows = in_lines(tree_of(formula)).findall("mtr")
+        assert len(rows) > 1
+        assert all(width_of(row) > FEW for row in rows[:-1])
+        assert all(width_of(row) <= MOST + 4 for row in rows)

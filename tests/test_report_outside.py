@@ -69,7 +69,10 @@ def test_a_browser_shows_it_all(html: str, tmp_path: Path) -> None:
         assert "(3.18)" in window.run(SHOWN)
         window.picture(tmp_path / "page.png")
         window.as_on_paper(PAPER)
-        assert window.run("return [innerWidth, document.documentElement.scrollWidth]") == [PAPER, PAPER]
+        for font in FONTS:
+            assert window.run(IN_FONT, font) == [PAPER, PAPER], font
+        assert window.run(IN_FONT, "") == [PAPER, PAPER]
+        assert window.run(SMALLEST) >= READABLE
         window.printed(tmp_path / "page.pdf")
         assert window.console() == []
     assert (tmp_path / "page.png").stat().st_size > 1e4
@@ -78,6 +81,19 @@ def test_a_browser_shows_it_all(html: str, tmp_path: Path) -> None:
 
 PAPER = 688
 """How wide A4 is between its margins, in pixels; a browser prints all smaller if anything is wider."""
+FONTS = ("monospace", "DejaVu Sans Mono", "DejaVu Serif", "DejaVu Math TeX Gyre")
+"""Wide ones; where they are missing, the browser takes what there is."""
+IN_FONT = """
+const style = document.getElementById('tried') || document.head.appendChild(document.createElement('style'));
+style.id = 'tried';
+style.textContent = arguments[0] && `body, body *, math { font-family: '${arguments[0]}' !important; }`;
+return [innerWidth, document.documentElement.scrollWidth];
+"""
+READABLE = 6
+"""Pixels of an em: with less, a formula on paper cannot be read."""
+SMALLEST = """
+return Math.min(...[...document.querySelectorAll('math')].map(each => parseFloat(getComputedStyle(each).fontSize)));
+"""
 DRAWN = """
 const formulas = [...document.querySelectorAll('math')];
 const size = each => each.getBoundingClientRect();

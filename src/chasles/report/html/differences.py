@@ -47,8 +47,11 @@ def _in_line(element: Element) -> Iterator[tuple[Element, str]]:
 
 
 def _are_alike(one: Element, other: Element) -> bool:
-    """Whether two parts are of one kind and have parts of their own that can be compared."""
-    return one.tag == other.tag and len(one) > 0 and len(one) == len(other)
+    """Whether two parts are of one kind and have parts of their own that can be compared.
+
+    A letter with an accent is one: a mark between the two would strike through both.
+    """
+    return one.tag == other.tag != "mover" and len(one) > 0 and len(one) == len(other)
 
 
 def _gather(element: Element, name: str) -> None:

@@ -35,10 +35,12 @@ OPENED, CLOSED = r"\left[ \begin{matrix}", r"\end{matrix} \right]"
 """A matrix in brackets: the converter leaves those of `bmatrix` outside where it has an exponent."""
 NAMES = ("sin", "cos", "tan", "det", "vect", "tr")
 SIGNS_IN_WORDS = re.compile(r"\\([&%$#_^~])(?:\{\})?")
+WORDS_AFTER = re.compile(r"(.*\S)\s*\\text\{( [^{}\\$]+)\}")
+"""Words after a formula within a line are text of the line: there they break."""
 TALL = ("mfrac", "mtable")
 """Around what brackets grow; elsewhere a bracket that may grow only takes more room."""
-WIDE = 80
-"""What is wider is printed smaller, so that it fits on a page."""
+WIDE = 40
+"""What is wider may have to be printed smaller to fit on a page: the style sheet is told how wide it is."""
 BOLD = {"bold": "MATHEMATICAL BOLD", "bold-italic": "MATHEMATICAL BOLD ITALIC"}
 """Browsers know bold letters as characters of their own, and no other `mathvariant` than normal."""
 
@@ -92,7 +94,9 @@ def math(latex: str) -> Markup:
 
 @cache
 def _inline(latex: str) -> Markup:
-    return markup(tree_of(latex), block=False)
+    found = WORDS_AFTER.fullmatch(latex)
+    formula, words = found.groups() if found else (latex, "")
+    return markup(tree_of(formula), block=False) + words
 
 
 def tree_of(latex: str) -> Element:
@@ -132,7 +136,8 @@ def _begins_with_a_sign(element: Element) -> bool:
 def markup(tree: Element, block: bool = True) -> Markup:
     """The formula as text of a page; a `block` stands on a line of its own, or on several."""
     shown = in_lines(tree) if block else tree
-    classes = ' class="wide"' if width_of(shown) > WIDE else ""
+    width = width_of(shown)
+    classes = f' class="wide" style="--wide: {width:.0f}"' if width > WIDE else ""
     display = ' display="block"' if block else ""
     inner = tostring(shown, encoding="unicode")
     return Markup("<math{}{}>{}</math>").format(Markup(display), Markup(classes), Markup(inner))
