@@ -17,7 +17,7 @@ from chasles import kernels
 from chasles.cli import diagnosis
 from chasles.cli.diagnosis import problems
 
-TOPICS = ["chasles", "python", "libraries", "extras", "kernels", "compiler", "generated", "cache"]
+TOPICS = ["chasles", "python", "libraries", "extras", "kernels", "compiler", "generated", "checker", "cache"]
 
 
 @pytest.fixture(scope="module")

@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from chasles import __version__, keeping
+from chasles.cli.closure import CHECKERS, lines
 
 __all__ = ["examined", "problems"]
 
@@ -40,6 +41,7 @@ def examined() -> Data:
         "kernels": kernels,
         "compiler": _compiler(kernels["instructions"] or ""),
         "generated": _generated(),
+        "checker": {name: lines(name) for name in CHECKERS},
         "cache": _cache(),
     }
 

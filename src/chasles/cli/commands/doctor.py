@@ -70,6 +70,11 @@ def _lines(found: Mapping[str, Any]) -> Lines:
     generated = found["generated"]
     state = "as the declarations ask for" if generated["fresh"] else "not as the declarations ask for"
     yield "generated", f"{state}, in {generated['folder']}"
+    checker = found["checker"]
+    yield (
+        "checker",
+        f"{checker['declared']:,} lines for declared statements and {checker['prove']:,} for chasles.prove, all told",
+    )
     cache = found["cache"]
     yield (
         "cache",
