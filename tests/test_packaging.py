@@ -187,9 +187,10 @@ def contents(wheel: Path) -> dict[str, str]:
 
 
 def sources() -> set[str]:
-    """What a wheel has to hold: all of the sources, the book and what is emitted, the C self-test left out."""
+    """What a wheel has to hold: sources, book, what is emitted but for the C self-test, and what was measured."""
     places = {"src/chasles": "chasles", "derivations": "chasles/derivations", "generated": "chasles/generated"}
-    return {
+    measured = {"chasles/evidence/kernels.json", "chasles/evidence/errors.json"}
+    return measured | {
         f"{to}/{path.relative_to(ROOT / folder).as_posix()}"
         for folder, to in places.items()
         for path in (ROOT / folder).rglob("*")

@@ -155,14 +155,15 @@ def test_damaged_evidence_is_named(name: str, text: str) -> None:
         measured({name: text}, {"twice": "kernel-twice"})
 
 
-def test_evidence_lies_beside_the_declarations(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+@pytest.mark.parametrize("folder", ["benchmarks/evidence", "evidence"])
+def test_evidence_lies_beside_the_declarations(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, folder: str) -> None:
     class Spec:
         submodule_search_locations = (str(tmp_path / "derivations"),)
 
     monkeypatch.setattr(reporting, "find_spec", lambda name: Spec)
     assert reporting._evidence(load()) == {}
-    (tmp_path / "benchmarks" / "evidence").mkdir(parents=True)
-    (tmp_path / "benchmarks" / "evidence" / "errors.json").write_text("{}", "utf-8")
+    (tmp_path / folder).mkdir(parents=True)
+    (tmp_path / folder / "errors.json").write_text("{}", "utf-8")
     assert reporting._evidence(load()) == {"errors.json": "{}"}
 
 

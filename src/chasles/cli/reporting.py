@@ -26,8 +26,8 @@ from chasles.statements.derivation import Derivation
 
 __all__ = ["Reported", "reported"]
 
-EVIDENCE = ("benchmarks", "evidence")
-"""Beside the declarations in a checkout; an installed wheel has none."""
+EVIDENCE = (("benchmarks", "evidence"), ("evidence",))
+"""Beside the declarations in a checkout, and in an installed wheel."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +70,7 @@ def reported(book: Chapter) -> Reported:
     try:
         html = page(book, decisions, Sources(trusted, manifest(book), _evidence(book), roads, exercises))
     except DamagedEvidence as error:
-        raise Failure(f"{'/'.join(EVIDENCE)}/{error}; benchmarks/README.md says how to measure anew") from error
+        raise Failure(f"{'/'.join(EVIDENCE[0])}/{error}; benchmarks/README.md says how to measure anew") from error
     texts = {
         "index.html": html,
         "chapter.tex": latex_page(book, decisions, exercises),
@@ -90,9 +90,10 @@ def _roads_of(book: Chapter) -> dict[str, Derivation]:
 
 
 def _evidence(book: Chapter) -> dict[str, str]:
-    """What was measured, file by file; nothing outside a checkout."""
+    """What was measured, file by file; nothing where the declarations lie alone."""
     spec = find_spec(BOOK) if book.package == BOOK else None
     for declarations in (spec.submodule_search_locations or ()) if spec else ():
-        folder = Path(declarations).resolve().parent.joinpath(*EVIDENCE)
-        return {name: (folder / name).read_text("utf-8") for name in (TIMES, ERRORS) if (folder / name).is_file()}
+        folders = (Path(declarations).resolve().parent.joinpath(*parts) for parts in EVIDENCE)
+        if folder := next(filter(Path.is_dir, folders), None):
+            return {name: (folder / name).read_text("utf-8") for name in (TIMES, ERRORS) if (folder / name).is_file()}
     return {}
