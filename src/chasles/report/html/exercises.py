@@ -17,6 +17,7 @@ from chasles.exact.spelling import decimal_text, latex_of, text_of
 from chasles.proof.decision import DoesNotStand
 from chasles.proof.spreading import spread
 from chasles.report.html.citing import Link, place_of_number, slug
+from chasles.report.html.drawn import are_kept, drawn
 from chasles.report.html.formulas import displayed
 from chasles.report.html.pictures import inline, said_of
 from chasles.report.html.shown import Equation
@@ -97,7 +98,7 @@ def worked_view(chapter: Chapter, number: str) -> WorkedView:
     except DoesNotStand as error:
         solution, unsolved = _unsolved(asked), str(error)
     place = f"exercise-{slug(number)}"
-    drawn, without = _picture(solution, place)
+    pictures, without = _picture(solution, place)
     known = frozenset(chapter.numbers)
     return WorkedView(
         place=place,
@@ -110,8 +111,8 @@ def worked_view(chapter: Chapter, number: str) -> WorkedView:
         steps=tuple(_step(known, step) for step in solution.steps),
         answers=tuple(_answer(name, value) for name, value in solution.answers.items()),
         checks=tuple(_step(known, check) for check in solution.checks),
-        pictures=drawn,
-        captions=(solution.picture.title,) if solution.picture and drawn else (),
+        pictures=pictures,
+        captions=(solution.picture.title,) if solution.picture and pictures else (),
         without=without,
         unsolved=unsolved,
     )
@@ -123,9 +124,10 @@ def _unsolved(asked: Exercise) -> Solution:
 
 
 def _ready_to_draw() -> None:
-    """Load matplotlib before the work is spread, so that not every process does."""
-    with suppress(ImportError):
-        import_module("mpl_toolkits.mplot3d")
+    """Load matplotlib before the work is spread, so that not every process does; not where pictures are kept."""
+    if not are_kept():
+        with suppress(ImportError):
+            import_module("mpl_toolkits.mplot3d")
 
 
 def _given(asked: Exercise, solution: Solution) -> Iterator[Given]:
@@ -179,8 +181,8 @@ def _picture(solution: Solution, place: str) -> tuple[tuple[Markup, ...], tuple[
     """The picture if there is one, or why there is none."""
     if solution.picture is None:
         return (), ()
+    picture, name = solution.picture, f"{place}-picture"
     try:
-        figure = solution.figure()
+        return (drawn(picture, name, lambda: inline(solution.figure(), name, picture.title, said_of(picture))),), ()
     except ImportError as error:
         return (), (str(error),)
-    return (inline(figure, f"{place}-picture", solution.picture.title, said_of(solution.picture)),), ()
