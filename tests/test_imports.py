@@ -165,3 +165,10 @@ def test_an_import_the_other_way_is_found(module: str, source: str) -> None:
 )
 def test_an_import_the_right_way_is_let_through(module: str, source: str) -> None:
     assert objections(module, source) == []
+
+
+def test_dir_names_what_is_public_alone() -> None:
+    import chasles
+    import chasles.statements  # an import binds the module's name
+
+    assert dir(chasles) == sorted(chasles.__all__)

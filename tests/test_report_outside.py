@@ -68,6 +68,7 @@ def test_a_browser_shows_it_all(html: str, tmp_path: Path) -> None:
         window.run("location.hash = 'n-3-18'")
         assert "(3.18)" in window.run(SHOWN)
         window.picture(tmp_path / "page.png")
+        window.run("for (const all of ['verdict-all', 'only-all']) document.getElementById(all).click()")
         window.as_on_paper(PAPER)
         for font in FONTS:
             assert window.run(IN_FONT, font) == [PAPER, PAPER], font
@@ -92,7 +93,8 @@ return [innerWidth, document.documentElement.scrollWidth];
 READABLE = 6
 """Pixels of an em: with less, a formula on paper cannot be read."""
 SMALLEST = """
-return Math.min(...[...document.querySelectorAll('math')].map(each => parseFloat(getComputedStyle(each).fontSize)));
+const shown = [...document.querySelectorAll('math')].filter(each => each.checkVisibility());
+return Math.min(...shown.map(each => parseFloat(getComputedStyle(each).fontSize)));
 """
 DRAWN = """
 const formulas = [...document.querySelectorAll('math')];
