@@ -15,6 +15,7 @@ from chasles.proof.from_sympy.angles import Angles
 from chasles.proof.from_sympy.atoms import Atoms
 from chasles.proof.from_sympy.divisors import Divisor, divides, divisor_of, in_sines, is_reciprocal
 from chasles.proof.from_sympy.opening import excerpt, is_atom
+from chasles.proof.recheck.questions.elementary import FUNCTIONS
 from chasles.proof.squarefree import primes_of, squarefree
 from chasles.proof.variables import Untreatable
 from chasles.vocabulary import PI, Negative, Node, Number, Power, Quotient, Scale, Sum, Symbol
@@ -66,7 +67,8 @@ class Reader:
         raise self._untreatable(e)
 
     def _untreatable(self, e: Any) -> Untreatable:
-        functions = sorted({kind.__name__ for kind in self.readings if issubclass(kind, sympy.Function)})
+        own = {kind.__name__ for kind in self.readings if issubclass(kind, sympy.Function)}
+        functions = sorted({*own, *FUNCTIONS, "Max", "Min", "Piecewise"}, key=str.lower)
         return Untreatable(
             f"{excerpt(e)} is not treated. Treated are rational functions of real symbols, of functions such as f(t) "
             f"and their derivatives, of pi, of roots, and of {', '.join(functions)}"
