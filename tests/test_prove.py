@@ -591,5 +591,5 @@ def test_two_hash_seeds_give_the_same_verdicts() -> None:
             [sys.executable, "-c", SEEDED], capture_output=True, text=True, env=environment, check=True
         )
         texts.append(run.stdout.splitlines())
-    assert len(texts[0]) > 40
+    assert len(texts[0]) > 15
     assert texts[0] == texts[1]
