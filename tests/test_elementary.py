@@ -236,8 +236,9 @@ def test_false_equations_fail_at_a_point(lhs: Any, rhs: Any) -> None:
 
 @pytest.mark.parametrize("lhs", REFUSED, ids=name)
 def test_what_is_not_treated_is_refused(lhs: Any) -> None:
+    """Of what is equal there is no counterexample either."""
     with pytest.raises(Untreatable):
-        prove(lhs, 0)
+        prove(lhs, lhs * (sp.cos(x) ** 2 + sp.sin(x) ** 2))
 
 
 FORGED = [(lhs, rhs) for lhs, rhs, _ in CONDITIONAL]
@@ -310,3 +311,25 @@ def test_where_nothing_is_defined_nothing_is_proved() -> None:
     assert isinstance(prove(1 / (cosh(x) ** 2 - sinh(x) ** 2 - 1), 1), Undecided)
     assert isinstance(prove(asin(2 + x**2) * 0 + asin(x**2 + 2), asin(x**2 + 2)), Undecided)
     assert isinstance(prove(exp(x), 1, given=[Eq(exp(2 * y) + 1, 0)]), Undecided | Contradictory)
+
+
+GIVEN_LINEAR = [
+    (exp(x), exp(y), Eq(x, y)),
+    (exp(x) * exp(y), 1, Eq(x + y, 0)),
+    (log(p), log(2 * q), Eq(p, 2 * q)),
+    (sp.atan(x), -sp.atan(y), Eq(x + y, 0)),
+    (sp.cosh(x), sp.cosh(y), Eq(x, -y)),
+    (x + exp(2 * x), y + exp(2 * y), Eq(x, y)),
+    (2**x, 2**y, Eq(x, y)),
+]
+
+
+@pytest.mark.parametrize(("lhs", "rhs", "given"), GIVEN_LINEAR)
+def test_what_is_given_to_be_equal_may_stand_in_a_function(lhs: Any, rhs: Any, given: Any) -> None:
+    verdict = prove(lhs, rhs, given=given)
+    assert verdict.true, verdict
+    recheck(verdict, lhs, rhs, given=given)
+    wrong = prove(lhs, 2 * rhs, given=given)
+    assert not wrong.true
+    if isinstance(wrong, Fails):
+        recheck(wrong, lhs, 2 * rhs, given=given)

@@ -16,6 +16,7 @@ from chasles.proof.from_sympy.opening import is_atom, sides
 from chasles.proof.from_sympy.pantelides import offsets
 from chasles.proof.from_sympy.side_conditions import listed
 from chasles.proof.from_sympy.triads import Triad, triads_of
+from chasles.proof.recheck.questions.elementary import FUNCTIONS
 from chasles.proof.variables import Untreatable
 
 __all__ = ["Equations", "Given", "Moving", "collected", "evident", "impossible", "orders_of"]
@@ -23,6 +24,9 @@ __all__ = ["Equations", "Given", "Moving", "collected", "evident", "impossible",
 Pair = tuple[Any, Any]
 MOST_TERMS = 30
 """Longer polynomials are not factored."""
+
+
+ELEMENTARY = tuple(getattr(sympy, name) for name in FUNCTIONS)
 
 
 @dataclass(slots=True)
@@ -153,9 +157,11 @@ def _without_given_angles(result: Given, expressions: list[Any]) -> list[Any]:
 
 
 def _angles_in(expressions: Iterable[Any]) -> set[Any]:
-    """The atoms that occur in arguments of functions of angles."""
-    calls = {call for e in expressions for call in e.atoms(*CIRCULAR)}
-    return {part for call in calls for part in sympy.preorder_traversal(call.args[0]) if is_atom(part)}
+    """The atoms that occur in arguments of functions, of which the angles are the most common."""
+    calls = {call for e in expressions for call in e.atoms(*CIRCULAR, *ELEMENTARY, sympy.Pow)}
+    calls = {call for call in calls if not call.is_Pow or call.exp.free_symbols}
+    parts = (part for call in calls for argument in call.args for part in sympy.preorder_traversal(argument))
+    return {part for part in parts if is_atom(part)}
 
 
 def _solved_for_angle(difference: Any, angles: set[Any]) -> tuple[Any, Any] | None:

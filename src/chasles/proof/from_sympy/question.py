@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import Any
 
 import sympy
@@ -106,8 +107,14 @@ class Question:
             text = text if text not in found else sympy.srepr(origins.get(name, text))
             found[text] = number_of(value, angle) if isinstance(value, Exact) else value
         for atom, value in reversed(self.substituted):
-            known = {part: found.get(str(part)) for part in value.free_symbols | value.atoms(AppliedUndef)}
-            if all(part is not None for part in known.values()):
+            functions = value.atoms(AppliedUndef)
+            parts = (value.free_symbols - {time for f in functions for time in f.args}) | functions
+            for part in sorted(parts, key=str):
+                # What is spoken of in no other way is free.
+                if not any(str(part) in name for name in found):
+                    found[str(part)] = Fraction(int(bool(part.is_positive)))
+            known = {part: found.get(str(part)) for part in parts}
+            if all(number is not None for number in known.values()):
                 found[str(atom)] = value.xreplace({part: sympy.sympify(x) for part, x in known.items()})
         return found
 

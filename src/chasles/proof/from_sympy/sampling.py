@@ -17,7 +17,8 @@ import sympy
 from chasles.proof.deadline import check
 from chasles.proof.from_sympy.atoms import ASSUMPTIONS
 from chasles.proof.from_sympy.enclosures import Enclosures, Unbounded, apart, sign_of
-from chasles.proof.from_sympy.opening import Entries, is_atom
+from chasles.proof.from_sympy.opening import Entries, excerpt, is_atom
+from chasles.proof.variables import Untreatable
 from chasles.proof.verdict import Counterexample
 
 __all__ = ["Sampling"]
@@ -101,7 +102,10 @@ class Sampling:
                 walk.skip()
                 if part not in self._dummies:
                     self._dummies[part] = sympy.Dummy(str(part))
-        return expression.xreplace(self._dummies)
+        try:
+            return expression.xreplace(self._dummies)
+        except (TypeError, ValueError):
+            raise Untreatable(f"{excerpt(expression)} is not treated: SymPy does not put other symbols in it") from None
 
     def _coordinates(self, enclosures: Enclosures) -> dict[str, Any]:
         """The exact values of the atoms."""
