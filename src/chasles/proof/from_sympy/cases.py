@@ -143,7 +143,7 @@ class Case:
         facts = [(e.xreplace(put), known) for e, known in self.facts]
         facts += [(value, known) for known in _assumed_sign(atom)]
         path = (*self.path, (size * sign, factor * sign)) if sign else self.path
-        spoken, equations = (tuple(e.xreplace(put) for e in part) for part in (self.spoken, self.equations))
+        spoken, equations = (tuple(_with_value(e, put) for e in part) for part in (self.spoken, self.equations))
         case = Case(spoken, equations, tuple(facts), path, zeros, values=(*self.values, (atom, value)))
         return replace(case, excluded=self._lost(case, put))
 
@@ -168,6 +168,14 @@ class Case:
         for symbol, meaning in reversed(self.path):
             e = e.xreplace({symbol: meaning})
         return sympy.expand(e)
+
+
+def _with_value(e: Any, put: Mapping[Any, Any]) -> Any:
+    """The expression at the value; undefined where something in it is that SymPy does not compare."""
+    try:
+        return e.xreplace(put)
+    except ValueError:
+        return sympy.zoo
 
 
 def powers_in(expressions: Iterable[Any], within: bool) -> list[Any]:

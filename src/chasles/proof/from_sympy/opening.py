@@ -14,7 +14,7 @@ from sympy.matrices import MatrixBase, MatrixExpr
 from chasles.proof.from_sympy.unevaluated import explicit, written_out
 from chasles.proof.variables import Untreatable
 
-__all__ = ["Entries", "Signed", "Word", "excerpt", "is_atom", "opened", "sides"]
+__all__ = ["Entries", "Signed", "Word", "atoms_of", "excerpt", "is_atom", "opened", "sides"]
 
 LONGEST_EXCERPT = 80
 
@@ -55,6 +55,15 @@ def is_atom(expression: Any) -> bool:
     if isinstance(expression, sympy.Derivative):
         return isinstance(expression.expr, AppliedUndef)
     return isinstance(expression, sympy.Symbol | AppliedUndef | sympy.matrices.expressions.matexpr.MatrixElement)
+
+
+def atoms_of(expression: Any) -> Iterator[Any]:
+    """The real variables that occur in an expression."""
+    walk = sympy.preorder_traversal(expression)
+    for part in walk:
+        if is_atom(part):
+            walk.skip()
+            yield part
 
 
 def opened(value: Any, what: str) -> Entries:

@@ -8,9 +8,9 @@ from fractions import Fraction
 from typing import Any
 
 import sympy
-from sympy.core.function import AppliedUndef
 
 from chasles.proof.from_sympy.naming import angle_of, number_of, spelled
+from chasles.proof.from_sympy.opening import atoms_of
 from chasles.proof.from_sympy.reader import multiplied
 from chasles.proof.from_sympy.sampling import Sampling
 from chasles.proof.search import Search, entry_of
@@ -107,8 +107,7 @@ class Question:
             text = text if text not in found else sympy.srepr(origins.get(name, text))
             found[text] = number_of(value, angle) if isinstance(value, Exact) else value
         for atom, value in reversed(self.substituted):
-            functions = value.atoms(AppliedUndef)
-            parts = (value.free_symbols - {time for f in functions for time in f.args}) | functions
+            parts = set(atoms_of(value))
             for part in sorted(parts, key=str):
                 # What is spoken of in no other way is free.
                 if not any(str(part) in name for name in found):

@@ -17,7 +17,7 @@ import sympy
 from chasles.proof.deadline import check
 from chasles.proof.from_sympy.atoms import ASSUMPTIONS
 from chasles.proof.from_sympy.enclosures import Enclosures, Unbounded, apart, sign_of
-from chasles.proof.from_sympy.opening import Entries, excerpt, is_atom
+from chasles.proof.from_sympy.opening import Entries, atoms_of, excerpt
 from chasles.proof.variables import Untreatable
 from chasles.proof.verdict import Counterexample
 
@@ -96,12 +96,9 @@ class Sampling:
 
     def _named(self, expression: Any) -> Any:
         """The expression with every atom a symbol of its own."""
-        walk = sympy.preorder_traversal(expression)
-        for part in walk:
-            if is_atom(part):
-                walk.skip()
-                if part not in self._dummies:
-                    self._dummies[part] = sympy.Dummy(str(part))
+        for part in atoms_of(expression):
+            if part not in self._dummies:
+                self._dummies[part] = sympy.Dummy(str(part))
         try:
             return expression.xreplace(self._dummies)
         except (TypeError, ValueError):

@@ -71,9 +71,9 @@ class Case:
 
     def mapped(self, put: Mapping[Any, Any]) -> Case:
         """The case with other expressions in the place of some."""
-        sides = tuple(tuple(e.xreplace(put) for e in side) for side in self.sides)
-        pairs = tuple((one.xreplace(put), other.xreplace(put)) for one, other in self.pairs)
-        nonzero, equations = (tuple(e.xreplace(put) for e in part) for part in (self.nonzero, self.equations))
+        sides = tuple(tuple(_with_value(e, put) for e in side) for side in self.sides)
+        pairs = tuple((_with_value(one, put), _with_value(other, put)) for one, other in self.pairs)
+        nonzero, equations = (tuple(_with_value(e, put) for e in part) for part in (self.nonzero, self.equations))
         facts = tuple((e.xreplace(put), sign) for e, sign in self.facts)
         return replace(self, sides=sides, pairs=pairs, nonzero=nonzero, equations=equations, facts=facts)
 
@@ -242,6 +242,14 @@ class Case:
         for symbol, meaning in reversed(self.meant):
             e = e.xreplace({symbol: meaning})
         return sympy.expand(e)
+
+
+def _with_value(e: Any, put: Mapping[Any, Any]) -> Any:
+    """The expression at the value; undefined where something in it is that SymPy does not compare."""
+    try:
+        return e.xreplace(put)
+    except ValueError:
+        return sympy.zoo
 
 
 def _requirements(power: Any, sign: int | None) -> list[set[str]]:
