@@ -15,7 +15,7 @@ from sympy.core.function import AppliedUndef
 from .asking import Answer, ask, rejection
 from .equations import Equation, Point, entries, points
 from .series import Undefined, mp, mpf
-from .sympy_values import Values
+from .sympy_values import Values, atoms_of
 
 __all__ = ["Alarm", "Judged", "judge", "violations"]
 
@@ -204,6 +204,9 @@ def _met(question: Equation, need: str, evaluate: Values) -> bool:
     one, relation, other = found.groups()
     kinds = {"!=": sp.Ne, ">=": sp.Ge, "<=": sp.Le, ">": sp.Gt, "<": sp.Lt}
     sides = [_expression(question, side) for side in (one, other)]
+    if not set(atoms_of(*sides)) <= evaluate.atoms.keys():
+        # It is said not to vanish, and the point does not speak of it.
+        return True
     return evaluate.truth(kinds[relation](*sides, evaluate=False))
 
 
