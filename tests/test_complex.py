@@ -9,7 +9,7 @@ import sympy as sp
 from sympy import Abs, Eq, I, Matrix, conjugate, cos, exp, im, re, sin, sqrt, tan
 
 from chasles.proof.verdict import Fails, Holds, HoldsUnder
-from chasles.prove import Untreatable, prove
+from chasles.prove import Rejected, Untreatable, prove, recheck
 
 x, y, u, v = sp.symbols("x y u v")
 p = sp.Symbol("p", positive=True)
@@ -110,8 +110,9 @@ def test_nothing_imaginary_is_dropped(lhs: Any, rhs: Any) -> None:
 
 @pytest.mark.parametrize("lhs", REFUSED, ids=name)
 def test_what_is_not_taken_apart_is_refused(lhs: Any) -> None:
+    """Of what is equal there is no counterexample either."""
     with pytest.raises(Untreatable):
-        prove(lhs, 0)
+        prove(lhs, lhs * (cos(x) ** 2 + sin(x) ** 2))
 
 
 def test_a_complex_condition_says_both_of_its_parts() -> None:
@@ -119,3 +120,21 @@ def test_a_complex_condition_says_both_of_its_parts() -> None:
     assert isinstance(verdict, HoldsUnder)
     assert isinstance(prove(x, y, given=[Eq(re(z), u)]), Fails)
     assert isinstance(prove(x / z, 1 / (1 + I * y / x), nonzero=[x, z]), Holds | HoldsUnder)
+
+
+@pytest.mark.parametrize("symbol", [Z, sp.Symbol("j", imaginary=True), sp.Symbol("N", infinite=True)], ids=str)
+@pytest.mark.parametrize("rule", ["abs", "max", "root", "sign", "switch"])
+def test_cases_of_signs_are_of_real_symbols(symbol: Any, rule: str) -> None:
+    """|Z|^2 = Z^2 holds where Z is positive, zero or negative: a complex Z is none of these."""
+    sides = {
+        "abs": (Abs(symbol) ** 2 * x, symbol**2 * x),
+        "max": (sp.Max(x, 0) * Abs(symbol), sp.Max(x, 0) * Abs(symbol) * (cos(x) ** 2 + sin(x) ** 2)),
+        "root": (sqrt(symbol**2) * x, Abs(symbol) * x * (cos(x) ** 2 + sin(x) ** 2)),
+        "sign": (sp.sign(symbol) * Abs(symbol) + x, symbol + x),
+        "switch": (sp.Piecewise((Abs(symbol) ** 2, x > 0), (0, True)), sp.Piecewise((symbol**2, x > 0), (0, True))),
+    }
+    lhs, rhs = sides[rule]
+    with pytest.raises(Untreatable):
+        prove(lhs, rhs)
+    with pytest.raises(Rejected):
+        recheck(Holds({"variant": 0, "names": {}, "witness": {}}, {}), lhs, rhs)

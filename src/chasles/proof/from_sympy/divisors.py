@@ -29,7 +29,8 @@ class Divisor:
 def divisor_of(expression: Any) -> Divisor:
     """What is said of a divisor: of a positive symbol that it is positive; nothing of a number."""
     named = is_atom(expression) and not (isinstance(expression, Word) and not isinstance(expression, Signed))
-    evident = not _with_cosines(expression).free_symbols or bool(expression.is_nonzero and not named)
+    value = _with_cosines(expression)
+    evident = (not value.free_symbols and value != 0) or bool(expression.is_nonzero and not named)
     return Divisor(f"{expression} {'> 0' if expression.is_positive else '!= 0'}", evident)
 
 

@@ -8,11 +8,12 @@ from typing import Any
 
 import sympy
 
+from chasles.proof.from_sympy.atoms import Atoms
 from chasles.proof.from_sympy.cases import Case, powers_in, switches_in
 from chasles.proof.from_sympy.complexes import OF_COMPLEX
 from chasles.proof.from_sympy.divisors import divisor_of
 from chasles.proof.from_sympy.generalising import Decide, generalised
-from chasles.proof.from_sympy.opening import Entries, opened, sides
+from chasles.proof.from_sympy.opening import Entries, atoms_of, opened, sides
 from chasles.proof.from_sympy.sampling import Sampling
 from chasles.proof.from_sympy.side_conditions import listed, nonvanishing
 from chasles.proof.variables import Untreatable
@@ -49,6 +50,9 @@ class Splitting:
         self._pairs = [pair for what, item in items for pair in sides(item, what)]
         self._texts = [str(item) if not isinstance(item, sympy.Eq) else f"{item.lhs} = {item.rhs}" for _, item in items]
         self._declared = list(nonvanishing(self.nonzero))
+        known = Atoms()
+        for atom in (atom for e in self.spoken for atom in atoms_of(e)):
+            known.word(atom)
 
     @property
     def spoken(self) -> tuple[Any, ...]:

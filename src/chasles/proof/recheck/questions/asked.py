@@ -12,7 +12,7 @@ from sympy.logic.boolalg import Boolean
 from sympy.matrices import MatrixBase, MatrixExpr
 from sympy.matrices.expressions.matexpr import MatrixElement
 
-from chasles.proof.recheck.questions.quantities import atoms_of
+from chasles.proof.recheck.questions.quantities import atoms_of, require_real
 from chasles.proof.recheck.sparse import Rejected
 
 __all__ = ["Asked", "Given", "entries_of"]
@@ -44,6 +44,8 @@ class Asked:
             raise Rejected("the two sides have different shapes")
         self.given = [_given(item, what) for what, item in _listed(given, "given")]
         self.nonzero = [_nonzero(item) for _, item in _listed(nonzero, "nonzero") if item is not sympy.true]
+        for atom in {atom for expression in self.expressions for atom in atoms_of(expression)}:
+            require_real(atom)
 
     @property
     def expressions(self) -> Iterator[Any]:

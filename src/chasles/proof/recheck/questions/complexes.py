@@ -37,6 +37,10 @@ def parts(reading: Expressions, e: Any) -> Pair:
             return reduce(_plus, (parts(reading, term) for term in e.args))
         case sympy.Mul():
             return reduce(lambda one, other: _times(reading, one, other), (parts(reading, factor) for factor in e.args))
+        case sympy.Pow(base=sympy.Abs()) if e.exp.is_Integer and e.exp.is_even:
+            a, b = parts(reading, e.base.args[0])
+            square, half = reading.normal(a * a + b * b), int(e.exp) // 2
+            return reading.power(square if half > 0 else reading.over(square, str(e.base)), abs(half)), ZERO
         case sympy.Pow() if e.exp.is_Integer and is_complex(e.base):
             return _power(reading, parts(reading, e.base), int(e.exp), str(e.base))
         case sympy.conjugate():

@@ -46,7 +46,7 @@ def require_independent(atoms: Iterable[Any]) -> None:
 def require_real(e: Any) -> None:
     """Raise `Rejected` for what is no real number, or no function of different symbols."""
     function = e.expr if isinstance(e, sympy.Derivative) else e
-    if e.is_real is False or e.is_commutative is False:
+    if e.is_real is False or e.is_commutative is False or (e.is_complex and e.is_real is None):
         raise Rejected(f"{e} is not real")
     if isinstance(function, AppliedUndef):
         arguments = function.args

@@ -17,7 +17,7 @@ from sympy.core.function import AppliedUndef
 from chasles.proof.recheck.questions.cases import Case
 from chasles.proof.recheck.questions.enclosed import Values, vanishes
 from chasles.proof.recheck.questions.needs import RELATIONS
-from chasles.proof.recheck.questions.quantities import is_atom, require_independent, require_real
+from chasles.proof.recheck.questions.quantities import is_atom, require_independent
 from chasles.proof.recheck.questions.readings import CIRCULAR
 from chasles.proof.recheck.sparse import Rejected
 
@@ -221,7 +221,6 @@ def _values(case: Case, at: Mapping[str, Any]) -> Values:
     atoms = {atom for e in case.spoken for atom in _atoms(e)}
     require_independent(atoms)
     for atom in atoms:
-        require_real(atom)
         if str(atom) not in at:
             raise Rejected(f"no value is given for {atom}")
         value = at[str(atom)]
