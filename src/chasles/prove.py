@@ -18,7 +18,7 @@ from chasles.proof.recheck.questions.counterexample import check_refutation
 from chasles.proof.recheck.questions.proof import check_proof
 from chasles.proof.recheck.sparse import Rejected
 from chasles.proof.variables import Untreatable
-from chasles.proof.verdict import Fails, Holds, HoldsUnder, Undecided, Verdict
+from chasles.proof.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided, Verdict
 from chasles.statements import Goal
 
 __all__ = ["Rejected", "Untreatable", "prove", "recheck"]
@@ -71,6 +71,9 @@ def _verdict(*asked: Any) -> Verdict:
     except Untreatable as error:
         refused = error
         verdict = Undecided(str(error))
+    if by_cases is not None and isinstance(verdict, Contradictory) and not splitting.states(verdict.hypotheses):
+        # Of a sign as a quotient it is said that it has no value at zero: by cases it has one.
+        verdict = by_cases
     if isinstance(verdict, Undecided) and splitting.possible:
         again = by_cases or _followed(splitting.verdict(), asked)
         verdict = verdict if isinstance(again, Undecided) else again

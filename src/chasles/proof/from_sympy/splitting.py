@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -59,6 +59,10 @@ class Splitting:
         """Everything of which the question speaks."""
         entries = (e for side in (self._left, self._right) for row in side.rows for e in row)
         return (*entries, *(side for pair in self._pairs for side in pair), *self._declared)
+
+    def states(self, texts: Iterable[str]) -> bool:
+        """Whether all of this is said by the question itself."""
+        return {*texts} <= {*self._texts, *(f"{e} != 0" for e in self._declared)}
 
     @property
     def wanted(self) -> bool:
