@@ -19,6 +19,8 @@ import chasles
 from chasles import kernels
 from chasles.compiling import LoweringError, compiler, store
 
+from .sampling import WHOLE
+
 x, y, z = sp.symbols("x y z")
 X = sp.MatrixSymbol("X", 3, 3)
 v = sp.Matrix(sp.symbols("v1:4"))
@@ -47,7 +49,12 @@ def empty_cache(tmp_path, monkeypatch):
 
 @pytest.fixture(params=[pytest.param("c", marks=needs_c), "numpy"])
 def backend(request, monkeypatch):
-    """Everything is to hold of the compiled kernels and of those where there is no compiler."""
+    """Everything is to hold of the compiled kernels and of those where there is no compiler.
+
+    Values are of the loops for this machine's instructions; for all else those are compiled that every machine has.
+    """
+    if not (WHOLE or "draw" in request.fixturenames):
+        monkeypatch.setattr(kernels, "instructions", "baseline")
     if request.param == "numpy":
         monkeypatch.setenv("CC", "no-such-compiler")
     return request.param
