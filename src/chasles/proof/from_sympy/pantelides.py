@@ -16,6 +16,8 @@ __all__ = ["Offsets", "offsets"]
 Orders = Mapping[Any, int]
 MOST = 8
 """No equation is differentiated more often."""
+MORE = 1
+"""So much more often are equations differentiated that are more than the functions of which they speak."""
 
 
 @dataclass(slots=True)
@@ -38,7 +40,10 @@ def offsets(equations: Sequence[Orders]) -> Offsets:
         found = _assigned(equations, {**times, row: 0})
         times = found or times
     highest = _highest(equations, {**dict.fromkeys(ranked, 0), **times})
-    # What is left over may speak of higher rates than the others do: these are then differentiated as far.
+    if len(times) < len(equations):
+        # What is left over may contradict the others, which is seen from some rates more of all of them.
+        highest = {f: order + MORE for f, order in highest.items()}
+    # It may also speak of higher rates than the others do: these are then differentiated as far.
     reached = [min(highest[f] - order for f, order in orders.items()) for orders in equations]
     return Offsets(reached, highest)
 
