@@ -87,7 +87,7 @@ def test_signs(text: str, expected: int) -> None:
 
 def test_what_nothing_decides_is_not_guessed() -> None:
     with pytest.raises(NotDecided, match="nothing decides whether"):
-        is_zero(sp.acos(sp.Rational(1, 3)) + sp.asin(sp.Rational(1, 3)) - sp.pi / 2)
+        is_zero(sp.sqrt(1 + 2 * sp.pi + sp.pi**2) - sp.pi - 1)
 
 
 def test_the_root_of_a_negative_number_is_refused() -> None:
@@ -147,4 +147,5 @@ def test_roots_of_sines_are_known_not_to_vanish(text: str) -> None:
 def test_a_number_that_grows_too_long_is_declined() -> None:
     value = sp.prod(sp.sin(sp.Rational(1, k)) + sp.sqrt(sp.sin(1)) * k for k in range(1, 200))
     with pytest.raises(NotDecided, match="beyond 800 operations"):
-        is_zero(value)
+        normal(value)
+    assert not is_zero(value)

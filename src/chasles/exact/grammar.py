@@ -12,13 +12,15 @@ from typing import Any
 
 import sympy as sp
 
+from chasles.exact.enclosures import is_bounded
+
 __all__ = ["LONGEST", "MOST_EXPONENT", "NotANumber", "read_number"]
 
 LONGEST = 200
 MOST_EXPONENT = 64
 MOST_BITS = 4096
 """Size of the largest number that a power may come to; exponents of exponents grow beyond every measure."""
-_TOKEN = re.compile(r"\s*(?:(\d+\.\d*|\.\d+|\d+)|([A-Za-z]+)|(\*\*|[-+*/^()]))")
+_TOKEN = re.compile(r"\s*(?:([0-9]+\.[0-9]*|\.[0-9]+|[0-9]+)|([A-Za-z]+)|(\*\*|[-+*/^()]))")
 _FUNCTIONS: dict[str, Callable[[Any], Any]] = {
     "sqrt": sp.sqrt,
     **{name: getattr(sp, name) for name in ("sin", "cos", "tan", "cot", "sec", "csc")},
@@ -114,10 +116,13 @@ class _Reader:
         return total
 
     def quotient(self, above: Any, below: Any, sign: _Token) -> Any:
-        from chasles.exact.numbers import is_zero
+        from chasles.exact.numbers import NotDecided, is_zero
 
-        if is_zero(below):
-            raise NotANumber(self.text, sign.at, "division by zero")
+        try:
+            if is_zero(below):
+                raise NotANumber(self.text, sign.at, "division by zero")
+        except NotDecided:
+            raise NotANumber(self.text, sign.at, "nothing decides whether this is a division by zero") from None
         return above / below
 
     def signed(self) -> Any:
@@ -165,7 +170,7 @@ class _Reader:
         if not self.take("("):
             raise self.unexpected(f"'(' after {token.text}")
         value = function(self.closed())
-        if not value.is_real or value.has(sp.zoo, sp.nan, sp.oo):
+        if not (value.is_real or (value.is_real is None and is_bounded(value))) or value.has(sp.zoo, sp.nan, sp.oo):
             raise NotANumber(self.text, token.at, f"{token.text} has no real value there")
         return value
 

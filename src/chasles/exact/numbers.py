@@ -1,8 +1,9 @@
 """Exact real numbers as SymPy spells them: their normal form, their sign, and whether they are zero.
 
 Numbers made of rational numbers by square roots, however nested, are brought into the normal form of their tower, where
-zero is told by its form. Of others, zero is told by the minimal polynomial; where even that does not exist, a number is
-not zero if an enclosure says so, and else the question is declined rather than guessed.
+zero is told by its form. Of any number, a sign that an enclosure tells is its sign. What may be zero is so if it is
+algebraic and below its separation bound, or vanishes for all values of the angles and cosines in it that are
+independent; else the question is declined rather than guessed.
 """
 
 from __future__ import annotations
@@ -11,17 +12,20 @@ from fractions import Fraction
 from functools import lru_cache, reduce
 from typing import Any
 
-import mpmath
 import sympy as sp
+from mpmath.libmp import to_rational
 
-from chasles.exact.circular import C, S, in_one_angle, without_squares
+from chasles.exact.circular import without_squares
+from chasles.exact.enclosures import enclosed, sign_by_enclosure
+from chasles.exact.independent import vanishes
+from chasles.exact.separation import NotAlgebraic, is_algebraic_zero
 from chasles.exact.square_roots import NotInTower, in_tower, is_surd, spelled
 from chasles.exact.tower import NegativeRadicand, Tower
 
 __all__ = ["NotDecided", "angle", "compare", "decimals", "is_zero", "normal", "root", "sign"]
 
-DIGITS = 30
-MOST_DIGITS = 500
+FEW_BITS = 256
+MOST_BITS = 1 << 12
 MOST_OPERATIONS = 800
 """In a number that square roots do not express: beyond, expanding it may take hours."""
 LARGEST_TURN = 1000
@@ -63,46 +67,46 @@ def _normal(expression: Any) -> Any:
 
 def is_zero(value: Any) -> bool:
     """Whether the value is zero; raises NotDecided where nothing decides it."""
-    expression = normal(value)
-    if expression.is_Rational or is_surd(expression) or expression.free_symbols:
-        return bool(expression == 0)
-    if expression.is_algebraic:
-        x = sp.Dummy("x")
-        return bool(sp.minimal_polynomial(expression, x) == x)
-    written = in_one_angle(expression)
-    if written is not None and _vanishes(written):
-        return True
-    if _bounded_away(expression):
+    expression = sp.sympify(value)
+    if expression.is_Rational or expression.free_symbols:
+        return bool(normal(expression) == 0)
+    return _number_is_zero(expression)
+
+
+@lru_cache(maxsize=20_000)
+def _number_is_zero(number: Any) -> bool:
+    if sign_by_enclosure(number, FEW_BITS):
         return False
-    raise NotDecided(f"nothing decides whether {expression} is zero")
+    try:
+        found = is_algebraic_zero(number)
+    except NotAlgebraic:
+        found = True if vanishes(number) else None
+    if found is None and is_surd(number):
+        return bool(normal(number) == 0)
+    if found is None and not sign_by_enclosure(number, MOST_BITS):
+        raise NotDecided(f"nothing decides whether {number} is zero")
+    return bool(found)
 
 
 def sign(value: Any) -> int:
     """1, 0 or -1; raises NotDecided where nothing decides it."""
-    expression = normal(value)
+    expression = sp.sympify(value)
     if expression.is_Rational:
         return int(sp.sign(expression))
-    try:
-        tower = Tower()
-        return tower.sign(in_tower(tower, expression))
-    except NotInTower:
-        pass
     if expression.free_symbols:
         raise NotDecided(f"the sign of {expression} depends on what its symbols stand for")
+    if found := sign_by_enclosure(expression, FEW_BITS):
+        return found
     if is_zero(expression):
         return 0
-    digits = DIGITS
-    while digits <= MOST_DIGITS:
-        low, high = _enclosure(expression, digits)
-        if low > 0 or high < 0:
-            return 1 if low > 0 else -1
-        digits *= 2
+    if found := sign_by_enclosure(expression, MOST_BITS):
+        return found
     raise NotDecided(f"nothing decides the sign of {expression}")
 
 
 def compare(one: Any, other: Any) -> int:
     """1, 0 or -1: the sign of the first less the second."""
-    return sign(normal(one) - normal(other))
+    return sign(one - other)
 
 
 def root(value: Any) -> Any:
@@ -128,21 +132,11 @@ def decimals(value: Any, digits: int = 10) -> str:
 
 
 def _multiple_of_pi(cosine: Any) -> Any:
-    """The angle as a multiple of pi, if it is a rational one: then cos(q phi) is 1 or -1 for its denominator q."""
-    near = mpmath.acos(mpmath.mpf(str(sp.N(cosine, DIGITS)))) / mpmath.pi
-    for below in range(1, LARGEST_TURN):
-        above = round(near * below)
-        if abs(near * below - above) < 1e-9 and is_zero(_chebyshev(cosine, below) - (-1) ** above):
-            return sp.pi * sp.Rational(int(above), below)
-    return None
-
-
-def _chebyshev(cosine: Any, times: int) -> Any:
-    """cos(n phi) from cos(phi)."""
-    before, here = sp.Integer(1), cosine
-    for _ in range(times - 1):
-        before, here = here, normal(2 * cosine * here - before)
-    return here
+    """The angle as a multiple of pi, if it is one by a fraction of no large denominator."""
+    turns = enclosed(sp.acos(cosine) / sp.pi, FEW_BITS)
+    near = Fraction(*to_rational(turns.mid._mpi_[0])).limit_denominator(LARGEST_TURN)
+    found = sp.pi * sp.Rational(near.numerator, near.denominator)
+    return found if is_zero(cosine - sp.cos(found)) else None
 
 
 def _with_atoms(expression: Any) -> Any:
@@ -181,13 +175,6 @@ def _on_circles(polynomial: Any, circles: list[tuple[Any, Any]]) -> Any:
     return reduce(lambda rest, pair: without_squares(rest, *pair), circles, polynomial)
 
 
-def _vanishes(expression: Any) -> bool:
-    """Whether an expression in the cosine and sine of one angle is zero, since these are on the unit circle."""
-    above = without_squares(sp.fraction(sp.together(expression))[0])
-    terms = sp.Poly(above, C, S, domain="EX").terms()
-    return all(is_zero(coefficient) for _, coefficient in terms)
-
-
 def _polynomial(expression: Any, symbols: list[Any]) -> Any:
     polynomial = sp.Poly(sp.expand(expression), *symbols, domain="EX")
     return sp.Add(*(normal(c) * sp.prod(s**k for s, k in zip(symbols, powers, strict=True))
@@ -201,21 +188,3 @@ def _atoms(expression: Any) -> set[Any]:
     if expression.is_Add or expression.is_Mul or (expression.is_Pow and expression.exp.is_Integer):
         return set().union(*map(_atoms, expression.args))
     return set() if is_surd(expression) else {expression}
-
-
-def _bounded_away(expression: Any) -> bool:
-    digits = DIGITS
-    while digits <= MOST_DIGITS:
-        low, high = _enclosure(expression, digits)
-        if low > 0 or high < 0:
-            return True
-        digits *= 2
-    return False
-
-
-def _enclosure(expression: Any, digits: int) -> tuple[Any, Any]:
-    """Two numbers between which the value lies."""
-    with mpmath.workdps(digits + 10):
-        value = mpmath.mpf(str(sp.N(expression, digits + 10, maxn=20 * digits)))
-        width = mpmath.mpf(10) ** -digits * max(1, abs(value))
-        return value - width, value + width

@@ -1,0 +1,118 @@
+"""Two numbers between which an exact number lies, by interval arithmetic with as many bits as are asked for."""
+
+from __future__ import annotations
+
+from functools import reduce
+from operator import add, mul
+from typing import Any
+
+import sympy as sp
+from mpmath.ctx_iv import MPIntervalContext
+from mpmath.libmp import fzero, mpf_lt
+
+__all__ = ["INVERSES", "NoEnclosure", "enclosed", "is_bounded", "sign_by_enclosure"]
+
+INVERSES = (sp.acos, sp.asin, sp.atan, sp.acot, sp.asec, sp.acsc)
+
+
+class NoEnclosure(ValueError):
+    """The number holds what intervals are not known for, or it has no real value."""
+
+
+def sign_by_enclosure(number: Any, most_bits: int) -> int:
+    """1 or -1 if intervals of so many bits tell the sign, else 0: the number may be zero."""
+    bits = 64
+    while bits <= most_bits:
+        try:
+            interval = enclosed(number, bits)
+        except NoEnclosure:
+            return 0
+        if interval > 0 or interval < 0:
+            return 1 if interval > 0 else -1
+        bits *= 2
+    return 0
+
+
+def is_bounded(number: Any, bits: int = 256) -> bool:
+    """Whether so many bits show that the number has a real value."""
+    try:
+        return bool(enclosed(number, bits).delta < 1)
+    except NoEnclosure:
+        return False
+
+
+def enclosed(number: Any, bits: int) -> Any:
+    """An interval of mpmath with the number in it; its comparisons are true only where they are for all of it.
+
+    Raises NoEnclosure.
+    """
+    return _Intervals(bits)(number)
+
+
+class _Intervals:
+    def __init__(self, bits: int) -> None:
+        self._context = MPIntervalContext()
+        self._context.prec = bits
+        self._known: dict[Any, Any] = {}
+
+    def __call__(self, number: Any) -> Any:
+        if number not in self._known:
+            self._known[number] = self._interval(number)
+        return self._known[number]
+
+    def _interval(self, number: Any) -> Any:
+        match number:
+            case sp.Rational():
+                return self._context.mpf(int(number.p)) / int(number.q)
+            case sp.Add():
+                return reduce(add, map(self, number.args))
+            case sp.Mul():
+                return reduce(mul, map(self, number.args))
+            case sp.Pow(exp=sp.Rational(p=p, q=q)) if int(q).bit_count() == 1:
+                value = self(number.base)
+                for _ in range(int(q).bit_length() - 1):
+                    value = self._root(value)
+                return value ** int(p)
+            case sp.CRootOf():
+                near = number.eval_rational(sp.Rational(1, 2**self._context.prec))
+                width = self._context.mpf([-1, 1]) / 2**self._context.prec
+                return self._context.mpf(int(near.p)) / int(near.q) + width
+            case _ if number == sp.pi:
+                return +self._context.pi
+            case sp.Function():
+                return self._function(number, self(number.args[0]))
+        raise NoEnclosure(number)
+
+    def _function(self, function: Any, x: Any) -> Any:
+        context = self._context
+        match function:
+            case sp.cos():
+                return context.cos(x)
+            case sp.sin():
+                return context.sin(x)
+            case sp.tan():
+                return context.sin(x) / context.cos(x)
+            case sp.cot():
+                return context.cos(x) / context.sin(x)
+            case sp.sec() | sp.csc():
+                return 1 / (context.cos(x) if isinstance(function, sp.sec) else context.sin(x))
+            case sp.acos() | sp.asec():
+                x = x if isinstance(function, sp.acos) else 1 / x
+                return context.atan2(self._root((1 - x) * (1 + x)), x)
+            case sp.asin() | sp.acsc():
+                x = x if isinstance(function, sp.asin) else 1 / x
+                return context.atan2(x, self._root((1 - x) * (1 + x)))
+            case sp.atan():
+                return context.atan2(x, context.mpf(1))
+            case sp.acot():
+                if x < 0:
+                    return -context.atan2(context.mpf(1), -x)
+                return context.atan2(context.mpf(1), x) if x >= 0 else context.mpf([-2, 2])
+        raise NoEnclosure(function)
+
+    def _root(self, x: Any) -> Any:
+        """The square root of a number that is known not to be negative, of whatever its interval holds below zero."""
+        low, high = x._mpi_
+        if mpf_lt(high, fzero):
+            raise NoEnclosure("the square root of a negative number")
+        return self._context.sqrt(self._context.make_mpf((fzero, high)) if mpf_lt(low, fzero) else x)
