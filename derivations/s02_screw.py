@@ -86,7 +86,7 @@ displacement_rearranged = Claim(
     "3.4",
     d_P, a_ - a - p + Q @ (p - a) + a,
     part=2,
-    says="The same, with a subtracted and added.",
+    says="The displacement of P by the positions of A, with a subtracted and added.",
     given=(displacement, point_after_displacement),
 )
 
@@ -114,18 +114,21 @@ axis_is_not_turned = Claim(
 axis_is_not_turned_back = Claim(
     "text 3.2 b",
     Q.T @ e, e,
-    says="Nor does the opposite rotation.",
+    says="The opposite rotation does not turn the axis either.",
     given=(rotation_from_axis_angle,),
 )
 
 all_displacements_share_one_component = Claim(
     "3.5",
     e.T @ d_P, e.T @ d_A,
-    says="All displacements have the same component along the axis.",
+    says="All displacements have the same component along the axis of rotation.",
     given=(displacement_of_a_point, rotation_from_axis_angle),
 )
 
-shared_component = Definition("3.5", d0, e.T @ d_A, part=2, says="The component along the axis that all share.")
+shared_component = Definition(
+    "3.5", d0, e.T @ d_A, part=2,
+    says="The component along the axis of rotation that all displacements share."
+)
 
 equal_components_along_the_axis = Theorem(
     "Thm 3.2.1",
@@ -134,13 +137,16 @@ equal_components_along_the_axis = Theorem(
     given=(displacement_of_a_point, rotation_from_axis_angle),
 )
 
-parallel_displacement = Definition("3.6b", d_par, e @ e.T @ d_P, says="The component along the axis.", sign="=")
+parallel_displacement = Definition(
+    "3.6b", d_par, e @ e.T @ d_P,
+    says="The component of a displacement along the axis of rotation.", sign="="
+)
 
 parallel_displacement_is_shared = Claim(
     "3.6b",
     d_par, d0 * e,
     part=2,
-    says="The component along the axis is the same for all points.",
+    says="The component of a displacement along the axis of rotation is the same for all points.",
     given=(parallel_displacement, shared_component, displacement_of_a_point, rotation_from_axis_angle),
 )
 
@@ -150,7 +156,7 @@ normal_displacement = Definition(
     "3.6b",
     d_perp, (one - e @ e.T) @ d_P,
     part=4,
-    says="The component normal to the axis.",
+    says="The component of a displacement normal to the axis of rotation.",
     sign="=",
 )
 
@@ -164,7 +170,7 @@ displacement_in_two_components = Claim(
 components_are_orthogonal = Claim(
     "text 3.2 c",
     dot(d_par, d_perp), number(0),
-    says="The two components are at right angles.",
+    says="The components of a displacement along and normal to the axis of rotation are at right angles.",
     given=(parallel_displacement, normal_displacement),
     assuming=(unit(e),),
 )
@@ -383,7 +389,7 @@ line_equation = Claim(
 line_equation_by_matrices = Claim(
     "text 3.2.2 b",
     paren(P_2 - P_1) @ p + cross(p_1, p_2 - p_1), zero,
-    says="The same with cross-product matrices.",
+    says="The equation of the line through two points, with cross-product matrices.",
     restates=line_equation,
 )
 
@@ -405,11 +411,14 @@ points_differ = nonzero(norm(p_2 - p_1), r"\mathbf{p}_1 \neq \mathbf{p}_2")
 direction_of_line = Definition(
     "3.22",
     e, (p_2 - p_1) / norm(p_2 - p_1),
-    says="The direction of the line.",
+    says="The direction of the line through two points.",
     assuming=(points_differ,),
 )
 
-moment_of_line = Definition("3.22", n, cross(p_1, e), part=2, says="The moment of the line about the origin.")
+moment_of_line = Definition(
+    "3.22", n, cross(p_1, e), part=2,
+    says="The moment of the line through two points about the origin."
+)
 
 plucker_coordinates_normalized = Claim(
     "text 3.2.2 c",

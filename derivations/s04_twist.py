@@ -129,7 +129,7 @@ minimum_velocity = Definition(
 minimum_velocity_projects_like_all = Condition(
     "text 3.4.1 a",
     dot(v_0, omega), dot(rate(p), omega),
-    says="Its projection onto the angular velocity is that of every velocity of the body.",
+    says="The least velocity has the same projection onto the angular velocity as every velocity of the body.",
     given=(minimum_velocity,),
     on=(v0,),
 )
@@ -189,7 +189,7 @@ axial_velocity_of_landmark = Definition(
 axial_velocity_of_landmark_by_dot = Claim(
     "3.57",
     adot_par, dot(rate(a), omega / norm(omega) ** 2),
-    says="The same by a scalar product.",
+    says="The component of the landmark's velocity along the angular velocity, by a scalar product.",
     given=(axial_velocity_of_landmark,),
     sic=True,
     sign=r"\equiv",
@@ -207,7 +207,7 @@ normal_velocity_by_matrix = Claim(
     "3.57",
     paren(one - omega @ omega.T / norm(omega) ** 2) @ rate(a), -(1 / norm(omega) ** 2) * Omega**2 @ rate(a),
     part=4,
-    says="The same by the angular-velocity matrix.",
+    says="The component of the landmark's velocity normal to the angular velocity, by the angular-velocity matrix.",
     given=(angular_velocity_matrix_of_vector,),
     assuming=(omega_is_not_zero,),
     sign=r"\equiv",
@@ -242,7 +242,7 @@ velocity_in_two_components = Claim(
 axial_velocity = Definition(
     "text 3.4.1 e",
     pdot_par, omega @ omega.T / norm(omega) ** 2 @ rate(a),
-    says="The axial component.",
+    says="The component of the velocity of a point along the angular velocity.",
     assuming=(omega_is_not_zero,),
 )
 
@@ -250,14 +250,14 @@ normal_velocity = Definition(
     "text 3.4.1 e",
     pdot_perp, -(1 / norm(omega) ** 2 * Omega**2 @ rate(a)) + Omega @ paren(p - a),
     part=2,
-    says="The normal component.",
+    says="The component of the velocity of a point normal to the angular velocity.",
     assuming=(omega_is_not_zero,),
 )
 
 normal_velocity_vanishes = Condition(
     "3.60",
     Omega @ paren(p - a) - 1 / norm(omega) ** 2 * Omega**2 @ rate(a), zero,
-    says="The point has no velocity normal to the angular velocity.",
+    says="The points of the instant screw axis have no velocity normal to the angular velocity.",
     given=(angular_velocity_matrix_of_vector,),
     assuming=(omega_is_not_zero,),
     on=(p,),
@@ -283,7 +283,7 @@ point_on_instant_screw_axis = Definition(
 instant_screw_axis_through_point = Claim(
     "3.62a",
     Omega @ paren(p - r), zero,
-    says="The instant screw axis passes through that point.",
+    says="The instant screw axis passes through the point of (3.62b).",
     given=(point_on_instant_screw_axis,),
     restates=equation_of_instant_screw_axis,
 )
@@ -291,7 +291,7 @@ instant_screw_axis_through_point = Claim(
 point_solves_equation = Claim(
     "3.63",
     p, r,
-    says="That point is one solution.",
+    says="The point of (3.62b) solves the equation of the instant screw axis.",
     given=(point_on_instant_screw_axis,),
     solves=equation_of_instant_screw_axis,
 )
@@ -300,7 +300,7 @@ point_on_instant_screw_axis_again = Claim(
     "3.63",
     r, a + 1 / norm(omega) ** 2 * Omega @ rate(a),
     part=2,
-    says="The solution, written out.",
+    says="The point of (3.62b), written out.",
     given=(point_on_instant_screw_axis,),
 )
 
@@ -351,7 +351,7 @@ normal_equations_of_instant_screw_point = Claim(
 instant_normal_matrix = Claim(
     "3.68",
     A_isa.T @ A_isa, Omega.T @ Omega + omega @ omega.T,
-    says="The matrix of the normal equations.",
+    says="The matrix of the normal equations of P_0'.",
     given=(instant_screw_matrix,),
 )
 
@@ -359,14 +359,14 @@ instant_normal_matrix_by_square = Claim(
     "3.68",
     Omega.T @ Omega + omega @ omega.T, -(Omega**2) + omega @ omega.T,
     part=2,
-    says="The same, since the angular-velocity matrix is skew-symmetric.",
+    says="The matrix of the normal equations of P_0', since the angular-velocity matrix is skew-symmetric.",
     given=(angular_velocity_matrix_of_vector,),
 )
 
 instant_normal_matrix_is_spherical = Claim(
     "3.69",
     A_isa.T @ A_isa, norm(omega) ** 2 * one,
-    says="The matrix of the normal equations is a multiple of the identity.",
+    says="The matrix of the normal equations of P_0' is a multiple of the identity.",
     given=(instant_screw_matrix, angular_velocity_matrix_of_vector),
 )
 
@@ -374,7 +374,7 @@ instant_normal_right_side = Claim(
     "3.69",
     A_isa.T @ b_isa, Omega @ (rate(a) - Omega @ a),
     part=2,
-    says="The right side of the normal equations.",
+    says="The right side of the normal equations of P_0'.",
     given=(instant_screw_matrix, instant_screw_right_side, angular_velocity_matrix_of_vector),
 )
 
@@ -390,7 +390,7 @@ instant_screw_point = Claim(
     "3.70",
     p_0_, cross(omega, rate(a) - cross(omega, a)) / norm(omega) ** 2,
     part=2,
-    says="The same with vector products.",
+    says="The point of the instant screw axis nearest the origin, with vector products.",
     given=(instant_screw_point_is_nearest, instant_screw_point_is_on_axis, angular_velocity_matrix_of_vector),
     assuming=(omega_is_not_zero,),
     sign=r"\equiv",
@@ -508,7 +508,7 @@ linear_rates = Claim(
     "3.76a",
     rate(lambda_), L @ omega,
     part=2,
-    says="So are those of the linear invariants.",
+    says="The rates of the linear invariants are linear in the angular velocity.",
     given=(
         linear_invariants_array,
         linear_rate_matrix,
@@ -522,7 +522,7 @@ euler_rodrigues_rates = Claim(
     "3.76a",
     rate(eta), H @ omega,
     part=3,
-    says="So are those of the Euler-Rodrigues parameters.",
+    says="The rates of the Euler-Rodrigues parameters are linear in the angular velocity.",
     given=(
         euler_rodrigues_array,
         euler_rodrigues_rate_matrix,
@@ -767,9 +767,9 @@ angular_velocity_from_euler_rodrigues_rates = Claim(
     ),
 )
 
-F_is_natural = Definition("text 3.4.2 c", F, N, says="F for the natural invariants.")
-F_is_linear = Definition("text 3.4.2 c", F, L, part=2, says="F for the linear invariants.")
-F_is_euler_rodrigues = Definition("text 3.4.2 c", F, H, part=3, says="F for the Euler-Rodrigues parameters.")
+F_is_natural = Definition("text 3.4.2 c", F, N, says="F of (3.79) for the natural invariants.")
+F_is_linear = Definition("text 3.4.2 c", F, L, part=2, says="F of (3.79) for the linear invariants.")
+F_is_euler_rodrigues = Definition("text 3.4.2 c", F, H, part=3, says="F of (3.79) for the Euler-Rodrigues parameters.")
 
 pose_rate_matrix = Definition(
     "3.79", T, matrix((F, O_43), (O, one)), says="The matrix of the pose's rate."
@@ -810,10 +810,14 @@ pose_rate_euler_rodrigues = Claim(
     kernel=Kernel(of=(e, phi, t)),
 )
 
-F_tilde_is_natural = Definition("text 3.4.2 d", F_tilde, N_tilde, says="Its left inverse, natural invariants.")
-F_tilde_is_linear = Definition("text 3.4.2 d", F_tilde, L_tilde, part=2, says="Its left inverse, linear invariants.")
+F_tilde_is_natural = Definition(
+    "text 3.4.2 d", F_tilde, N_tilde, says="The left inverse of F for the natural invariants."
+)
+F_tilde_is_linear = Definition(
+    "text 3.4.2 d", F_tilde, L_tilde, part=2, says="The left inverse of F for the linear invariants."
+)
 F_tilde_is_euler_rodrigues = Definition(
-    "text 3.4.2 d", F_tilde, H_tilde, part=3, says="Its left inverse, Euler-Rodrigues parameters."
+    "text 3.4.2 d", F_tilde, H_tilde, part=3, says="The left inverse of F for the Euler-Rodrigues parameters."
 )
 
 twist_matrix = Definition(

@@ -100,7 +100,7 @@ angular_acceleration = Claim(
     "3.87",
     vect(rate(Omega)), rate(omega),
     part=2,
-    says="It is the angular acceleration.",
+    says="The axial vector of the angular-acceleration matrix is the angular acceleration.",
     given=(angular_velocity_matrix_of_vector,),
 )
 
@@ -115,7 +115,7 @@ trace_of_square = Claim(
     "3.88",
     tr(Omega**2), tr(-(norm(omega) ** 2) * one + omega @ omega.T),
     part=2,
-    says="The trace of the square, expanded.",
+    says="The trace of the square of the angular-velocity matrix, expanded.",
     given=(angular_velocity_matrix_of_vector,),
 )
 
@@ -123,14 +123,14 @@ trace_by_terms = Claim(
     "3.88",
     tr(-(norm(omega) ** 2) * one + omega @ omega.T), -(norm(omega) ** 2) * tr(one) + dot(omega, omega),
     part=3,
-    says="The trace is linear.",
+    says="The trace of a sum is the sum of the traces.",
 )
 
 trace_in_closed_form = Claim(
     "3.88",
     -(norm(omega) ** 2) * tr(one) + dot(omega, omega), -(2 * norm(omega) ** 2),
     part=4,
-    says="The trace is minus twice the square of the angular speed.",
+    says="The trace of the angular-acceleration matrix is minus twice the square of the angular speed.",
 )
 
 acceleration_of_point = Claim(
@@ -225,7 +225,7 @@ axis_angle_rates = (rotation_from_axis_angle, angular_velocity_matrix, angular_v
 upper_block_of_natural_rates = Definition(
     "text 3.5 c",
     N_upper, bracket(over(sin(phi), paren(2 * (1 - cos(phi))))) * paren(one - e @ e.T) - paren(over(1, 2)) * E,
-    says="The upper block of N.",
+    says="The upper block of N, the matrix of the natural invariants' rates.",
     assuming=(unit(e), phi_is_not_zero),
 )
 
@@ -233,20 +233,20 @@ natural_rates_by_blocks = Definition(
     "text 3.5 c",
     N, column(N_upper, e.T),
     part=2,
-    says="N by its blocks.",
+    says="The matrix of the natural invariants' rates, N, by its blocks.",
 )
 
 B_is_the_upper_block = Definition(
     "text 3.5 d",
     B_N, 4 * (1 - cos(phi)) * rate(N_upper),
-    says="What B must be for the upper block of (3.96a) to hold.",
+    says="What B must be for the upper block of the rate of N in (3.96a) to hold.",
 )
 
 rate_of_natural_rate_matrix = Claim(
     "3.96a",
     rate(N), printed(lambda: 1 / (4 * (1 - cos(phi))) * column(B_N, rate(e))),
     reading=1 / (4 * (1 - cos(phi))) * column(B_N, rate(e).T),
-    says="The rate of N by its blocks.",
+    says="The rate of N, the matrix of the natural invariants' rates, by its blocks.",
     given=(natural_rates_by_blocks, upper_block_of_natural_rates, B_is_the_upper_block),
     assuming=(phi_is_not_zero,),
 )
@@ -258,7 +258,7 @@ rate_of_linear_rate_matrix = Claim(
         paren(over(1, 2)) * bracket(one * tr(rate(Q)) - rate(Q)),
         -(paren(over(1, 2)) * omega.T @ bracket(one * tr(Q) - Q.T)),
     ),
-    says="The rate of L by the rotation and its rate.",
+    says="The rate of L, the matrix of the linear invariants' rates, by the rotation and its rate.",
     given=(linear_rate_matrix, *axis_angle_rates),
 )
 
@@ -270,14 +270,14 @@ rate_of_linear_rate_matrix_by_velocity = Claim(
         -(paren(over(1, 2)) * omega.T @ bracket(one * tr(Q) - Q.T)),
     ),
     part=2,
-    says="The rate of L by the rotation and the angular velocity.",
+    says="The rate of L, the matrix of the linear invariants' rates, by the rotation and the angular velocity.",
     given=(linear_rate_matrix, linear_invariants_vector, *axis_angle_rates),
 )
 
 rate_of_euler_rodrigues_rate_matrix = Claim(
     "3.96c",
     rate(H), number(1) / 2 * column(rate(r_0) * one - rate(R_er), -rate(r_er).T),
-    says="The rate of H.",
+    says="The rate of H, the matrix of the Euler-Rodrigues parameters' rates.",
     given=(euler_rodrigues_rate_matrix, euler_rodrigues_parameters_vector, euler_rodrigues_parameters_scalar),
 )
 
@@ -293,7 +293,7 @@ trace_of_rotation_rate_by_velocity = Claim(
     "3.96d",
     tr(Omega @ Q), -(2 * omega.T @ u),
     part=2,
-    says="The same by the angular velocity.",
+    says="The rate of the trace of the rotation by the angular velocity.",
     given=(linear_invariants_vector, *axis_angle_rates),
     sign=r"\equiv",
 )
@@ -306,7 +306,7 @@ upper_block_of_natural_rate_matrix_rate = Claim(
     - 2 * (1 + sin(phi)) * omega @ e.T
     - (2 * cos(phi) + sin(phi)) * e @ omega.T
     - paren(sin(phi)) * bracket(Omega - paren(dot(e, omega)) * E),
-    says="The block B by the invariants and the angular velocity.",
+    says="The block B of the rate of N by the invariants and the angular velocity.",
     given=(upper_block_of_natural_rates, B_is_the_upper_block, *axis_angle_rates),
     sign=r"\equiv",
 )
@@ -335,7 +335,7 @@ block_of_linear_rate = Definition(
     rate(U_lin)
     - paren(rate(u) @ u.T + u @ rate(u).T)
     - rate(u_0) / D * paren(U_lin - u @ u.T),
-    says="The block V.",
+    says="The block V of the rate of the left inverse of L.",
     given=(scalar_of_linear_rate,),
     assuming=(phi_is_not_pi,),
 )

@@ -38,7 +38,7 @@ velocity_by_differentiation = Claim(
     in_frame(rate(p), "F"),
     in_frame(rate(o), "F") + in_frame(rate(Q), "F") @ in_frame(rho_M, "M")
     + in_frame(Q, "F") @ in_frame(rate(rho_M), "M"),
-    says="The velocity of P, by differentiating its position.",
+    says="The velocity of P, by differentiating its position in the moving frame.",
     given=(position_from_moving_frame,),
 )
 

@@ -41,7 +41,7 @@ moment_about_point = Claim(
 moment_about_point_by_force = Claim(
     "3.107",
     moment_P, moment_A + cross(force, p - a),
-    says="The same, in the form of the velocities of a rigid body.",
+    says="The moment about P from that about A, in the form of the velocities of a rigid body.",
     given=(moment_about_point,),
 )
 
@@ -59,7 +59,7 @@ least_moment = Definition(
     "3.108",
     n0, dot(moment_P, force) / norm(force),
     part=2,
-    says="Its signed magnitude.",
+    says="The signed magnitude of the moment of least magnitude.",
     assuming=(force_is_not_zero,),
 )
 
@@ -209,13 +209,13 @@ wrench_of_screw_by_moment_and_force = Claim(
     sign=r"\equiv",
 )
 
-force_of_screw = Definition("text 3.7 f", force, amplitude * e, says="The force of the wrench.")
+force_of_screw = Definition("text 3.7 f", force, amplitude * e, says="The force of the wrench along its axis.")
 
 moment_of_screw = Definition(
     "text 3.7 f",
     moment, cross(p, force) + pitch * force,
     part=2,
-    says="The moment of the wrench.",
+    says="The moment of the wrench about the origin, of a force along its axis and a moment parallel to it.",
 )
 
 wrench = Definition("3.113", w, column(moment, force), says="The wrench: moment and force.")
@@ -259,14 +259,14 @@ twist_by_screw = Definition(
 power_by_screws = Claim(
     "text 3.7 i",
     t.T @ w, amplitude_of_twist * amplitude_of_wrench * (paren(Gamma @ s_w).T @ s_t),
-    says="The power vanishes with the product of the two screws.",
+    says="The power vanishes with the product of the screws of wrench and twist.",
     given=(wrench_by_screw, twist_by_screw),
 )
 
 product_of_screws = Claim(
     "3.116",
     paren(Gamma @ s_w).T @ s_t, s_w.T @ Gamma.T @ s_t,
-    says="The product of the two screws, its transpose multiplied out.",
+    says="The product of the screws of wrench and twist, its transpose multiplied out.",
     sign=r"\equiv",
 )
 
@@ -298,7 +298,7 @@ screws_are_reciprocal_both_ways = Claim(
     "3.117",
     s_t.T @ Gamma @ s_w, number(0),
     part=2,
-    says="So they are in the other order.",
+    says="Two screws that are reciprocal are so in the other order.",
     given=(exchange_of_halves,),
     restates=screws_are_reciprocal,
 )
@@ -339,7 +339,7 @@ power_at_another_point = Claim(
 product_of_transfers = Claim(
     "3.121",
     U.T @ V, matrix((one, -A + P), (O_in_V, one)) @ matrix((one, A - P), (O_in_V, one)),
-    says="The product of the two transfer matrices.",
+    says="The transpose of the transfer matrix of twists times that of wrenches.",
     given=(twist_transfer_matrix, wrench_transfer_matrix),
 )
 
@@ -347,7 +347,7 @@ transfers_cancel = Claim(
     "3.121",
     matrix((one, -A + P), (O_in_V, one)) @ matrix((one, A - P), (O_in_V, one)), one_6,
     part=2,
-    says="It is the identity.",
+    says="The transpose of the transfer matrix of twists times that of wrenches is the identity.",
 )
 
 power_is_the_same_at_all_points = Claim(

@@ -79,7 +79,7 @@ center_of_mass = Definition(
 first_moment_by_center_of_mass = Claim(
     "text 3.8 a",
     over_body(rho * p), m * c,
-    says="There is such a point: the first moment is that of the whole mass there.",
+    says="There is a center of mass: the first moment is that of the whole mass there.",
     given=(mass, first_moment, center_of_mass),
 )
 
@@ -103,7 +103,7 @@ velocity_from_center_of_mass = Claim(
 velocity_from_center_of_mass_by_matrix = Claim(
     "3.128",
     rate(p), rate(c) - R_C @ omega,
-    says="The same with the cross-product matrix of r.",
+    says="The velocity of P from that of the center of mass, with a cross-product matrix.",
     given=(velocity_from_center_of_mass,),
 )
 
@@ -130,7 +130,7 @@ energy_in_three_integrals = Claim(
 product_under_the_integral = Claim(
     "text 3.8 d",
     R_C.T @ R_C, -(R_C**2),
-    says="The product under the integral, since R is skew-symmetric.",
+    says="The product under the integral of the kinetic energy, since R is skew-symmetric.",
 )
 
 square_of_cross_product_matrix = Claim(
@@ -142,28 +142,28 @@ square_of_cross_product_matrix = Claim(
 matrix_under_the_integral = Claim(
     "text 3.8 e",
     over_body(rho * R_C), over_body(rho * CPM(r_C)),
-    says="The integral of R, the operator written out.",
+    says="The integral of R, the cross-product matrix of r, the operator written out.",
 )
 
 integral_and_operator_interchanged = Claim(
     "text 3.8 e",
     over_body(rho * CPM(r_C)), CPM(over_body(rho * r_C)),
     part=2,
-    says="The integral and the operator are interchanged.",
+    says="The integral of r and the operator of the cross-product matrix are interchanged.",
     sign=r"\equiv",
 )
 
 integral_of_matrix_expanded = Claim(
     "text 3.8 f",
     over_body(rho * R_C), CPM(over_body(rho * p) - c * over_body(rho)),
-    says="The integral of R by the first moment and the mass.",
+    says="The integral of R, the cross-product matrix of r, by the first moment and the mass.",
     given=(radius,),
 )
 
 integral_of_matrix_vanishes = Claim(
     "text 3.8 g",
     over_body(rho * R_C), O,
-    says="It vanishes, because r is measured from the center of mass.",
+    says="The integral of R vanishes, because r is measured from the center of mass.",
     given=(radius, center_of_mass, first_moment, mass),
 )
 
@@ -193,7 +193,7 @@ inertia_is_symmetric = Claim(
 integrand_as_product = Claim(
     "text 3.8 j",
     norm(r_C) ** 2 * one - r_C @ r_C.T, R_C @ R_C.T,
-    says="The term in parentheses is a product of R and its transpose.",
+    says="The term in parentheses in the moment of inertia is a product of R and its transpose.",
 )
 
 cross_product_matrix_has_rank_two = Theorem(
@@ -228,8 +228,8 @@ normal_of_two_elements = Definition(
 only_rods_have_semidefinite_inertia = Theorem(
     "text 3.8 m",
     part=2,
-    says="That square vanishes for the elements on the line through the center of mass that is parallel to x. Two "
-    "elements on different lines leave no such x but zero.",
+    says="The product r x x vanishes for the elements on the line through the center of mass that is parallel to x. "
+    "Two elements on different lines leave no such x but zero.",
     forms=(
         Iff(
             one=cross(r_C, x_any),
@@ -286,7 +286,7 @@ inertia_with_respect_to_point_substituted = Claim(
     "text 3.8 p",
     I_A,
     over_body(rho * (norm(r_C - (a - c)) ** 2 * one - (r_C - (a - c)) @ (r_C - (a - c)).T)),
-    says="The moment of inertia with respect to A, that position substituted.",
+    says="The moment of inertia with respect to A, the position from the center of mass substituted.",
     given=(inertia_with_respect_to_point, radius),
 )
 
@@ -298,7 +298,7 @@ inertia_with_respect_to_point_expanded = Claim(
     + (a - c) @ over_body(r_C.T * rho)
     + paren(over_body(r_C * rho)) @ (a - c).T
     + over_body(rho * (norm(a - c) ** 2 * one - (a - c) @ (a - c).T)),
-    says="The same, expanded.",
+    says="The moment of inertia with respect to A, the position from the center of mass substituted, expanded.",
     given=(inertia_with_respect_to_point_substituted,),
 )
 
@@ -437,7 +437,7 @@ rate_of_momentum_screw_by_twist = Claim(
     "3.143",
     M @ rate(t) + W_dyad @ mu, M @ rate(t) + W_dyad @ M @ t,
     part=2,
-    says="The same by the twist alone.",
+    says="The rate of the momentum screw by the twist alone.",
     given=(inertia_dyad_at_center_of_mass, twist_at_center_of_mass, momentum_screw_of_body),
 )
 
@@ -586,7 +586,7 @@ velocity_of_center_of_mass = Claim(
     "text 3.8 w",
     rate(c), v_A + cross(a - c, omega),
     part=2,
-    says="The same by the angular velocity.",
+    says="The velocity of the center of mass from that of A, by the angular velocity.",
     given=(velocity_of_center_of_mass_by_matrix, angular_velocity_matrix_of_vector),
 )
 
@@ -614,7 +614,7 @@ energy_by_twist_at_A = Claim(
     "text 3.8 x",
     energy, half * t_A.T @ M_A @ t_A,
     part=2,
-    says="With it, the kinetic energy is the same quadratic form of the twist at A.",
+    says="The kinetic energy is the same quadratic form of the twist at A, with the inertia dyad at A.",
     given=(
         kinetic_energy,
         twist_at_center_of_mass_from_A,

@@ -72,7 +72,7 @@ def test_what_an_import_costs(code: str, absent: set[str], backend: str) -> None
     assert sorted(absent & (set(printed.split()) - set(before.split()))) == []
 
 
-@pytest.mark.parametrize("name", ["prove", "load"])
+@pytest.mark.parametrize("name", ["prove", "load", "decide", "repair", "derive"])
 def test_a_submodule_does_not_hide_the_function_of_its_name(name: str) -> None:
     code = f"import chasles, chasles.prove, chasles.statements, sys; sys.exit(not callable(chasles.{name}))"
     succeed(sys.executable, "-c", code)

@@ -16,10 +16,12 @@ pytestmark = pytest.mark.skipif(not (ROOT / "pyproject.toml").exists(), reason="
 ORDER = (
     "display",
     "keeping",
+    "nearest",
     "vocabulary",
     "statements",
     "proof",
     "prove",
+    "asking",
     "exact",
     "lowering",
     "bounds",

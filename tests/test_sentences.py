@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Callable, Iterator
 from operator import methodcaller
@@ -569,3 +570,13 @@ def test_a_typo_and_a_missing_book_fail_at_import(write_book: Callable[..., str]
         load(write_book(__init__="SECTIONS = ('first',)", notation=NOTATION, first=misspelled))
     with pytest.raises(ModuleNotFoundError):
         load("no_such_book")
+
+
+LEANING = re.compile(r"(The same|It|Its|They|Their|This|That|These|Those|So|Nor|Likewise|Here|There is such|With it)\b")
+
+
+def test_what_a_statement_of_the_book_says_can_be_understood_alone() -> None:
+    """A kernel's documentation, a verdict in the terminal and an erratum show it without what stands before it."""
+    leaning = [f"{entry.number}: {entry.statement.says}" for entry in load() if LEANING.match(entry.statement.says)]
+    assert leaning == []
+    assert LEANING.match("The same by a scalar product.")

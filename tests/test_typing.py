@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import inspect
 import re
 import subprocess
 import sys
@@ -136,10 +137,13 @@ def test_every_kernel_is_declared_with_its_numbers_of_inputs_and_results_and_its
         for name, (kind, says) in stub.items():
             signature = signature_of(getattr(kernels, name))
             given, returned = (re.findall(r"\([\d,]*\)", side) for side in signature.split("->"))
-            assert kind.startswith(f"{family}{len(given)}x{len(returned)}["), name
+            assert kind == f"{family}{called(name)}"
             results = ["Any" if core == "()" else "Array" for core in returned]
-            assert kind.split("[", 1)[1][:-1] == (results[0] if len(results) == 1 else f"tuple[{', '.join(results)}]")
+            names, gives = CALLS[called(name)]
+            assert len(names) == len(given)
+            assert gives == (results[0] if len(results) == 1 else f"tuple[{', '.join(results)}]")
             assert signature in says
+            assert inputs_of(getattr(found, name)) == names
 
 
 def test_an_editor_shows_the_contract_of_a_kernel() -> None:
@@ -148,6 +152,28 @@ def test_an_editor_shows_the_contract_of_a_kernel() -> None:
         lines = [line.strip().replace('"', "'") for line in written.splitlines() if line.strip()]
         start = next(n for n, line in enumerate(lines) if line == says.splitlines()[0].strip())
         assert lines[start:] == [line.strip() for line in says.splitlines() if line.strip()], name
+
+
+def called(name: str) -> str:
+    """The protocol of a kernel's call."""
+    return "".join(map(str.capitalize, name.split("_")))
+
+
+CALLS = {
+    name: (re.findall(r"(\w+): Numbers", call), gives)
+    for name, call, gives in re.findall(
+        r"^class (\w+)\(Protocol\):\n((?:(?!\nclass )(?:.|\n))*?: Numbers(?:.|\n)*?)-> (.*): \.\.\.$",
+        (STUBS / "calls.pyi").read_text("utf-8"),
+        re.M,
+    )
+}
+"""By protocol, the names of the inputs and what a call gives."""
+
+
+def inputs_of(kernel: Any) -> list[str]:
+    """The names of the inputs, as `help` and an editor at work show them."""
+    parameters = inspect.signature(kernel).parameters.values()
+    return [each.name for each in parameters if each.kind is inspect.Parameter.POSITIONAL_ONLY]
 
 
 def signature_of(kernel: Any) -> str:

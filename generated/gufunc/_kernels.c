@@ -15,6 +15,9 @@ const Kernel chasles_kernels[] = {
         .name = "cross_product_matrix",
         .signature = "(3)->(3,3)",
         .doc =
+            "cross_product_matrix(v, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(2.38) The cross-product matrix of v: multiplying by it is taking the vector product with v.\n"
             "  given       v (3): any vector\n"
             "  returns     V (3, 3): cross-product matrix of a vector\n"
@@ -32,6 +35,9 @@ const Kernel chasles_kernels[] = {
         .name = "rotation_from_axis_angle",
         .signature = "(3),()->(3,3)",
         .doc =
+            "rotation_from_axis_angle(e, phi, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(2.49) The rotation about the axis e through the angle phi.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -53,6 +59,9 @@ const Kernel chasles_kernels[] = {
         .name = "point_after_displacement",
         .signature = "(3,3),(3),(3),(3)->(3)",
         .doc =
+            "point_after_displacement(Q, a, a_prime, p, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.2) Where a point of the body lies after the displacement.\n"
             "  given       Q (3, 3): rotation\n"
             "              a (3): position of the landmark point A\n"
@@ -76,6 +85,9 @@ const Kernel chasles_kernels[] = {
         .name = "pitch_of_motion",
         .signature = "(3),(),(3)->()",
         .doc =
+            "pitch_of_motion(e, phi, d_P, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.7) The pitch from the displacement of any point.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -98,6 +110,9 @@ const Kernel chasles_kernels[] = {
         .name = "normal_matrix_inverse",
         .signature = "(3),()->(3,3)",
         .doc =
+            "normal_matrix_inverse(e, phi, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.16) The inverse of the matrix of the normal equations.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -119,6 +134,9 @@ const Kernel chasles_kernels[] = {
         .name = "screw_axis_point",
         .signature = "(3),(),(3),(3)->(3)",
         .doc =
+            "screw_axis_point(e, phi, a, a_prime, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.18) The point of the screw axis nearest the origin.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -144,6 +162,9 @@ const Kernel chasles_kernels[] = {
         .name = "plucker_line",
         .signature = "(3),(3)->(6)",
         .doc =
+            "plucker_line(p_1, p_2, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.23) The Pl\303\274cker array of a line: its direction and its moment.\n"
             "  given       p_1 (3): position of point P_1\n"
             "              p_2 (3): position of point P_2\n"
@@ -164,6 +185,9 @@ const Kernel chasles_kernels[] = {
         .name = "plucker_transfer",
         .signature = "(6),(3),(3)->(6)",
         .doc =
+            "plucker_transfer(kappa_A, a, b, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.29a) The Pl\303\274cker-coordinate transfer formula.\n"
             "  given       kappa_A (6): Pluecker array with the moment about A\n"
             "              a (3): position of the landmark point A\n"
@@ -185,6 +209,9 @@ const Kernel chasles_kernels[] = {
         .name = "rotation_in_triad_axes",
         .signature = "(3,3),(3,3)->(3,3)",
         .doc =
+            "rotation_in_triad_axes(triad, triad_prime, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.2.3 h The rotation in the axes of the triad, as a product of matrices.\n"
             "  given       triad (3, 3): the triad as columns\n"
             "              triad_prime (3, 3): the displaced triad as columns\n"
@@ -207,6 +234,9 @@ const Kernel chasles_kernels[] = {
         .name = "rotation_from_triads",
         .signature = "(3,3),(3,3)->(3,3)",
         .doc =
+            "rotation_from_triads(triad, triad_prime, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.2.3 g The rotation that takes one triad into the other, in the frame in which both are given.\n"
             "  given       triad (3, 3): the triad as columns\n"
             "              triad_prime (3, 3): the displaced triad as columns\n"
@@ -229,6 +259,9 @@ const Kernel chasles_kernels[] = {
         .name = "axial_vector",
         .signature = "(3,3)->(3)",
         .doc =
+            "axial_vector(Omega, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.45) The angular velocity: the axial vector of the angular-velocity matrix.\n"
             "  given       Omega (3, 3): angular-velocity matrix\n"
             "  returns     omega (3): angular velocity\n"
@@ -247,6 +280,9 @@ const Kernel chasles_kernels[] = {
         .name = "velocity_of_point",
         .signature = "(3),(3),(3),(3)->(3)",
         .doc =
+            "velocity_of_point(omega, a_dot, a, p, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.50) The velocity of a point from that of the landmark.\n"
             "  given       omega (3): angular velocity\n"
             "              a_dot (3): time derivative of: position of the landmark point A\n"
@@ -269,7 +305,10 @@ const Kernel chasles_kernels[] = {
         .name = "instant_screw_point",
         .signature = "(3),(3),(3)->(3)",
         .doc =
-            "(3.70) The same with vector products.\n"
+            "instant_screw_point(omega, a_dot, a, /, *, out=None)\n"
+            "--\n"
+            "\n"
+            "(3.70) The point of the instant screw axis nearest the origin, with vector products.\n"
             "  given       omega (3): angular velocity\n"
             "              a_dot (3): time derivative of: position of the landmark point A\n"
             "              a (3): position of the landmark point A\n"
@@ -290,6 +329,9 @@ const Kernel chasles_kernels[] = {
         .name = "natural_rate_matrix",
         .signature = "(3),()->(4,3)",
         .doc =
+            "natural_rate_matrix(e, phi, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.76b) The matrix of the natural invariants' rates.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -312,6 +354,9 @@ const Kernel chasles_kernels[] = {
         .name = "linear_rate_matrix",
         .signature = "(3),()->(4,3)",
         .doc =
+            "linear_rate_matrix(e, phi, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.76c) The matrix of the linear invariants' rates.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -333,6 +378,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rodrigues_rate_matrix",
         .signature = "(3),()->(4,3)",
         .doc =
+            "euler_rodrigues_rate_matrix(e, phi, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.76d) The matrix of the Euler-Rodrigues parameters' rates.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -353,6 +401,9 @@ const Kernel chasles_kernels[] = {
         .name = "rotation_from_linear_invariants",
         .signature = "(3),()->(3,3)",
         .doc =
+            "rotation_from_linear_invariants(q, q_0, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.4.2 f The rotation from its linear invariants.\n"
             "  given       q (3): vector part of four invariants of the rotation\n"
             "              q_0: scalar part of four invariants of the rotation\n"
@@ -375,6 +426,9 @@ const Kernel chasles_kernels[] = {
         .name = "rotation_from_euler_rodrigues",
         .signature = "(3),()->(3,3)",
         .doc =
+            "rotation_from_euler_rodrigues(q, q_0, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.4.2 f The rotation from its Euler-Rodrigues parameters.\n"
             "  given       q (3): vector part of four invariants of the rotation\n"
             "              q_0: scalar part of four invariants of the rotation\n"
@@ -396,6 +450,9 @@ const Kernel chasles_kernels[] = {
         .name = "linear_invariants",
         .signature = "(3,3)->(3),()",
         .doc =
+            "linear_invariants(Q, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.4.2 g The linear invariants from the rotation.\n"
             "  given       Q (3, 3): rotation\n"
             "  returns     q (3): vector part of four invariants of the rotation\n"
@@ -418,6 +475,9 @@ const Kernel chasles_kernels[] = {
         .name = "natural_invariants",
         .signature = "(3,3)->(3),()",
         .doc =
+            "natural_invariants(Q, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.4.2 h The natural invariants from the rotation.\n"
             "  given       Q (3, 3): rotation\n"
             "  returns     e (3): unit vector along the axis of rotation, or along a line\n"
@@ -441,6 +501,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rodrigues_parameters",
         .signature = "(3,3)->(3),()",
         .doc =
+            "euler_rodrigues_parameters(Q, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.4.2 i The Euler-Rodrigues parameters from the rotation.\n"
             "  given       Q (3, 3): rotation\n"
             "  returns     q (3): vector part of four invariants of the rotation\n"
@@ -462,6 +525,9 @@ const Kernel chasles_kernels[] = {
         .name = "screw_of_motion",
         .signature = "(3,3),(3),(3)->(6),(),()",
         .doc =
+            "screw_of_motion(Q, a, a_prime, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.4.2 j The screw of a motion: Pl\303\274cker array of its axis, translation along it, angle.\n"
             "  given       Q (3, 3): rotation\n"
             "              a (3): position of the landmark point A\n"
@@ -492,6 +558,9 @@ const Kernel chasles_kernels[] = {
         .name = "instant_screw",
         .signature = "(3),(3),(3)->(6),()",
         .doc =
+            "instant_screw(omega, a_dot, a, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.4.1 c The instant screw: Pl\303\274cker array of its axis, and pitch.\n"
             "  given       omega (3): angular velocity\n"
             "              a_dot (3): time derivative of: position of the landmark point A\n"
@@ -516,6 +585,9 @@ const Kernel chasles_kernels[] = {
         .name = "natural_velocity_matrix",
         .signature = "(3),()->(3,4)",
         .doc =
+            "natural_velocity_matrix(e, phi, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.77b) The matrix that gives the angular velocity from the natural invariants' rates.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -537,6 +609,9 @@ const Kernel chasles_kernels[] = {
         .name = "linear_velocity_matrix",
         .signature = "(3),()->(3,4)",
         .doc =
+            "linear_velocity_matrix(e, phi, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.77c) The matrix that gives the angular velocity from the linear invariants' rates.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -558,6 +633,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rodrigues_velocity_matrix",
         .signature = "(3),()->(3,4)",
         .doc =
+            "euler_rodrigues_velocity_matrix(e, phi, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.77d) The matrix that gives the angular velocity from the Euler-Rodrigues parameters' rates.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -578,6 +656,9 @@ const Kernel chasles_kernels[] = {
         .name = "pose_rate_natural",
         .signature = "(3),(),(6)->(7)",
         .doc =
+            "pose_rate_natural(e, phi, t, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.78) The rate of the pose from the twist, with the natural invariants.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -601,6 +682,9 @@ const Kernel chasles_kernels[] = {
         .name = "pose_rate_linear",
         .signature = "(3),(),(6)->(7)",
         .doc =
+            "pose_rate_linear(e, phi, t, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.78) The rate of the pose from the twist, with the linear invariants.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -623,6 +707,9 @@ const Kernel chasles_kernels[] = {
         .name = "pose_rate_euler_rodrigues",
         .signature = "(3),(),(6)->(7)",
         .doc =
+            "pose_rate_euler_rodrigues(e, phi, t, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.78) The rate of the pose from the twist, with the Euler-Rodrigues parameters.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -645,6 +732,9 @@ const Kernel chasles_kernels[] = {
         .name = "twist_from_pose_rate_natural",
         .signature = "(3),(),(7)->(6)",
         .doc =
+            "twist_from_pose_rate_natural(e, phi, s_dot, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.80a) The twist from the rate of the pose, with the natural invariants.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -667,6 +757,9 @@ const Kernel chasles_kernels[] = {
         .name = "twist_from_pose_rate_linear",
         .signature = "(3),(),(7)->(6)",
         .doc =
+            "twist_from_pose_rate_linear(e, phi, s_dot, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.80a) The twist from the rate of the pose, with the linear invariants.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -690,6 +783,9 @@ const Kernel chasles_kernels[] = {
         .name = "twist_from_pose_rate_euler_rodrigues",
         .signature = "(3),(),(7)->(6)",
         .doc =
+            "twist_from_pose_rate_euler_rodrigues(e, phi, s_dot, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.80a) The twist from the rate of the pose, with the Euler-Rodrigues parameters.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -712,6 +808,9 @@ const Kernel chasles_kernels[] = {
         .name = "twist_transfer",
         .signature = "(6),(3),(3)->(6)",
         .doc =
+            "twist_transfer(t_A, a, p, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.83a) The twist-transfer formula.\n"
             "  given       t_A (6): twist at A\n"
             "              a (3): position of the landmark point A\n"
@@ -733,6 +832,9 @@ const Kernel chasles_kernels[] = {
         .name = "angular_acceleration_matrix",
         .signature = "(3),(3)->(3,3)",
         .doc =
+            "angular_acceleration_matrix(omega, omega_dot, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.86) The angular-acceleration matrix.\n"
             "  given       omega (3): angular velocity\n"
             "              omega_dot (3): time derivative of: angular velocity\n"
@@ -753,6 +855,9 @@ const Kernel chasles_kernels[] = {
         .name = "acceleration_of_point",
         .signature = "(3),(3),(3),(3),(3)->(3)",
         .doc =
+            "acceleration_of_point(omega, omega_dot, a_ddot, a, p, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.89) The acceleration of a point from that of the landmark, with vector products.\n"
             "  given       omega (3): angular velocity\n"
             "              omega_dot (3): time derivative of: angular velocity\n"
@@ -776,6 +881,9 @@ const Kernel chasles_kernels[] = {
         .name = "natural_rate_matrix_dot",
         .signature = "(3),(),(3)->(4,3)",
         .doc =
+            "natural_rate_matrix_dot(e, phi, omega, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.5 f The rate of N by axis, angle and angular velocity: (3.96a).\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -800,6 +908,9 @@ const Kernel chasles_kernels[] = {
         .name = "linear_rate_matrix_dot",
         .signature = "(3),(),(3)->(4,3)",
         .doc =
+            "linear_rate_matrix_dot(e, phi, omega, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.5 f The rate of L by axis, angle and angular velocity: (3.96b).\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -823,6 +934,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rodrigues_rate_matrix_dot",
         .signature = "(3),(),(3)->(4,3)",
         .doc =
+            "euler_rodrigues_rate_matrix_dot(e, phi, omega, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.5 f The rate of H by axis, angle and angular velocity: (3.96c).\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -847,6 +961,9 @@ const Kernel chasles_kernels[] = {
         .name = "natural_velocity_matrix_dot",
         .signature = "(3),(),(3)->(3,4)",
         .doc =
+            "natural_velocity_matrix_dot(e, phi, omega, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.5 g The rate of the left inverse of N by axis, angle and angular velocity: (3.97a).\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -871,6 +988,9 @@ const Kernel chasles_kernels[] = {
         .name = "linear_velocity_matrix_dot",
         .signature = "(3),(),(3)->(3,4)",
         .doc =
+            "linear_velocity_matrix_dot(e, phi, omega, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.5 g The rate of the left inverse of L by axis, angle and angular velocity: (3.97b).\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -895,6 +1015,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rodrigues_velocity_matrix_dot",
         .signature = "(3),(),(3)->(3,4)",
         .doc =
+            "euler_rodrigues_velocity_matrix_dot(e, phi, omega, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.5 g The rate of the left inverse of H by axis, angle and angular velocity: (3.97c).\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -918,6 +1041,9 @@ const Kernel chasles_kernels[] = {
         .name = "pose_acceleration_natural",
         .signature = "(3),(),(6),(6)->(7)",
         .doc =
+            "pose_acceleration_natural(e, phi, t, t_dot, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.5 h The second rate of the pose from the twist and its rate, with the natural invariants.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -943,6 +1069,9 @@ const Kernel chasles_kernels[] = {
         .name = "pose_acceleration_linear",
         .signature = "(3),(),(6),(6)->(7)",
         .doc =
+            "pose_acceleration_linear(e, phi, t, t_dot, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.5 h The second rate of the pose from the twist and its rate, with the linear invariants.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -967,6 +1096,9 @@ const Kernel chasles_kernels[] = {
         .name = "pose_acceleration_euler_rodrigues",
         .signature = "(3),(),(6),(6)->(7)",
         .doc =
+            "pose_acceleration_euler_rodrigues(e, phi, t, t_dot, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.5 h The second rate of the pose from the twist and its rate, with the Euler-Rodrigues\n"
             "  parameters.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
@@ -992,6 +1124,9 @@ const Kernel chasles_kernels[] = {
         .name = "twist_rate_from_pose_natural",
         .signature = "(3),(),(7),(7)->(6)",
         .doc =
+            "twist_rate_from_pose_natural(e, phi, s_dot, s_ddot, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.5 i The rate of the twist from the rates of the pose, with the natural invariants.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -1016,6 +1151,9 @@ const Kernel chasles_kernels[] = {
         .name = "twist_rate_from_pose_linear",
         .signature = "(3),(),(7),(7)->(6)",
         .doc =
+            "twist_rate_from_pose_linear(e, phi, s_dot, s_ddot, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.5 i The rate of the twist from the rates of the pose, with the linear invariants.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -1041,6 +1179,9 @@ const Kernel chasles_kernels[] = {
         .name = "twist_rate_from_pose_euler_rodrigues",
         .signature = "(3),(),(7),(7)->(6)",
         .doc =
+            "twist_rate_from_pose_euler_rodrigues(e, phi, s_dot, s_ddot, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.5 i The rate of the twist from the rates of the pose, with the Euler-Rodrigues parameters.\n"
             "  given       e (3): unit vector along the axis of rotation, or along a line\n"
             "              phi: angle of rotation\n"
@@ -1065,6 +1206,9 @@ const Kernel chasles_kernels[] = {
         .name = "moving_frame_velocity",
         .signature = "(3),(3,3),(3),(3),(3)->(3)",
         .doc =
+            "moving_frame_velocity(o_dot, Q, omega, rho, rho_dot, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.103) The velocity of P in the fixed frame from that in the moving frame.\n"
             "  given       o_dot (3): time derivative of: position of the origin of the moving frame\n"
             "              Q (3, 3): rotation\n"
@@ -1089,6 +1233,9 @@ const Kernel chasles_kernels[] = {
         .name = "moving_frame_acceleration",
         .signature = "(3),(3,3),(3),(3),(3),(3),(3)->(3)",
         .doc =
+            "moving_frame_acceleration(o_ddot, Q, omega, omega_dot, rho, rho_dot, rho_ddot, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.105) The acceleration of P in the fixed frame: as a point of the moving frame, Coriolis, and in\n"
             "  the moving frame.\n"
             "  given       o_ddot (3): second time derivative of: position of the origin of the moving frame\n"
@@ -1117,6 +1264,9 @@ const Kernel chasles_kernels[] = {
         .name = "wrench_axis",
         .signature = "(3),(3),(3)->(6),()",
         .doc =
+            "wrench_axis(f, n_A, a, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.7 d The axis and the pitch of the wrench.\n"
             "  given       f (3): resultant force\n"
             "              n_A (3): resultant moment about A\n"
@@ -1141,6 +1291,9 @@ const Kernel chasles_kernels[] = {
         .name = "power",
         .signature = "(6),(6)->()",
         .doc =
+            "power(t, w, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.114) The power developed by a wrench on a body that moves with a twist at the same point.\n"
             "  given       t (6): twist: angular velocity, velocity of a landmark point\n"
             "              w (6): wrench: moment, force\n"
@@ -1161,6 +1314,9 @@ const Kernel chasles_kernels[] = {
         .name = "reciprocal_product",
         .signature = "(6),(6)->()",
         .doc =
+            "reciprocal_product(s_w, s_t, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.7 k The reciprocal product of two screws, in either order.\n"
             "  given       s_w (6): screw of a wrench\n"
             "              s_t (6): screw of a twist\n"
@@ -1181,6 +1337,9 @@ const Kernel chasles_kernels[] = {
         .name = "wrench_transfer",
         .signature = "(6),(3),(3)->(6)",
         .doc =
+            "wrench_transfer(w_A, a, p, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.119a) The wrench-transfer formula.\n"
             "  given       w_A (6): wrench at A\n"
             "              a (3): position of the landmark point A\n"
@@ -1202,6 +1361,9 @@ const Kernel chasles_kernels[] = {
         .name = "inertia_about_point",
         .signature = "(3,3),(),(3),(3)->(3,3)",
         .doc =
+            "inertia_about_point(I_C, m, c, a, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.133a) Steiner's theorem: the moment of inertia with respect to A from that at the center of mass.\n"
             "  given       I_C (3, 3): moment of inertia at the center of mass\n"
             "              m: mass\n"
@@ -1225,6 +1387,9 @@ const Kernel chasles_kernels[] = {
         .name = "inertia_about_point_sym6",
         .signature = "(6),(),(3),(3)->(6)",
         .doc =
+            "inertia_about_point_sym6(I_C, m, c, a, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.133a) Steiner's theorem: the moment of inertia with respect to A from that at the center of mass.\n"
             "  given       I_C (6): moment of inertia at the center of mass, symmetric, as (xx, xy, xz, yy, yz,\n"
             "                zz)\n"
@@ -1249,6 +1414,9 @@ const Kernel chasles_kernels[] = {
         .name = "momentum_screw",
         .signature = "(3,3),(),(6)->(6)",
         .doc =
+            "momentum_screw(I_C, m, t, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.142) The momentum screw by inertia dyad and twist.\n"
             "  given       I_C (3, 3): moment of inertia at the center of mass\n"
             "              m: mass\n"
@@ -1272,6 +1440,9 @@ const Kernel chasles_kernels[] = {
         .name = "momentum_screw_sym6",
         .signature = "(6),(),(6)->(6)",
         .doc =
+            "momentum_screw_sym6(I_C, m, t, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.142) The momentum screw by inertia dyad and twist.\n"
             "  given       I_C (6): moment of inertia at the center of mass, symmetric, as (xx, xy, xz, yy, yz,\n"
             "                zz)\n"
@@ -1296,6 +1467,9 @@ const Kernel chasles_kernels[] = {
         .name = "kinetic_energy",
         .signature = "(3,3),(),(6)->()",
         .doc =
+            "kinetic_energy(I_C, m, t, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.145) The kinetic energy as a quadratic form of the twist.\n"
             "  given       I_C (3, 3): moment of inertia at the center of mass\n"
             "              m: mass\n"
@@ -1319,6 +1493,9 @@ const Kernel chasles_kernels[] = {
         .name = "kinetic_energy_sym6",
         .signature = "(6),(),(6)->()",
         .doc =
+            "kinetic_energy_sym6(I_C, m, t, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.145) The kinetic energy as a quadratic form of the twist.\n"
             "  given       I_C (6): moment of inertia at the center of mass, symmetric, as (xx, xy, xz, yy, yz,\n"
             "                zz)\n"
@@ -1343,6 +1520,9 @@ const Kernel chasles_kernels[] = {
         .name = "newton_euler_wrench",
         .signature = "(3,3),(),(6),(6)->(6)",
         .doc =
+            "newton_euler_wrench(I_C, m, t, t_dot, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.8 v The wrench that moves the body: the Newton-Euler equations as they stand.\n"
             "  given       I_C (3, 3): moment of inertia at the center of mass\n"
             "              m: mass\n"
@@ -1367,6 +1547,9 @@ const Kernel chasles_kernels[] = {
         .name = "newton_euler_wrench_sym6",
         .signature = "(6),(),(6),(6)->(6)",
         .doc =
+            "newton_euler_wrench_sym6(I_C, m, t, t_dot, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.8 v The wrench that moves the body: the Newton-Euler equations as they stand.\n"
             "  given       I_C (6): moment of inertia at the center of mass, symmetric, as (xx, xy, xz, yy, yz,\n"
             "                zz)\n"
@@ -1392,6 +1575,9 @@ const Kernel chasles_kernels[] = {
         .name = "newton_euler_twist_rate",
         .signature = "(3,3),(),(6),(6)->(6)",
         .doc =
+            "newton_euler_twist_rate(I_C, m, t, w, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.8 v The rate of the twist of a body on which a wrench acts: the Newton-Euler equations\n"
             "  solved.\n"
             "  given       I_C (3, 3): moment of inertia at the center of mass\n"
@@ -1417,6 +1603,9 @@ const Kernel chasles_kernels[] = {
         .name = "newton_euler_twist_rate_sym6",
         .signature = "(6),(),(6),(6)->(6)",
         .doc =
+            "newton_euler_twist_rate_sym6(I_C, m, t, w, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "text 3.8 v The rate of the twist of a body on which a wrench acts: the Newton-Euler equations\n"
             "  solved.\n"
             "  given       I_C (6): moment of inertia at the center of mass, symmetric, as (xx, xy, xz, yy, yz,\n"
@@ -1443,6 +1632,9 @@ const Kernel chasles_kernels[] = {
         .name = "inertia_dyad",
         .signature = "(3,3),(),(3),(3)->(6,6)",
         .doc =
+            "inertia_dyad(I_C, m, c, a, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.147) The inertia dyad at A.\n"
             "  given       I_C (3, 3): moment of inertia at the center of mass\n"
             "              m: mass\n"
@@ -1467,6 +1659,9 @@ const Kernel chasles_kernels[] = {
         .name = "inertia_dyad_sym6",
         .signature = "(6),(),(3),(3)->(6,6)",
         .doc =
+            "inertia_dyad_sym6(I_C, m, c, a, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "(3.147) The inertia dyad at A.\n"
             "  given       I_C (6): moment of inertia at the center of mass, symmetric, as (xx, xy, xz, yy, yz,\n"
             "                zz)\n"
@@ -1492,6 +1687,9 @@ const Kernel chasles_kernels[] = {
         .name = "rotation_from_euler_xyx",
         .signature = "(3)->(3,3)",
         .doc =
+            "rotation_from_euler_xyx(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rotation by Euler angles about x, y, x.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     Q (3, 3): rotation\n"
@@ -1511,6 +1709,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_xyx",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_xyx(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about x, y, x.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
@@ -1530,6 +1731,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_body_xyx",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_body_xyx(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about x, y, x.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
@@ -1549,6 +1753,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rates_xyx",
         .signature = "(3),(3)->(3)",
         .doc =
+            "euler_rates_xyx(angles, omega, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rates of Euler angles about x, y, x from the angular velocity in the fixed frame.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "              omega (3): angular velocity\n"
@@ -1570,6 +1777,9 @@ const Kernel chasles_kernels[] = {
         .name = "rotation_from_euler_xyz",
         .signature = "(3)->(3,3)",
         .doc =
+            "rotation_from_euler_xyz(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rotation by Euler angles about x, y, z.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     Q (3, 3): rotation\n"
@@ -1589,6 +1799,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_xyz",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_xyz(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about x, y, z.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
@@ -1608,6 +1821,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_body_xyz",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_body_xyz(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about x, y, z.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
@@ -1627,6 +1843,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rates_xyz",
         .signature = "(3),(3)->(3)",
         .doc =
+            "euler_rates_xyz(angles, omega, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rates of Euler angles about x, y, z from the angular velocity in the fixed frame.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "              omega (3): angular velocity\n"
@@ -1648,6 +1867,9 @@ const Kernel chasles_kernels[] = {
         .name = "rotation_from_euler_xzx",
         .signature = "(3)->(3,3)",
         .doc =
+            "rotation_from_euler_xzx(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rotation by Euler angles about x, z, x.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     Q (3, 3): rotation\n"
@@ -1667,6 +1889,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_xzx",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_xzx(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about x, z, x.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
@@ -1686,6 +1911,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_body_xzx",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_body_xzx(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about x, z, x.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
@@ -1705,6 +1933,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rates_xzx",
         .signature = "(3),(3)->(3)",
         .doc =
+            "euler_rates_xzx(angles, omega, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rates of Euler angles about x, z, x from the angular velocity in the fixed frame.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "              omega (3): angular velocity\n"
@@ -1726,6 +1957,9 @@ const Kernel chasles_kernels[] = {
         .name = "rotation_from_euler_xzy",
         .signature = "(3)->(3,3)",
         .doc =
+            "rotation_from_euler_xzy(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rotation by Euler angles about x, z, y.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     Q (3, 3): rotation\n"
@@ -1745,6 +1979,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_xzy",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_xzy(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about x, z, y.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
@@ -1764,6 +2001,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_body_xzy",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_body_xzy(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about x, z, y.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
@@ -1783,6 +2023,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rates_xzy",
         .signature = "(3),(3)->(3)",
         .doc =
+            "euler_rates_xzy(angles, omega, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rates of Euler angles about x, z, y from the angular velocity in the fixed frame.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "              omega (3): angular velocity\n"
@@ -1804,6 +2047,9 @@ const Kernel chasles_kernels[] = {
         .name = "rotation_from_euler_yxy",
         .signature = "(3)->(3,3)",
         .doc =
+            "rotation_from_euler_yxy(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rotation by Euler angles about y, x, y.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     Q (3, 3): rotation\n"
@@ -1823,6 +2069,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_yxy",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_yxy(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about y, x, y.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
@@ -1842,6 +2091,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_body_yxy",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_body_yxy(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about y, x, y.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
@@ -1861,6 +2113,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rates_yxy",
         .signature = "(3),(3)->(3)",
         .doc =
+            "euler_rates_yxy(angles, omega, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rates of Euler angles about y, x, y from the angular velocity in the fixed frame.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "              omega (3): angular velocity\n"
@@ -1882,6 +2137,9 @@ const Kernel chasles_kernels[] = {
         .name = "rotation_from_euler_yxz",
         .signature = "(3)->(3,3)",
         .doc =
+            "rotation_from_euler_yxz(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rotation by Euler angles about y, x, z.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     Q (3, 3): rotation\n"
@@ -1901,6 +2159,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_yxz",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_yxz(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about y, x, z.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
@@ -1920,6 +2181,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_body_yxz",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_body_yxz(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about y, x, z.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
@@ -1939,6 +2203,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rates_yxz",
         .signature = "(3),(3)->(3)",
         .doc =
+            "euler_rates_yxz(angles, omega, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rates of Euler angles about y, x, z from the angular velocity in the fixed frame.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "              omega (3): angular velocity\n"
@@ -1960,6 +2227,9 @@ const Kernel chasles_kernels[] = {
         .name = "rotation_from_euler_yzx",
         .signature = "(3)->(3,3)",
         .doc =
+            "rotation_from_euler_yzx(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rotation by Euler angles about y, z, x.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     Q (3, 3): rotation\n"
@@ -1979,6 +2249,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_yzx",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_yzx(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about y, z, x.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
@@ -1998,6 +2271,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_body_yzx",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_body_yzx(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about y, z, x.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
@@ -2017,6 +2293,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rates_yzx",
         .signature = "(3),(3)->(3)",
         .doc =
+            "euler_rates_yzx(angles, omega, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rates of Euler angles about y, z, x from the angular velocity in the fixed frame.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "              omega (3): angular velocity\n"
@@ -2038,6 +2317,9 @@ const Kernel chasles_kernels[] = {
         .name = "rotation_from_euler_yzy",
         .signature = "(3)->(3,3)",
         .doc =
+            "rotation_from_euler_yzy(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rotation by Euler angles about y, z, y.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     Q (3, 3): rotation\n"
@@ -2057,6 +2339,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_yzy",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_yzy(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about y, z, y.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
@@ -2076,6 +2361,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_body_yzy",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_body_yzy(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about y, z, y.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
@@ -2095,6 +2383,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rates_yzy",
         .signature = "(3),(3)->(3)",
         .doc =
+            "euler_rates_yzy(angles, omega, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rates of Euler angles about y, z, y from the angular velocity in the fixed frame.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "              omega (3): angular velocity\n"
@@ -2116,6 +2407,9 @@ const Kernel chasles_kernels[] = {
         .name = "rotation_from_euler_zxy",
         .signature = "(3)->(3,3)",
         .doc =
+            "rotation_from_euler_zxy(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rotation by Euler angles about z, x, y.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     Q (3, 3): rotation\n"
@@ -2135,6 +2429,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_zxy",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_zxy(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about z, x, y.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
@@ -2154,6 +2451,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_body_zxy",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_body_zxy(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about z, x, y.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
@@ -2173,6 +2473,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rates_zxy",
         .signature = "(3),(3)->(3)",
         .doc =
+            "euler_rates_zxy(angles, omega, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rates of Euler angles about z, x, y from the angular velocity in the fixed frame.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "              omega (3): angular velocity\n"
@@ -2194,6 +2497,9 @@ const Kernel chasles_kernels[] = {
         .name = "rotation_from_euler_zxz",
         .signature = "(3)->(3,3)",
         .doc =
+            "rotation_from_euler_zxz(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rotation by Euler angles about z, x, z.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     Q (3, 3): rotation\n"
@@ -2213,6 +2519,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_zxz",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_zxz(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about z, x, z.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
@@ -2232,6 +2541,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_body_zxz",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_body_zxz(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about z, x, z.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
@@ -2251,6 +2563,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rates_zxz",
         .signature = "(3),(3)->(3)",
         .doc =
+            "euler_rates_zxz(angles, omega, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rates of Euler angles about z, x, z from the angular velocity in the fixed frame.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "              omega (3): angular velocity\n"
@@ -2272,6 +2587,9 @@ const Kernel chasles_kernels[] = {
         .name = "rotation_from_euler_zyx",
         .signature = "(3)->(3,3)",
         .doc =
+            "rotation_from_euler_zyx(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rotation by Euler angles about z, y, x.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     Q (3, 3): rotation\n"
@@ -2291,6 +2609,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_zyx",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_zyx(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about z, y, x.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
@@ -2310,6 +2631,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_body_zyx",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_body_zyx(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about z, y, x.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
@@ -2329,6 +2653,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rates_zyx",
         .signature = "(3),(3)->(3)",
         .doc =
+            "euler_rates_zyx(angles, omega, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rates of Euler angles about z, y, x from the angular velocity in the fixed frame.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "              omega (3): angular velocity\n"
@@ -2350,6 +2677,9 @@ const Kernel chasles_kernels[] = {
         .name = "rotation_from_euler_zyz",
         .signature = "(3)->(3,3)",
         .doc =
+            "rotation_from_euler_zyz(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rotation by Euler angles about z, y, z.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     Q (3, 3): rotation\n"
@@ -2369,6 +2699,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_zyz",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_zyz(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the fixed frame, from the rates of Euler angles about z, y, z.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W (3, 3): angular velocity in the fixed frame from the rates of the Euler angles\n"
@@ -2388,6 +2721,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rate_matrix_body_zyz",
         .signature = "(3)->(3,3)",
         .doc =
+            "euler_rate_matrix_body_zyz(angles, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The angular velocity, in the body frame, from the rates of Euler angles about z, y, z.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "  returns     W_body (3, 3): angular velocity in the body frame from those rates\n"
@@ -2407,6 +2743,9 @@ const Kernel chasles_kernels[] = {
         .name = "euler_rates_zyz",
         .signature = "(3),(3)->(3)",
         .doc =
+            "euler_rates_zyz(angles, omega, /, *, out=None)\n"
+            "--\n"
+            "\n"
             "Ex 3.10 The rates of Euler angles about z, y, z from the angular velocity in the fixed frame.\n"
             "  given       angles (3): Euler angles, in the order of the turns\n"
             "              omega (3): angular velocity\n"
@@ -2468,9 +2807,10 @@ static int choose_level(void)
 static int add(PyObject *module, PyObject *names, const Kernel *kernel)
 {
     const chasles_loop *loop = kernel->loops[0];
+    const char *end_of_call = "\n--\n\n", *doc = strstr(kernel->doc, end_of_call) + strlen(end_of_call);
     PyObject *ufunc = PyUFunc_FromFuncAndDataAndSignature(
         runs, (void **)kernel->loops, types + CHASLES_OPERANDS - loop->operands, 2, loop->inputs,
-        loop->operands - loop->inputs, PyUFunc_None, kernel->name, kernel->doc, 0, kernel->signature);
+        loop->operands - loop->inputs, PyUFunc_None, kernel->name, doc, 0, kernel->signature);
     PyObject *name = PyUnicode_FromString(kernel->name);
     int status = -1;
     if (ufunc != NULL && name != NULL && PyModule_AddObjectRef(module, kernel->name, ufunc) == 0) {
@@ -2524,7 +2864,7 @@ static PyMethodDef methods[] = {
     {"make_light", chasles_make_light, METH_VARARGS,
      "make_light(name, doc, operands, run, data, data_of_double)\n\n"
      "A function like those of `one`, of what the function at the address `run` computes, called with the one address\n"
-     "for float32 and with the other for float64. What lies there must outlive it."},
+     "for float32 and with the other for float64. What lies there must outlive it; `doc` begins as theirs do."},
     {NULL, NULL, 0, NULL},
 };
 

@@ -26,7 +26,8 @@
 /* Runs a batch of items without gaps of a loop compiled elsewhere, at the level that is best there. */
 typedef void (*chasles_runner)(const chasles_loop *loop, ptrdiff_t count, char *const *at, const ptrdiff_t *steps);
 
-/* A kernel: a loop for float32 and one for float64, and what its operands are called; `run` is NULL for those of the library.
+/* A kernel: a loop for float32 and one for float64, and what its operands are called; `run` is NULL for those of the
+ * library. `doc` begins with the call of a light function, as CPython reads it from there, and a line of two hyphens.
  */
 typedef struct {
     const char *name;

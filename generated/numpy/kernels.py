@@ -570,7 +570,7 @@ def velocity_of_point(omega: Any, a_dot: Any, a: Any, p: Any, /, *, out: Any = N
 
 
 def instant_screw_point(omega: Any, a_dot: Any, a: Any, /, *, out: Any = None) -> Any:
-    """(3.70) The same with vector products.
+    """(3.70) The point of the instant screw axis nearest the origin, with vector products.
     given       omega (3): angular velocity
                 a_dot (3): time derivative of: position of the landmark point A
                 a (3): position of the landmark point A

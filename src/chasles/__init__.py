@@ -1,6 +1,7 @@
 """A textbook chapter on rigid-body kinematics, statics and dynamics as checked code and fast kernels.
 
-``chasles.prove`` decides an equation, ``chasles.load`` reads the chapter, ``chasles.solve`` works an exercise,
+``chasles.prove`` decides an equation of your own; ``chasles.decide``, ``chasles.repair`` and ``chasles.derive`` ask the
+book, ``chasles.chapter``, by number; ``chasles.load`` reads another one, ``chasles.solve`` works an exercise,
 ``chasles.kernels`` holds the compiled formulas, ``chasles.checked`` the same with their inputs tested, and
 ``chasles.compile`` makes a kernel of an expression of your own; ``chasles.kernel`` says what is known of one of the
 book's. Each is imported on first use, so that ``import chasles`` costs neither SymPy nor NumPy. In a notebook each
@@ -19,18 +20,41 @@ from chasles.display import displayed_by
 if TYPE_CHECKING:
     from chasles import checked as checked
     from chasles import kernels as kernels
+    from chasles.asking import decide as decide
+    from chasles.asking import derive as derive
+    from chasles.asking import repair as repair
     from chasles.compiling import compile as compile
     from chasles.emitted import kernel as kernel
     from chasles.exact.solving import solve as solve
     from chasles.prove import prove as prove
+    from chasles.statements import Chapter
     from chasles.statements import load as load
 
-__version__ = "0.1.0"
-__all__ = ["__version__", "checked", "compile", "kernel", "kernels", "load", "prove", "solve"]
+    chapter: Chapter
 
-# Name -> the module that holds a function of that name.
-_FUNCTIONS = {
+__version__ = "0.1.0"
+__all__ = [
+    "__version__",
+    "chapter",
+    "checked",
+    "compile",
+    "decide",
+    "derive",
+    "kernel",
+    "kernels",
+    "load",
+    "prove",
+    "repair",
+    "solve",
+]
+
+# Name -> the module that holds what has that name.
+_HELD = {
     "prove": "chasles.prove",
+    "decide": "chasles.asking",
+    "repair": "chasles.asking",
+    "derive": "chasles.asking",
+    "chapter": "chasles.asking",
     "load": "chasles.statements",
     "solve": "chasles.exact.solving",
     "compile": "chasles.compiling",
@@ -42,7 +66,7 @@ _PACKAGES = ("checked", "kernels")
 class _Package(ModuleType):
     def __setattr__(self, name: str, value: object) -> None:
         # Importing a submodule binds it here under its own name, which would hide the function of the same name.
-        if not (name in _FUNCTIONS and isinstance(value, ModuleType)):
+        if not (name in _HELD and isinstance(value, ModuleType)):
             super().__setattr__(name, value)
 
 
@@ -53,11 +77,11 @@ displayed_by(f"{__name__}.report.notebook")
 def __getattr__(name: str) -> object:
     if name in _PACKAGES:
         return import_module(f"{__name__}.{name}")
-    if name not in _FUNCTIONS:
+    if name not in _HELD:
         raise AttributeError(f"module 'chasles' has no attribute {name!r}; it offers {', '.join(__all__)}")
-    function = getattr(import_module(_FUNCTIONS[name]), name)
-    globals()[name] = function
-    return function
+    found = getattr(import_module(_HELD[name]), name)
+    globals()[name] = found
+    return found
 
 
 def __dir__() -> list[str]:

@@ -8,8 +8,9 @@ from __future__ import annotations
 from collections.abc import Container
 from importlib import import_module
 from types import ModuleType
+from typing import TypeVar
 
-__all__ = ["Displayed", "displayed_by"]
+__all__ = ["Displayed", "Several", "displayed_by"]
 
 _room: list[str] = []
 
@@ -28,6 +29,10 @@ class Displayed:
 
     __slots__ = ()
 
+    def _repr_text_(self) -> str:
+        made: str = _pages().text(self)
+        return made
+
     def _repr_html_(self) -> str:
         made: str = _pages().html(self)
         return made
@@ -39,10 +44,30 @@ class Displayed:
     def _repr_mimebundle_(
         self, include: Container[str] | None = None, exclude: Container[str] | None = None
     ) -> dict[str, str]:
-        pages = _pages()
-        made = {"text/plain": pages.text, "text/html": pages.html, "text/latex": pages.latex}
+        made = {"text/plain": self._repr_text_, "text/html": self._repr_html_, "text/latex": self._repr_latex_}
         return {
-            kind: make(self)
+            kind: make()
             for kind, make in made.items()
             if (not include or kind in include) and not (exclude and kind in exclude)
         }
+
+
+T_co = TypeVar("T_co", bound=Displayed, covariant=True)
+
+
+class Several(tuple[T_co, ...], Displayed):
+    """Things that are displayed one below the other, and printed so."""
+
+    __slots__ = ()
+
+    def __str__(self) -> str:
+        return self._repr_text_()
+
+    def _repr_text_(self) -> str:
+        return "\n\n".join(each._repr_text_() for each in self)
+
+    def _repr_html_(self) -> str:
+        return "\n".join(each._repr_html_() for each in self)
+
+    def _repr_latex_(self) -> str:
+        return "\n\n".join(each._repr_latex_() for each in self)

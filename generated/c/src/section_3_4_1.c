@@ -31,7 +31,7 @@ const chasles_loop chasles_instant_screw_point_loopf = {
 };
 
 /*
- * (3.70) The same with vector products.
+ * (3.70) The point of the instant screw axis nearest the origin, with vector products.
  *   given       omega[3]: angular velocity
  *               a_dot[3]: time derivative of: position of the landmark point A
  *               a[3]: position of the landmark point A

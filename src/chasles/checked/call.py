@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from chasles.checked.hypotheses import TESTS, Finding, Numbers, is_finite
+from chasles.kernels.signatures import signature_of_call
 
 __all__ = ["Checked"]
 
@@ -27,6 +28,7 @@ class Checked:
         self.inputs = inputs
         self.demands = demands
         self.__name__ = name
+        self.__signature__ = signature_of_call(kernel, (each for each, _ in inputs))
         self.__doc__ = f"{kernel.__doc__}\nThe inputs are tested: see `chasles.checked`."
 
     def __repr__(self) -> str:

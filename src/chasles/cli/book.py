@@ -12,9 +12,11 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from chasles.cli import completing
-from chasles.cli.failures import BAD_INPUT, Failure, nearest
+from chasles.cli.failures import BAD_INPUT, Failure
+from chasles.nearest import nearest
 from chasles.report.waiting import watched
 from chasles.statements import Chapter, Entry, load
+from chasles.statements.citing import Unknown, statements_cited
 from chasles.statements.packages import BOOK, folder_of
 from chasles.vocabulary.arguments import WrongArgument
 
@@ -22,9 +24,6 @@ if TYPE_CHECKING:
     from chasles.proof.judge import Decision, Judge
 
 __all__ = ["BOOK", "as_data", "chapter", "chosen", "decisions", "of_numbers", "of_sections", "only_of_the_book"]
-
-LONGEST = 4
-"""How many words a number may have: "text 3.2.3 g" has three."""
 
 
 def of_numbers(command: Callable[..., Any]) -> Callable[..., Any]:
@@ -96,33 +95,18 @@ def chosen(book: Chapter, numbers: Sequence[str], sections: Sequence[str]) -> tu
         known = [known.number for known in book.sections]
         if not any(number == section or number.startswith(f"{section}.") for number in known):
             raise Failure(f"the book has no section {section!r}{nearest(section, known)}", BAD_INPUT)
-    return book.select(list(_cited(book, numbers)), sections)
+    if not numbers:
+        return book.select((), sections)
+    try:
+        cited = {entry.name for entry in statements_cited(book, numbers)}
+    except Unknown as error:
+        raise Failure(f"{error}; `chasles list` shows all", BAD_INPUT) from error
+    return book.select(tuple(cited), sections)
 
 
 def decisions(entries: Sequence[Entry], judge: Judge) -> Iterator[tuple[Entry, Decision]]:
     """The decision on each statement, with a progress bar where it takes long."""
     return watched(judge.decide_all(entries), len(entries), "Deciding")
-
-
-def _cited(book: Chapter, words: Sequence[str]) -> Iterator[str]:
-    """The numbers and names in a row of words: `Thm 3.2.2` is one number, quoted or not, `3.4/2` is a part of (3.4)."""
-    names = [entry.name for entry in book.entries]
-    parts = {f"{entry.number}/{entry.statement.part}": entry.name for entry in book.entries}
-    known = {known.casefold(): known for known in (*names, *book.numbers)} | {name: name for name in names} | parts
-    pieces = [piece for word in words for piece in word.split() or [word]]
-    at = 0
-    while at < len(pieces):
-        for length in range(LONGEST, 0, -1):
-            phrase = " ".join(pieces[at : at + length]).removeprefix("(").removesuffix(")")
-            found = known.get(phrase) or known.get(phrase.casefold())
-            if found is not None:
-                yield found
-                at += len(pieces[at : at + length])
-                break
-        else:
-            word = pieces[at].strip("()")
-            near = nearest(word, [*book.numbers, *names])
-            raise Failure(f"the book has no equation {word!r}{near}; `chasles list` shows all", BAD_INPUT)
 
 
 def _place(error: Exception, package: str) -> str | None:

@@ -12,9 +12,10 @@ from typing import Any
 import numpy as np
 
 from chasles.cli.book import BOOK
-from chasles.cli.failures import BAD_INPUT, Failure, complain, nearest
+from chasles.cli.failures import BAD_INPUT, Failure, complain
 from chasles.lowering.lower import lower
 from chasles.lowering.refusal import LoweringError
+from chasles.nearest import nearest
 from chasles.numerics import Evidence, Request, Unsatisfiable, request_of, request_of_inverse, verify
 from chasles.proof.judge import Judge
 from chasles.report.waiting import watched

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterable, Sequence
-from difflib import get_close_matches
+from collections.abc import Iterable
 from io import TextIOWrapper
 from traceback import print_exc
 from typing import Any
@@ -13,8 +12,9 @@ from typing import Any
 import click
 
 from chasles.cli.quiet import can_be_quiet, quiet_option
+from chasles.nearest import nearest
 
-__all__ = ["BAD_INPUT", "FAILED", "Failure", "Guarded", "complain", "nearest"]
+__all__ = ["BAD_INPUT", "FAILED", "Failure", "Guarded", "complain"]
 
 FAILED = 1
 """Something did not pass its own check."""
@@ -100,13 +100,6 @@ def complain(messages: Iterable[str]) -> int:
         _say(message)
         status = FAILED
     return status
-
-
-def nearest(word: str, words: Sequence[str]) -> str:
-    """The end of a message about an unknown word: what it may have been meant to be; empty if nothing is near."""
-    longer = [known for known in words if known.startswith(word)]
-    near = list(dict.fromkeys([*longer[:4], *get_close_matches(word, words, n=4, cutoff=0.6)]))
-    return f"; near it: {', '.join(near[:4])}" if near else ""
 
 
 def _show_what_can_be_shown() -> None:

@@ -69,7 +69,7 @@ def decide(entries: Sequence[Entry], book: Chapter, recheck: bool = True, anew: 
     What the chapter brings along, and what was decided in an earlier run, is only checked. Where all is to be decided
     `anew`, that is not asked for, or something is rejected, everything is decided.
     """
-    from chasles.cli.cache import forget, judge_of, retained
+    from chasles.proof.recalled import forget, judge_of, retained
 
     started = perf_counter()
     judge = judge_of(book, anew or not recheck)

@@ -18,6 +18,7 @@ from chasles.compiling.compiler import Compiler, CompilerFailed, found
 from chasles.compiling.sources import Sources, sources_of
 from chasles.compiling.store import loaded
 from chasles.display import Displayed
+from chasles.kernels.signatures import signature_of_call
 from chasles.lowering.program import Op, Program
 from chasles.targets.kernel import Heading, Kernel, signature
 
@@ -55,6 +56,7 @@ class CompiledKernel(Displayed):
         self.__doc__ = written.__doc__
         self._function: Callable[..., Any] = _undisturbed(written) if ufunc is None else ufunc
         self.one: Callable[..., Any] = one or self._function
+        self.__signature__ = signature_of_call(self._function, (argument.name for argument in program.arguments))
 
     def __call__(self, *inputs: Any, **options: Any) -> Any:
         """The results for the inputs; a tuple where there are several."""
@@ -114,9 +116,10 @@ def _compiled(program: Program, sources: Sources, doc: str) -> tuple[Any, Any]:
     loop, items = (ctypes.cast(f, ctypes.c_void_p).value for f in (library.chasles_entry, library.chasles_items))
     sizes = len(program.arguments), len(program.results)
     names = tuple(item.name for item in program.parameters)
+    call = f"{program.name}({', '.join(names[: sizes[0]])}, /, *, out=None)\n--\n\n"
     return (
         kernels.make_ufunc(program.name, doc, signature(program), *sizes, loop, data(0), data(1)),
-        kernels.make_light(program.name, doc, names, items, data(0), data(1)),
+        kernels.make_light(program.name, call + doc, names, items, data(0), data(1)),
     )
 
 

@@ -74,7 +74,10 @@ def __getattr__(name: str) -> Any:
     if name == "array_api":
         return import_module(f"{__name__}.array_api")
     if name in _names:
-        return getattr(_module, name)
+        from chasles.kernels.signatures import named
+
+        kernel = globals()[name] = named(getattr(_module, name), getattr(one, name))
+        return kernel
     raise AttributeError(f"chasles.kernels ({backend}) has no kernel {name!r}; dir(chasles.kernels) lists all")
 
 

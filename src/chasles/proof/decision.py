@@ -5,14 +5,25 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from chasles.display import Displayed
+from chasles.display import Displayed, Several
 from chasles.proof.repair import Repair
-from chasles.proof.verdict import Verdict
+from chasles.proof.verdict import (
+    Assumed,
+    Contradictory,
+    Defined,
+    Fails,
+    Holds,
+    HoldsUnder,
+    IllFormed,
+    Posed,
+    Undecided,
+    Verdict,
+)
 from chasles.statements import Inverse, Statement, Theorem
 from chasles.statements.problem import default_sides
 from chasles.statements.statement import Equation
 
-__all__ = ["HOW", "Certificate", "Correction", "Decision", "DoesNotStand", "Sentence", "Used", "key_of"]
+__all__ = ["HOW", "Certificate", "Correction", "Decision", "Decisions", "DoesNotStand", "Sentence", "Used", "key_of"]
 
 Sentence = Statement | Theorem | Inverse
 HOW = {"printed": "as printed", "reading": "as read", "repair": "as repaired", "corrected": "as corrected"}
@@ -57,7 +68,7 @@ class Used:
     sides: Equation
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Decision(Displayed):
     """The verdict on a sentence as printed, what stands in for it, and how long it took.
 
@@ -69,6 +80,15 @@ class Decision(Displayed):
     correction: Correction | None = None
     given: dict[str, Used] = field(default_factory=dict)
     milliseconds: float = 0.0
+
+    def __repr__(self) -> str:
+        needs = " " * bool(self.needs) + ", ".join(self.needs)
+        return f"<decision on {key_of(self.statement)}: {self.verdict.name}{needs}>"
+
+    @property
+    def needs(self) -> tuple[str, ...]:
+        """The hypotheses under which it holds as printed."""
+        return tuple(getattr(self.verdict, "needs", ()))
 
     @property
     def stands(self) -> bool:
@@ -103,6 +123,34 @@ class Decision(Displayed):
         return default_sides(given) if used is None else used.sides
 
 
-def key_of(statement: Statement) -> str:
+class Decisions(Several[Decision]):
+    """The decisions on what has one number, part by part."""
+
+    __slots__ = ()
+
+    @property
+    def verdict(self) -> Verdict:
+        """The verdict on the part that is least certain: one that does not stand as printed, else one with needs."""
+        return min((decision.verdict for decision in self), key=_certainty)
+
+    @property
+    def needs(self) -> tuple[str, ...]:
+        """The hypotheses under which the parts hold."""
+        return tuple(dict.fromkeys(need for decision in self for need in decision.needs))
+
+    @property
+    def stands(self) -> bool:
+        """Whether every part is true as printed, or something stands in for it."""
+        return all(decision.stands for decision in self)
+
+
+_LEAST_CERTAIN_FIRST = (IllFormed, Fails, Contradictory, Undecided, HoldsUnder, Holds, Posed, Assumed, Defined)
+
+
+def _certainty(verdict: Verdict) -> int:
+    return _LEAST_CERTAIN_FIRST.index(type(verdict))
+
+
+def key_of(statement: Sentence) -> str:
     """The number and the part: "3.96a/1"."""
     return f"{statement.number}/{statement.part}"

@@ -31,7 +31,7 @@ MORE_EFFORT, MOST = 2, 8
 """Repairs of the same number of changes as the best are given if they take hardly more effort; so many are tried."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Repair(Displayed):
     """A true equation near the printed one: its sides, what was changed in words, and the verdict on it.
 
@@ -48,6 +48,9 @@ class Repair(Displayed):
     modulo: str | None = None
     by: tuple[str, ...] = ()
     marks: int = 0
+
+    def __repr__(self) -> str:
+        return f"<repair {plain(self.left)} = {plain(self.right)}>"
 
 
 def repair(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, ClassVar
 
@@ -79,8 +79,8 @@ class Holds(Verdict):
     """Proved without any hypothesis. `certificate` is re-checked by `chasles.proof.certificate`."""
 
     name: ClassVar[str] = "holds"
-    certificate: Mapping[str, Any]
-    witness: Point
+    certificate: Mapping[str, Any] = field(repr=False)
+    witness: Point = field(repr=False)
     unused: tuple[str, ...] = ()
 
     @property
@@ -94,8 +94,8 @@ class HoldsUnder(Verdict):
 
     name: ClassVar[str] = "holds-under"
     needs: tuple[str, ...]
-    certificate: Mapping[str, Any]
-    witness: Point
+    certificate: Mapping[str, Any] = field(repr=False)
+    witness: Point = field(repr=False)
     unused: tuple[str, ...] = ()
 
 

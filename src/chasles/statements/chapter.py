@@ -32,13 +32,16 @@ class Section(Declared):
     title: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Entry(Displayed):
     """A statement with its name (that of the variable that holds it) and its section."""
 
     name: str
     section: Section
     statement: Sentence
+
+    def __repr__(self) -> str:
+        return f"<({self.number}) {self.name}>"
 
     @property
     def number(self) -> str:
@@ -55,7 +58,7 @@ class Entry(Displayed):
         return kernel.variants(self.name) if kernel else ()
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Chapter(Displayed):
     """The statements of a book, which the `package` declares; `source` is the book: author, title, edition.
 
@@ -89,6 +92,9 @@ class Chapter(Displayed):
                     raise DeclarationError(
                         f"{entry.name} ({number}) rests on ({basis.number}), which does not come before it"
                     )
+
+    def __repr__(self) -> str:
+        return f"<chapter {self.title!r}: {len(self.entries)} statements>"
 
     @cached_property
     def sections(self) -> tuple[Section, ...]:

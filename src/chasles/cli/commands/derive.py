@@ -25,8 +25,8 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> int:
 
     Without a number, all roads are walked and named, a line each. The exit status is 1 if a step does not hold.
     """
-    from chasles.cli.cache import judge_of, retained
     from chasles.cli.roads import chosen_roads
+    from chasles.proof.recalled import judge_of, retained
     from chasles.proof.road import walk
     from chasles.report.records import as_json
     from chasles.report.road_page import road_line, road_page, road_record

@@ -34,8 +34,8 @@ def command(check: bool, anew: bool, out: Path | None, json: bool) -> int:
     file that is as it should be keeps its time. Status 1: something was refused or, with --check, is stale.
     """
     from chasles.cli.answers import answers
-    from chasles.cli.cache import judge_of
     from chasles.cli.emission import commissioned, emitted
+    from chasles.proof.recalled import judge_of
     from chasles.report.pages import pages
     from chasles.report.words import seconds
     from chasles.targets import EmissionError

@@ -37,10 +37,10 @@ def command(names: tuple[str, ...], points: tuple[str, ...], samples: int, stric
     larger than its inputs explain. Near a singular set a formula may do so as the book prints it, which is a finding;
     status 1 says that a kernel does so at large. With names, the error bounds that are proved stand beside.
     """
-    from chasles.cli.cache import judge_of
     from chasles.cli.comparison import asking, installed_kernels
     from chasles.cli.recorded import manifest
     from chasles.cli.verification import verified
+    from chasles.proof.recalled import judge_of
     from chasles.report.emitted import emitted_kernels, proved
     from chasles.report.evidence import evidence_table, losses
     from chasles.report.records import as_json

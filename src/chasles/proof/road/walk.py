@@ -45,12 +45,20 @@ class Passage:
     comparison: Comparison | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Road(Displayed):
     """A derivation that was walked, as far as it went: it ends at the first step that is not true."""
 
     derivation: Derivation
     passages: tuple[Passage, ...]
+
+    def __repr__(self) -> str:
+        return (
+            f"<road to {self.derivation.number}: {'arrives' if self.arrives else 'stops'} after {len(self.passages)}>"
+        )
+
+    def __str__(self) -> str:
+        return self._repr_text_()
 
     @property
     def arrives(self) -> bool:

@@ -41,11 +41,12 @@ def _ufunc(kernel: Kernel) -> _Ufunc:
     given = [_shown(item) for item in program.arguments]
     returned = [_shown(item) for item in program.results]
     text = (*contract(kernel, given, returned), f"  {'signature':<12}{signature(program)}")
+    call = f"{kernel.name}({', '.join(item.name for item in program.arguments)}, /, *, out=None)"
     return _Ufunc(
         name=kernel.name,
         loops=", ".join(f"&{loop_name(kernel, precision)}" for precision in _LOOPS),
         operands=", ".join(c_string(item.name) for item in program.parameters),
-        docstring=tuple(c_string(f"{line}\n") for line in text),
+        docstring=tuple(c_string(f"{line}\n") for line in (call, "--", "", *text)),
         signature=c_string(signature(program)),
     )
 

@@ -1,7 +1,7 @@
 """Type stubs: what a type checker and an editor are told of `chasles.kernels`, of its `one`, and of `chasles.checked`.
 
-There is a protocol for each number of inputs and results, generic in what a call gives. `numpy.ufunc` alone would say
-that any call gives anything.
+Each kernel has a protocol of its own, which names its inputs. `numpy.ufunc` alone would say that any call gives
+anything.
 """
 
 from __future__ import annotations
@@ -11,53 +11,29 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from chasles.lowering.program import Argument, Result
-from chasles.targets.contract import contract
+from chasles.targets.contract import cited, contract
 from chasles.targets.kernel import Kernel, signature
 from chasles.targets.target import COMMAND, Page, Target
 
 __all__ = ["TARGET"]
 
 _FAMILIES = {"kernels": "Ufunc", "one": "Light", "checked": "Checked"}
-"""The module of each kind of function, and how its protocols' names begin."""
-
-
-@dataclass(frozen=True, slots=True)
-class _Arity:
-    """A number of inputs and results: how it ends a protocol's name, and how a call of it is declared."""
-
-    name: str
-    numbers: str
-    light: str
-    out: str
-    inputs: int
-    results: int
+"""The module of each kind of function, and how the names of its protocols begin."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Declared:
-    """A kernel as the template lays it out."""
+    """A kernel as the templates lay it out: its name, and that of its call, whose inputs are numbers or arrays."""
 
     name: str
-    arity: str
+    call: str
+    numbers: str
+    light: str
+    out: str
     gives: str
     signature: str
-    says: str
+    title: str
     docstring: tuple[str, ...]
-
-
-def _arity(inputs: int, results: int) -> _Arity:
-    def parameters(kind: str) -> str:
-        return ", ".join(f"x{number}: {kind}" for number in range(1, inputs + 1))
-
-    one_each = ", ".join(["Array | None"] * results)
-    return _Arity(
-        name=f"{inputs}x{results}",
-        numbers=parameters("Numbers"),
-        light=parameters("float | Array"),
-        out=f"Array | tuple[{one_each}] | None" if results == 1 else f"tuple[{one_each}] | None",
-        inputs=inputs,
-        results=results,
-    )
 
 
 def _declared(kernel: Kernel) -> _Declared:
@@ -65,20 +41,23 @@ def _declared(kernel: Kernel) -> _Declared:
     given = [_shown(item) for item in program.arguments]
     returned = [_shown(item) for item in program.results]
     lines = (*contract(kernel, given, returned), f"  {'signature':<12}{signature(program)}")
-    says, *docstring = (line.replace('"', "'") for line in lines)
     gives = [_type_of(result) for result in program.results]
+    one_each = f"tuple[{', '.join(['Array | None'] * len(gives))}]"
     return _Declared(
         name=kernel.name,
-        arity=_name_of(kernel),
+        call="".join(word.capitalize() for word in kernel.name.split("_")),
+        numbers=", ".join(f"{item.name}: Numbers" for item in program.arguments),
+        light=", ".join(f"{item.name}: Light" for item in program.arguments),
+        out=f"{one_each} | None" if len(gives) > 1 else f"Array | {one_each} | None",
         gives=gives[0] if len(gives) == 1 else f"tuple[{', '.join(gives)}]",
         signature=signature(program),
-        says=says,
-        docstring=tuple(line.removeprefix("  ") for line in docstring),
+        title=_quoted(f"{cited(kernel.heading.number)} {kernel.heading.says}"),
+        docstring=tuple(_quoted(line.removeprefix("  ")) for line in lines),
     )
 
 
-def _name_of(kernel: Kernel) -> str:
-    return f"{len(kernel.program.arguments)}x{len(kernel.program.results)}"
+def _quoted(text: str) -> str:
+    return text.replace('"', "'")
 
 
 def _type_of(result: Result) -> str:
@@ -91,15 +70,11 @@ def _shown(item: Argument | Result) -> str:
 
 
 def _pages(kernels: tuple[Kernel, ...]) -> Iterator[Page]:
-    declared = [_declared(kernel) for kernel in kernels]
-    sizes = sorted({(len(kernel.program.arguments), len(kernel.program.results)) for kernel in kernels})
-    arities = [_arity(*size) for size in sizes]
-    yield Page("__init__.pyi", "__init__.pyi.jinja", {"command": COMMAND})
-    yield Page("protocols.pyi", "protocols.pyi.jinja", {"command": COMMAND, "arities": arities})
-    for module, family in _FAMILIES.items():
-        used = [f"{family}{arity.name}" for arity in arities]
-        values = {"command": COMMAND, "declared": declared, "used": used, "family": family}
+    values = {"command": COMMAND, "declared": [_declared(kernel) for kernel in kernels]}
+    for module in ("__init__", "protocols", "calls"):
         yield Page(f"{module}.pyi", f"{module}.pyi.jinja", values)
+    for module, family in _FAMILIES.items():
+        yield Page(f"{module}.pyi", f"{module}.pyi.jinja", {**values, "family": family})
 
 
 TARGET = Target("stubs", Path(__file__).parent, _pages)

@@ -16,7 +16,6 @@ from pathlib import Path
 from typing import Any
 
 from chasles import keeping
-from chasles.cli.files import replace_whole
 from chasles.proof.judge import Judge
 from chasles.proof.memory import Memory
 from chasles.proof.shipped import shipped
@@ -53,7 +52,7 @@ def retained(memory: Memory) -> None:
         return
     with suppress(OSError):
         path.parent.mkdir(parents=True, exist_ok=True)
-        replace_whole({path: json.dumps(memory.as_data(MOST), separators=(",", ":"))})
+        keeping.keep(path, json.dumps(memory.as_data(MOST), separators=(",", ":")).encode())
         for other in path.parent.glob("verdicts-*.json"):
             if other != path:
                 other.unlink()

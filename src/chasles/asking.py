@@ -1,0 +1,87 @@
+"""The book asked by number: is it right, what is right instead, how does it come about?
+
+What the chapter brings along, and what was found before, is checked; what is new is searched for, and remembered.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+from chasles.display import Several
+from chasles.proof.decision import Decisions
+from chasles.proof.judge import Judge
+from chasles.proof.recalled import judge_of, retained
+from chasles.proof.repair import Repair
+from chasles.proof.road import Road, walk
+from chasles.statements import Chapter, load
+from chasles.statements.citing import Unknown, derivations_cited, statements_cited
+from chasles.statements.packages import BOOK
+from chasles.statements.roads import roads
+
+__all__ = ["decide", "derive", "repair"]
+
+Named = str | Chapter
+"""A chapter, or what `chasles.load` reads one from."""
+
+
+def decide(number: str, chapter: Named = BOOK) -> Decisions:
+    """The decisions on what has this number, part by part: the verdict, and what is right instead of a wrong print.
+
+    Args:
+        number: as the book cites it, "3.18", "(3.18)" or "Thm 3.2.2"; "3.4/2" is one part; or the name of a statement.
+        chapter: another chapter than the book: what `chasles.load` reads, or its package or folder.
+
+    Raises:
+        LookupError: if the chapter has no such number; those near it are named.
+        TypeError: for a number that is no text.
+    """
+    book, judge = _asked(number, chapter)
+    decided = Decisions(judge.decide(entry.statement) for entry in statements_cited(book, [number]))
+    retained(judge.memory)
+    return decided
+
+
+def repair(number: str, chapter: Named = BOOK) -> Several[Repair]:
+    """The nearest true equations to a print that is wrong, the nearest first; none where it stands as printed.
+
+    Takes what `decide` takes, and raises what it raises.
+    """
+    corrections = (decision.correction for decision in decide(number, chapter) if not decision.verdict.true)
+    return Several(found for correction in corrections if correction is not None for found in correction.repairs)
+
+
+def derive(number: str, chapter: Named = BOOK) -> Road:
+    """The road to an equation, walked: each step's result is found and decided, the end is compared with the print.
+
+    Takes what `decide` takes, and the name of a road. Raises LookupError if no road leads there, or several do, which
+    are named.
+    """
+    book, judge = _asked(number, chapter)
+    found = derivations_cited(roads(book.package), [number])
+    if len(found) > 1:
+        raise Unknown(f"{len(found)} roads lead to {number}: name one of {', '.join(found)}")
+    [road] = found.values()
+    walked = walk(road, judge)
+    retained(judge.memory)
+    return walked
+
+
+def __getattr__(name: str) -> Chapter:
+    if name == "chapter":
+        return _loaded(BOOK)
+    raise AttributeError(f"module 'chasles.asking' has no attribute {name!r}")
+
+
+def _asked(number: str, chapter: Named) -> tuple[Chapter, Judge]:
+    """The chapter, and the judge who decides its statements."""
+    if not isinstance(number, str):
+        raise TypeError(f"a number is given as text, since 3.1 is not 3.10: {str(number)!r}, and not {number!r}")
+    book = chapter if isinstance(chapter, Chapter) else _loaded(chapter)
+    known = _judges.get(id(book))
+    if known is None:
+        known = _judges[id(book)] = (book, judge_of(book))
+    return known
+
+
+_judges: dict[int, tuple[Chapter, Judge]] = {}
+_loaded = cache(load)
