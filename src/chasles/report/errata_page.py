@@ -11,7 +11,7 @@ from chasles.report.details import number_in_words
 from chasles.report.equations import in_latex, in_words
 from chasles.report.findings import (
     SLIPS,
-    Decisions,
+    DecisionsByName,
     Standing,
     likely_slip,
     ordered,
@@ -36,7 +36,7 @@ satisfies the hypotheses. What stands instead is proved.
 `chasles emit` writes this page; [VERDICTS.md](VERDICTS.md) has all the other equations."""
 
 
-def errata_page(book: Chapter, decisions: Decisions) -> str:
+def errata_page(book: Chapter, decisions: DecisionsByName) -> str:
     """The page on all prints that do not stand; the same decisions and repairs give the same text."""
     decided = ordered(book, decisions)
     found = slips(decided)

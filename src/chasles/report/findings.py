@@ -13,7 +13,7 @@ from chasles.vocabulary import Node, latex
 
 __all__ = [
     "SLIPS",
-    "Decisions",
+    "DecisionsByName",
     "Numbers",
     "Pairs",
     "Standing",
@@ -25,7 +25,7 @@ __all__ = [
     "stands_in",
 ]
 
-Decisions = Mapping[str, Decision]
+DecisionsByName = Mapping[str, Decision]
 """By the name of the statement."""
 Pairs = Sequence[tuple[Entry, Decision]]
 
@@ -68,7 +68,7 @@ def numbers_of(book: Chapter) -> Numbers:
     return Numbers(own, len(equations) - own, len(book.numbers) - len(equations))
 
 
-def ordered(book: Chapter, decisions: Decisions) -> Pairs:
+def ordered(book: Chapter, decisions: DecisionsByName) -> Pairs:
     """The statements of the book with the decisions on them, section by section in the order of their numbers."""
     place = {number: k for k, number in enumerate(book.numbers)}
     section = {known: k for k, known in enumerate(book.sections)}

@@ -12,7 +12,7 @@ from chasles.proof.judge import Decision
 from chasles.proof.verdict import Verdict
 from chasles.report.details import number_in_words, objections_to_print
 from chasles.report.equations import hypotheses_in_latex, in_latex
-from chasles.report.findings import Decisions, Pairs, Standing, likely_slip, ordered, slips_in_words, stands_in
+from chasles.report.findings import DecisionsByName, Pairs, Standing, likely_slip, ordered, slips_in_words, stands_in
 from chasles.report.html.exercises import WorkedView
 from chasles.report.latex_text import escaped
 from chasles.report.words import VERDICTS, counted
@@ -56,7 +56,7 @@ class Heading:
     items: tuple[Item, ...]
 
 
-def latex_page(chapter: Chapter, decisions: Decisions, worked: Sequence[WorkedView] = ()) -> str:
+def latex_page(chapter: Chapter, decisions: DecisionsByName, worked: Sequence[WorkedView] = ()) -> str:
     """The document, the worked exercises at its end; the same decisions and exercises give the same text."""
     decided = ordered(chapter, decisions)
     values = {

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from chasles.proof.judge import Decision
 from chasles.report.details import number_in_words
-from chasles.report.findings import Decisions, Pairs, Standing, numbers_of, ordered, slips_in_words, stands_in
+from chasles.report.findings import DecisionsByName, Pairs, Standing, numbers_of, ordered, slips_in_words, stands_in
 from chasles.report.markdown import escaped, table
 from chasles.report.words import VERDICTS, counted
 from chasles.statements import Chapter, Entry, Section
@@ -41,7 +41,7 @@ marked as a gap of the search. [ERRATA.md](ERRATA.md) says why each of these doe
 Group = list[tuple[Entry, Decision]]
 
 
-def verdict_page(book: Chapter, decisions: Decisions) -> str:
+def verdict_page(book: Chapter, decisions: DecisionsByName) -> str:
     """The page on the whole chapter; the same decisions and repairs give the same text."""
     decided = ordered(book, decisions)
     lines = [ABOUT, "", *_totals(book, decided)]

@@ -35,6 +35,7 @@ def command(
     A print that is wrong is a finding, no failure. Status 1 says that something could not be decided, that what is
     declared to stand in for a print is not proved, or that a verdict was rejected when it was checked again.
     """
+    from chasles.cli.hint import say_once_what_is_faster
     from chasles.cli.outcome import decide
     from chasles.report.records import as_json, record
 
@@ -44,6 +45,7 @@ def command(
         click.echo(as_json({"statements": [record(entry, decision) for entry, decision in outcome.decided]}))
     else:
         _show(outcome, brief)
+    say_once_what_is_faster()
     return complain(outcome.failures)
 
 

@@ -9,7 +9,7 @@ from itertools import groupby
 from chasles import __version__
 from chasles.proof.judge import Decision
 from chasles.report.details import number_in_words
-from chasles.report.findings import Decisions, ordered
+from chasles.report.findings import DecisionsByName, ordered
 from chasles.report.html.citing import Book, place_of_number, slug
 from chasles.report.html.error_plots import plotted
 from chasles.report.html.exercises import WorkedView
@@ -65,7 +65,7 @@ class Sources:
     exercises: tuple[WorkedView, ...] = ()
 
 
-def page(chapter: Chapter, decisions: Decisions, sources: Sources) -> str:
+def page(chapter: Chapter, decisions: DecisionsByName, sources: Sources) -> str:
     """The whole page; the same decisions and sources give the same text. Raises DamagedEvidence."""
     book = Book(chapter)
     decided = ordered(chapter, decisions)
