@@ -17,9 +17,10 @@ from chasles.derivations.s04_twist import natural_invariants
 from chasles.exact.numbers import angle
 from chasles.exact.sheet import Sheet, equal
 from chasles.statements import rotation
+from chasles.statements.exercise import Answer, Else, Scalar, matrix_shape, vector_shape
 from chasles.vocabulary import cos, det, number, sin
 
-__all__ = ["NO_AXIS", "SCREW_SIGNS", "SCREW_SYMBOLS", "find_screw", "is_a_rotation"]
+__all__ = ["NO_AXIS", "SCREW_ANSWERS", "SCREW_SIGNS", "SCREW_SYMBOLS", "find_screw", "is_a_rotation"]
 
 NO_AXIS = {"e": None, "p0": None, "n": None, "d0": None, "pitch": None}
 """The answers where all points move alike: no line is distinguished, and the pitch is infinite."""
@@ -28,6 +29,17 @@ NO_AXIS = {"e": None, "p0": None, "n": None, "d0": None, "pitch": None}
 SCREW_SYMBOLS = {"Q": (Q,), "phi": (phi,), "e": (e,), "p0": (p_0,), "n": (n,), "d0": (d0,), "pitch": (pitch,)}
 SCREW_SIGNS = (("e", "phi", "n", "d0"),)
 """A rotation through phi about e is one through -phi about -e; the advance along -e has the other sign."""
+
+_MOVED = ("screw", "pure-translation")
+SCREW_ANSWERS = (
+    Answer("Q", matrix_shape(), "the rotation, by rows"),
+    Answer("phi", Scalar(), "its angle in radians, in [0, pi]; 0 for a pure translation", _MOVED),
+    Answer("e", Else(vector_shape()), "the unit direction of its axis; null for a pure translation", _MOVED),
+    Answer("p0", Else(vector_shape()), "the point of the screw axis nearest the origin; else null", _MOVED),
+    Answer("n", Else(vector_shape()), "the moment of the screw axis about the origin; else null", _MOVED),
+    Answer("d0", Else(Scalar()), "the displacement along the axis, positive along e; else null", _MOVED),
+    Answer("pitch", Else(Scalar()), "the displacement along the axis per radian, d0 / phi; else null", _MOVED),
+)
 
 
 def is_a_rotation(sheet: Sheet) -> bool:

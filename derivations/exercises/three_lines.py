@@ -2,7 +2,11 @@
 
 from chasles.derivations.notation import p
 
+from chasles.exact.evaluate import Value
+from chasles.exact.numbers import sign
+from chasles.exact.sheet import Sheet
 from chasles.statements import Claim, Definition
+from chasles.statements.exercise import Answer, Else, Record, Scalar, Truth, Word, matrix_shape, vector_shape
 from chasles.vocabulary import (
     LENGTH,
     Node,
@@ -70,3 +74,69 @@ determinant_of_quadric = Claim(
     "Ex 3.3", det(whole), over(1, 16) * paren(mu_12 * mu_23 * mu_31) ** 2, part=15, given=(*_parts, *mutual_moments),
     says="The quadric is degenerate if two of the lines are in one plane, and not else.",
 )  # fmt: skip
+
+KINDS = {
+    "hyperboloid of one sheet": "one-sheet hyperboloid",
+    "one-sheeted hyperboloid": "one-sheet hyperboloid",
+    "single-sheet hyperboloid": "one-sheet hyperboloid",
+    "paraboloid": "hyperbolic paraboloid",
+    "two planes": "two intersecting planes",
+    "plane": "one plane, counted twice",
+    "double plane": "one plane, counted twice",
+}
+_SENTENCES = (
+    "h > 0",
+    "det(M) is not zero",
+    "M is singular, as the hint says",
+    "det(M) < 0",
+    "M has two positive and one negative eigenvalues",
+)
+ANSWERS = (
+    Answer("M", matrix_shape(), "of f(p) = p^T M p + g^T p + h, by rows; f = m_1 . (m_2 x m_3), or -f throughout"),
+    Answer("g", vector_shape(), "the linear part of f"),
+    Answer("h", Scalar(), "the constant of f"),
+    Answer("det_M", Scalar(), "the determinant of M"),
+    Answer("det_M4", Scalar(), "the determinant of the 4 x 4 matrix [[M, g/2], [g^T/2, h]]"),
+    Answer("triple", Scalar(), "e_1 . (e_2 x e_3), of the directions as they are given"),
+    *(
+        Answer(f"mu{i}{j}", Scalar(), f"[(p_{i} - p_{j}) x e_{i}] . e_{j}, of the directions as they are given")
+        for i, j in (("1", "2"), ("2", "3"), ("3", "1"))
+    ),
+    Answer("signature_M", vector_shape(2), "how many eigenvalues of M are positive, and how many negative"),
+    Answer(
+        "kind",
+        Word(
+            (
+                "one-sheet hyperboloid",
+                "hyperbolic paraboloid",
+                "two intersecting planes",
+                "two parallel planes",
+                "one plane, counted twice",
+                "no point",
+                "all of space",
+                "cone or cylinder",
+            )
+        ),
+        "the kind of the surface",
+    ),
+    Answer("centre", Else(vector_shape()), "the centre of the surface; null where M is singular"),
+    Answer("f_centre", Else(Scalar()), "f there; null where M is singular"),
+    Answer("wording", Record(_SENTENCES, Truth()), "whether what the book says holds of this f"),
+)
+
+
+def with_opposite_equation(sheet: Sheet, given: dict[str, Value]) -> list[dict[str, Value]]:
+    """With -f for f, which is zero on the same surface, and all that follows."""
+    right = sheet.answers
+    signature = list(reversed(right["signature_M"]))
+    turned = {name: -right[name] for name in ("M", "g", "h", "det_M")}
+    truths = (
+        sign(turned["h"]) > 0,
+        right["wording"][_SENTENCES[1]],
+        right["wording"][_SENTENCES[2]],
+        sign(turned["det_M"]) < 0,
+        signature == [2, 1],
+    )
+    center = right["f_centre"]
+    turned["f_centre"] = center if center is None else -center
+    return [turned | {"signature_M": signature, "wording": dict(zip(_SENTENCES, truths, strict=True))}]

@@ -1,6 +1,6 @@
 """Exercise 3.1: the screw of the displacement of a cube."""
 
-from chasles.derivations.exercises.motion import SCREW_SIGNS, SCREW_SYMBOLS, find_screw, is_a_rotation
+from chasles.derivations.exercises.motion import SCREW_ANSWERS, SCREW_SIGNS, SCREW_SYMBOLS, find_screw, is_a_rotation
 from chasles.derivations.notation import Q, a, a_, d_A, e_1, e_1_, e_2, e_2_, e_3, e_3_, p, triad, triad_
 from chasles.derivations.s02_screw import (
     displaced_triad,
@@ -16,7 +16,7 @@ from chasles.exact.lines import meets_plane
 from chasles.exact.numbers import is_zero
 from chasles.exact.picture import Arrow, Body, Line, Picture, Point
 from chasles.exact.sheet import Sheet
-from chasles.statements.exercise import Datum, Exercise, Record, vector_shape
+from chasles.statements.exercise import Answer, Datum, Else, Exercise, Record, vector_shape
 from chasles.vocabulary import det, inverse
 
 CORNERS = ("A", "B", "D", "E")
@@ -109,4 +109,13 @@ exercise = Exercise(
     symbols=SCREW_SYMBOLS,
     signs=SCREW_SIGNS,
     turns=("phi",),
+    answers=(
+        *SCREW_ANSWERS,
+        Answer(
+            "hits",
+            Else(Record(("X=0", "Y=0", "Z=0"), Else(vector_shape(), ("parallel", "contained")))),
+            "where the screw axis meets each coordinate plane, or how it lies to it; null without an axis",
+            ("screw", "pure-translation"),
+        ),
+    ),
 )

@@ -19,7 +19,7 @@ from chasles.exact.evaluate import Value
 from chasles.exact.numbers import sign
 from chasles.exact.picture import Arrow, Body, Line, Picture, Point
 from chasles.exact.sheet import Sheet, equal
-from chasles.statements.exercise import Datum, Exercise, ListOf, Record, Scalar, Tuple, Word, vector_shape
+from chasles.statements.exercise import Answer, Datum, Exercise, ListOf, Record, Scalar, Tuple, Word, vector_shape
 from chasles.vocabulary import norm, vector
 
 NAMES = ("P1", "P2", "P3", "P4")
@@ -122,4 +122,13 @@ exercise = Exercise(
     },
     solve=solve,
     instance=instance,
+    answers=(
+        Answer("f", vector_shape(), "the sum of the forces", ("ok",)),
+        Answer("P", vector_shape(), "the point that is asked for, in the given coordinates", ("ok",)),
+        Answer("n_min", vector_shape(), "the moment about P, as a vector", ("ok",)),
+        Answer("n_min_signed", Scalar(), "its component along f: negative if it is opposite to f", ("ok",)),
+        Answer("pitch", Scalar(), "the pitch of the wrench, n_min_signed / |f|", ("ok",)),
+        Answer("distance", Scalar(), "the distance of P from the point to which it is to be nearest", ("ok",)),
+        Answer("n", vector_shape(), "of a pure couple, the moment, the same about all points", ("pure-couple",)),
+    ),
 )

@@ -1,6 +1,8 @@
 """Exercise 3.3: the surface swept by all lines that meet three given lines."""
 
 from chasles.derivations.exercises.three_lines import (
+    ANSWERS,
+    KINDS,
     M,
     constant_part,
     determinant_of_M,
@@ -23,6 +25,7 @@ from chasles.derivations.exercises.three_lines import (
     quadratic_part,
     triple,
     whole,
+    with_opposite_equation,
 )
 from chasles.derivations.notation import p
 
@@ -121,4 +124,7 @@ exercise = Exercise(
     stand_ins={"lines": "The book gives no lines; three rulings of the hyperboloid X^2 + Y^2 - Z^2 = 1 stand in."},
     solve=solve,
     instance=instance,
+    answers=ANSWERS,
+    synonyms=KINDS,
+    alternatives=with_opposite_equation,
 )

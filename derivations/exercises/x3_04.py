@@ -5,13 +5,24 @@ from chasles.derivations.s02_screw import rotation_from_axis_angle
 from chasles.derivations.s04_twist import natural_invariants, rotation_from_linear_invariants
 
 from chasles.exact.draw import Draw
-from chasles.exact.evaluate import Value
+from chasles.exact.evaluate import Value, matrix_of
 from chasles.exact.lines import direction_of, normal_to
 from chasles.exact.numbers import angle, is_zero
 from chasles.exact.picture import Arrow, Picture
 from chasles.exact.sheet import Sheet, equal
 from chasles.statements import Claim, Condition, rotation
-from chasles.statements.exercise import Datum, Exercise, vector_shape
+from chasles.statements.exercise import (
+    Answer,
+    Datum,
+    Else,
+    Exercise,
+    ListOf,
+    Scalar,
+    Truth,
+    Word,
+    matrix_shape,
+    vector_shape,
+)
 from chasles.vocabulary import FORCE, MOMENT, PI, cos, cross, dot, inverse, row, sin, vector
 
 n_1, n_2 = (vector(f"n_{k}", f"n_{k}", f"moment in frame {k}", MOMENT) for k in (1, 2))
@@ -63,16 +74,33 @@ def solve(sheet: Sheet) -> str:
     sheet.check(moment_is_turned, "R takes the moment in frame 2 to that in frame 1.")
     sheet.check(force_is_turned, "R takes the force in frame 2 to that in frame 1.")
     sheet.check((sheet.satisfied(rotation(Q)) * 1, 1), "R is a rotation.")
-    turned, axis = sheet.value(PI) * 0, None
-    if sheet.invert(natural_invariants, "Its axis and its angle."):
-        turned, axis = angle(sheet.value(cos(phi)), sheet.value(sin(phi))), sheet.value(e)
-        sheet.given({phi: turned}, "The angle with that cosine and sine.")
-        sheet.check(rotation_from_axis_angle, "Axis and angle give R back.")
-    sheet.answer(unique=unique, R=sheet.value(Q), phi=turned, e=axis)
+    sheet.answer(unique=unique, R=sheet.value(Q), **axis_and_angle(sheet))
     origin = sheet["n1"] * 0
     arrows = tuple(Arrow(origin, sheet[key], f"{key[0]} in frame {key[1]}") for key in ("n1", "f1", "n2", "f2"))
     sheet.picture = Picture("The components in both frames", arrows)
     return "compatible"
+
+
+def axis_and_angle(sheet: Sheet) -> dict[str, Value]:
+    """Of the rotation that is bound."""
+    if not sheet.invert(natural_invariants, "Its axis and its angle."):
+        return {"phi": sheet.value(PI) * 0, "e": None}
+    turned = angle(sheet.value(cos(phi)), sheet.value(sin(phi)))
+    sheet.given({phi: turned}, "The angle with that cosine and sine.")
+    sheet.check(rotation_from_axis_angle, "Axis and angle give R back.")
+    return {"phi": turned, "e": sheet.value(e)}
+
+
+def with_another_rotation(sheet: Sheet, given: dict[str, Value]) -> list[dict[str, Value]]:
+    """Where R is not unique, any that does it, with its own axis and angle."""
+    if sheet.answers["unique"] is not False or given.get("R") is None:
+        return []
+    trial = Sheet(sheet.data)
+    trial.values = sheet.values | {Q: matrix_of(given["R"])}
+    sides = [sheet.sides(turned, None) for turned in (moment_is_turned, force_is_turned)]
+    if trial.satisfied(rotation(Q)) and all(equal(trial.value(left), trial.value(right)) for left, right in sides):
+        return [{"R": given["R"], **axis_and_angle(trial)}]
+    return []
 
 
 def only_rotation(sheet: Sheet) -> Value:
@@ -124,4 +152,14 @@ exercise = Exercise(
     symbols={"R": (Q,), "phi": (phi,), "e": (e,)},
     signs=(("phi", "e"),),
     turns=("phi",),
+    alternatives=with_another_rotation,
+    answers=(
+        *(Answer(f"invariants_{k}", vector_shape(), f"n.n, f.f and n.f in frame {k}") for k in (1, 2)),
+        Answer("compatible", Truth(), "whether both measurements can be of one wrench"),
+        Answer("violated", ListOf(Word(tuple(INVARIANTS)), 0), "the invariants that differ, in this order"),
+        Answer("unique", Else(Truth()), "whether only one rotation does it; null if none does"),
+        Answer("R", Else(matrix_shape()), "the rotation from frame 2 to frame 1, by rows; null if there is none"),
+        Answer("phi", Else(Scalar()), "its angle in radians, in [0, pi]; null if there is none"),
+        Answer("e", Else(vector_shape()), "the unit direction of its axis; null if it has none"),
+    ),
 )

@@ -13,7 +13,7 @@ from chasles.exact.evaluate import Value
 from chasles.exact.picture import Line, Picture, Point
 from chasles.exact.sheet import Sheet
 from chasles.statements import Claim, Condition, unit
-from chasles.statements.exercise import Datum, Exercise, vector_shape
+from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, vector_shape
 from chasles.vocabulary import cross, dot, norm
 
 nearest_point_is_on_line = Condition(
@@ -109,4 +109,8 @@ exercise = Exercise(
     solve=solve,
     instance=instance,
     symbols={"p": (p_0,)},
+    answers=(
+        Answer("d", Scalar(), "the distance of the axis from the origin", ("line", "not-normalised")),
+        Answer("p", vector_shape(), "the point of the axis nearest the origin", ("line", "not-normalised")),
+    ),
 )

@@ -1,6 +1,6 @@
 """Exercise 3.6: the screw of a gripper's motion, from its axes and one point."""
 
-from chasles.derivations.exercises.motion import SCREW_SIGNS, SCREW_SYMBOLS, find_screw, is_a_rotation
+from chasles.derivations.exercises.motion import SCREW_ANSWERS, SCREW_SIGNS, SCREW_SYMBOLS, find_screw, is_a_rotation
 from chasles.derivations.notation import Q, a, a_, e_1, e_1_, e_2, e_2_, e_3, e_3_, unit_columns
 from chasles.derivations.s02_screw import displaced_triad_as_columns, rotation_in_triad_axes, triad_as_columns
 
@@ -74,4 +74,5 @@ exercise = Exercise(
     symbols=SCREW_SYMBOLS,
     signs=SCREW_SIGNS,
     turns=("phi",),
+    answers=SCREW_ANSWERS,
 )

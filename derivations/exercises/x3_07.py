@@ -17,7 +17,7 @@ from chasles.exact.lines import unit_vectors_of
 from chasles.exact.picture import Arrow, Line, Picture, Point
 from chasles.exact.sheet import Sheet, equal
 from chasles.statements import Condition
-from chasles.statements.exercise import Datum, Exercise, vector_shape
+from chasles.statements.exercise import Answer, Datum, Else, Exercise, ListOf, Scalar, Word, vector_shape
 from chasles.vocabulary import dot, norm, number
 
 moment_is_normal_to_direction = Condition(
@@ -107,4 +107,30 @@ exercise = Exercise(
     instance=instance,
     symbols={"e": (e,), "p": (p_0, p), "n0": (n,)},
     orders=(("e_candidates", "p_candidates"),),
+    answers=(
+        Answer("e", vector_shape(), "the unit direction of the axis", ("compatible",)),
+        Answer("p", vector_shape(), "the point of the axis nearest the origin", ("compatible",)),
+        Answer("n0", vector_shape(), "the moment of the axis about the origin", ("compatible",)),
+        Answer("d", Scalar(), "the distance of the axis from the origin", ("compatible",)),
+        Answer(
+            "e_candidates",
+            Else(ListOf(vector_shape()), ("every unit vector e", "every unit vector e normal to n_A")),
+            "if there are several axes, their unit directions, in any order",
+            ("ambiguous",),
+        ),
+        Answer(
+            "p_candidates",
+            Else(ListOf(vector_shape()), ("p = e x (n_A + a x e), for each of these e",)),
+            "their points nearest the origin, in the same order",
+            ("ambiguous",),
+        ),
+        Answer(
+            "violated",
+            ListOf(
+                Word(("moments_share_a_component", "moment_is_normal", "moments_about_two_points", "direction_is_unit"))
+            ),
+            "if there is none, the first of these conditions that cannot be met",
+            ("incompatible",),
+        ),
+    ),
 )

@@ -6,7 +6,7 @@ from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
 from chasles.exact.sheet import Sheet
 from chasles.statements import Claim, Theorem
-from chasles.statements.exercise import Datum, Exercise, Scalar, vector_shape
+from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, Word, vector_shape
 from chasles.statements.induction import ForAllK
 from chasles.vocabulary import FREQUENCY, LENGTH, cross, norm, number, paren, scalar, vector
 
@@ -110,4 +110,11 @@ exercise = Exercise(
     },
     solve=solve,
     instance=instance,
+    answers=(
+        Answer("value", vector_shape(), "p after so many vector products with omega from the left"),
+        *(
+            Answer(f"{name}_formula_holds_for", Word(("k >= 0", "k >= 1", "k >= 2")), f"which k, {count} factors")
+            for name, count in (("even", "2k"), ("odd", "2k+1"))
+        ),
+    ),
 )

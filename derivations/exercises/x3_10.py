@@ -10,7 +10,7 @@ from chasles.exact.linear import kernel_of, rank_of
 from chasles.exact.numbers import is_zero
 from chasles.exact.picture import Picture
 from chasles.exact.sheet import Sheet
-from chasles.statements.exercise import Datum, Exercise, Word, vector_shape
+from chasles.statements.exercise import Answer, Datum, Else, Exercise, Scalar, Truth, Word, matrix_shape, vector_shape
 from chasles.statements.roads import roads_in
 from chasles.vocabulary import FREQUENCY, inverse, number, vector
 
@@ -115,4 +115,14 @@ exercise = Exercise(
     stand_ins={"sequence": "The book refers to another chapter for the angles; the sequence zyz stands in."},
     solve=solve,
     instance=instance,
+    answers=(
+        Answer("W_fixed", matrix_shape(), "W by rows: angular velocity in the fixed frame from the rates"),
+        Answer("W_body", matrix_shape(), "the same with the angular velocity in the body's frame"),
+        Answer("det", Scalar(), "the determinant of W"),
+        Answer("singular", Truth(), "whether W is singular at these angles", given="angles"),
+        Answer("rank", Scalar(), "the rank of W", given="angles"),
+        Answer("omega_fixed", vector_shape(), "the angular velocity in the fixed frame", given="rates"),
+        Answer("omega_body", vector_shape(), "the angular velocity in the body's frame", given="rates"),
+        Answer("rates", Else(vector_shape()), "the rates of the angles; null if they do not follow", given="omega"),
+    ),
 )

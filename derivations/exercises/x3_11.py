@@ -18,7 +18,7 @@ from chasles.exact.picture import Body as Drawn
 from chasles.exact.principal_axes import CHOICE_OF_AXES, columns_of, in_axes, principal_axes
 from chasles.exact.sheet import Sheet
 from chasles.exact.spectra import diagonal, each_eigenvalue, eigenvalues
-from chasles.statements.exercise import Datum, Exercise, Scalar
+from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, matrix_shape, vector_shape
 
 UNIT_DENSITY = "The density is one: a mass stands for a volume, and a moment of inertia is per unit of density."
 
@@ -117,5 +117,11 @@ exercise = Exercise(
     ),
     solve=solve,
     instance=instance,
+    answers=(
+        Answer("V", Scalar(), "the volume, in the cube of the unit of length"),
+        Answer("centroid", vector_shape(), "the center of mass"),
+        Answer("I_C_over_rho", matrix_shape(), "centroidal moment of inertia per unit of density, by rows"),
+        Answer("k2", vector_shape(), "squares of the principal radii of gyration, in ascending order"),
+    ),
     symbols={"V": (m,), "centroid": (c,), "I_C_over_rho": (I_C,)},
 )

@@ -22,7 +22,10 @@ from chasles.exact.picture import Arrow, Curve, Picture, Point
 from chasles.exact.picture import Body as Drawn
 from chasles.exact.principal_axes import CHOICE_OF_AXES
 from chasles.exact.sheet import Sheet
-from chasles.statements.exercise import Datum, Exercise, Scalar
+from chasles.statements.exercise import Answer, Datum, Else, Exercise, Scalar, matrix_shape, vector_shape
+
+PARTS = ("wedge", "rest")
+WORDS = ("undetermined", "infinite")
 
 
 def solve(sheet: Sheet) -> str:
@@ -135,5 +138,19 @@ exercise = Exercise(
     ),
     solve=solve,
     instance=instance,
-    axes={f"{name}.axes": f"{name}.I_C_over_rho" for name in ("wedge", "rest")},
+    axes={f"{name}.axes": (f"{name}.I_C_over_rho", f"{name}.moments_over_rho") for name in PARTS},
+    orders=tuple((f"{name}.moments_over_rho", f"{name}.k2", f"{name}.axes") for name in PARTS),
+    answers=tuple(
+        Answer(f"{name}.{key}", shape, f"{says}, of the {name}")
+        for name in PARTS
+        for key, shape, says in (
+            ("V", Scalar(), "the volume, in the cube of the unit of length"),
+            ("centroid", vector_shape(), "the center of mass"),
+            ("I_C_over_rho", matrix_shape(), "centroidal moment of inertia per unit of density, by rows"),
+            ("moments_over_rho", vector_shape(), "principal moments of inertia per unit of density"),
+            ("k2", vector_shape(), "squares of the radii of gyration, in the order of the moments"),
+            ("axes", matrix_shape(), "principal axes as rows, in the order of the moments, of any length and sign"),
+            ("tan_2theta", Else(Scalar(), WORDS), "2 I_yz / (I_yy - I_zz)"),
+        )
+    ),
 )

@@ -10,7 +10,7 @@ from chasles.exact.evaluate import Value
 from chasles.exact.picture import Picture, Point
 from chasles.exact.sheet import Sheet
 from chasles.statements import Claim, Definition
-from chasles.statements.exercise import Datum, Exercise, ListOf, Scalar, vector_shape
+from chasles.statements.exercise import Answer, Datum, Exercise, ListOf, Scalar, matrix_shape, vector_shape
 from chasles.vocabulary import LENGTH, norm, square, tr
 
 S = square("S", "S", "sum of p p^T over the points so far", LENGTH**2)
@@ -88,4 +88,10 @@ exercise = Exercise(
     solve=solve,
     instance=instance,
     symbols={"centroid": (c,), "total_mass": (m,), "I_C": (I_C,)},
+    answers=(
+        Answer("I_O", matrix_shape(), "m [tr(P P^T) 1 - P P^T] by rows, the moment of inertia about the origin"),
+        Answer("centroid", vector_shape(), "the center of mass"),
+        Answer("total_mass", Scalar(), "the mass of all points together"),
+        Answer("I_C", matrix_shape(), "the centroidal moment of inertia, by rows"),
+    ),
 )

@@ -10,7 +10,7 @@ from chasles.exact.principal_axes import in_axes, principal_axes, product
 from chasles.exact.sheet import Sheet, equal
 from chasles.exact.spectra import diagonal, each_eigenvalue, residues_of, signature
 from chasles.statements import Claim, Definite, Theorem, rotation
-from chasles.statements.exercise import Datum, Exercise, matrix_shape
+from chasles.statements.exercise import Answer, Datum, Exercise, Truth, matrix_shape, vector_shape
 from chasles.vocabulary import column, det, dot, number, paren, tr
 
 Q_turns_the_frame = rotation(Q)
@@ -138,4 +138,12 @@ exercise = Exercise(
     ),
     solve=solve,
     instance=instance,
+    answers=(
+        *(Answer(f"invariants_{x}", vector_shape(), f"trace, second invariant, determinant of {x}") for x in "AB"),
+        *(Answer(f"eigenvalues_{x}", vector_shape(), f"principal moments of {x}, in ascending order") for x in "AB"),
+        Answer("trace_sq", vector_shape(2), "the traces of A^2 and B^2"),
+        Answer("compatible", Truth(), "whether both can be of one body"),
+        Answer("physically_admissible", Truth(), "whether bodies with these moments of inertia exist"),
+        Answer("planar", Truth(), "whether all elements of such bodies lie in one plane"),
+    ),
 )

@@ -13,7 +13,7 @@ from chasles.exact.principal_axes import in_axes
 from chasles.exact.sheet import Sheet
 from chasles.exact.spectra import diagonal, each_eigenvalue, residues_of
 from chasles.statements import Claim, Definition, perpendicular, symmetric
-from chasles.statements.exercise import Datum, Exercise, Scalar, matrix_shape, vector_shape
+from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, Truth, matrix_shape, vector_shape
 from chasles.vocabulary import CPM, cross, det, dot, norm, paren, row
 
 I_C_is_symmetric = symmetric(I_C)
@@ -142,4 +142,10 @@ exercise = Exercise(
     solve=solve,
     instance=instance,
     symbols={"I_P": (I_A,)},
+    answers=(
+        Answer("I_P", matrix_shape(), "the moment of inertia at P, by rows"),
+        Answer("share_all_axes", Truth(), "whether all principal axes at C and at P are common"),
+        Answer("share_at_least_one", Truth(), "whether at least one is"),
+        *(Answer(f"moments_{x}", vector_shape(), f"principal moments at {x}, in ascending order") for x in "CP"),
+    ),
 )

@@ -14,7 +14,7 @@ from chasles.exact.roots import same_number
 from chasles.exact.sheet import Refuted, Sheet
 from chasles.exact.spectra import diagonal, each_eigenvalue, residues_of, signature, smallest_belongs_to
 from chasles.statements import Claim, Definite, Definition, Minimum, Theorem
-from chasles.statements.exercise import Datum, Exercise, ListOf, Scalar, matrix_shape, vector_shape
+from chasles.statements.exercise import Answer, Datum, Exercise, ListOf, Scalar, Truth, matrix_shape, vector_shape
 from chasles.vocabulary import cross, norm, paren
 
 greater_by_a_square = Claim(
@@ -137,4 +137,9 @@ exercise = Exercise(
     ),
     solve=solve,
     instance=instance,
+    answers=(
+        Answer("moments_C", vector_shape(), "principal moments at C, in ascending order"),
+        Answer("moments_P", ListOf(vector_shape()), "the same at each point, in the order of the points"),
+        Answer("smallest_equal_to_C", ListOf(Truth()), "for each point, whether the smallest is that at C"),
+    ),
 )

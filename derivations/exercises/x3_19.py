@@ -9,7 +9,7 @@ from chasles.exact.evaluate import Value
 from chasles.exact.picture import Arrow, Picture, Point
 from chasles.exact.sheet import Sheet
 from chasles.statements import rotation
-from chasles.statements.exercise import Datum, Exercise, matrix_shape, vector_shape
+from chasles.statements.exercise import Answer, Datum, Exercise, matrix_shape, vector_shape
 
 OTHER = "stands in: the book shows the frames and the points only in a figure of another chapter"
 
@@ -68,4 +68,9 @@ exercise = Exercise(
     },
     solve=solve,
     instance=instance,
+    answers=(
+        Answer("n_P_in_S", vector_shape(), "moment about P, components in F_S, N m"),
+        Answer("n_P_in_2", vector_shape(), "moment about P, components in F_2, N m"),
+        Answer("f_in_2", vector_shape(), "force, components in F_2, N"),
+    ),
 )

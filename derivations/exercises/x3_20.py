@@ -20,8 +20,8 @@ from chasles.exact.evaluate import Value
 from chasles.exact.inertia_data import require_inertia
 from chasles.exact.outlines import axes_to_draw
 from chasles.exact.picture import Arrow, Picture, Point
-from chasles.exact.principal_axes import in_axes
-from chasles.exact.sheet import Sheet
+from chasles.exact.principal_axes import in_axes, product
+from chasles.exact.sheet import Sheet, equal
 from chasles.exact.spectra import (
     diagonal,
     each_eigenvalue,
@@ -31,7 +31,7 @@ from chasles.exact.spectra import (
     signature,
 )
 from chasles.statements import Claim
-from chasles.statements.exercise import Datum, Exercise, Scalar, matrix_shape, vector_shape
+from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, Truth, matrix_shape, vector_shape
 from chasles.vocabulary import column, det, matrix, paren
 
 determinant_of_dyad = Claim(
@@ -113,6 +113,13 @@ def decompose(sheet: Sheet) -> dict[str, object]:
     return {"B": first, "P": second, "signature_MA_minus_MC": list(found), "hint_decomposition_exists": exists}
 
 
+def with_rotated_factor(sheet: Sheet, given: dict[str, Value]) -> list[dict[str, Value]]:
+    """P P^T is what counts: P R, with any orthogonal R, is as good as P."""
+    if "P" in given and equal(product(given["P"], given["P"].T), product(sheet.answers["P"], sheet.answers["P"].T)):
+        return [{"P": given["P"]}]
+    return []
+
+
 def instance(draw: Draw) -> dict[str, Value]:
     """A body, and a point on one of its axes."""
     turn, center = draw.rotation(), draw.vector()
@@ -144,5 +151,16 @@ exercise = Exercise(
     ),
     solve=solve,
     instance=instance,
+    answers=(
+        Answer("M_A", matrix_shape(6, 6), "the inertia dyad at A, by rows, the angular velocity first"),
+        Answer("B", matrix_shape(6, 6), "of M_A = B + m P P^T, the part with the moment of inertia alone, by rows"),
+        Answer("P", matrix_shape(6, 3), "the other factor, by rows; as far as P P^T determines it"),
+        Answer("signature_MA_minus_MC", vector_shape(), "how many eigenvalues of M_A - M_C are > 0, < 0 and 0"),
+        Answer("hint_decomposition_exists", Truth(), "whether M_A = M_C + P P^T has a solution P"),
+        Answer("eig_M_A", vector_shape(6), "the eigenvalues of M_A in ascending order"),
+        Answer("positive_definite", Truth(), "whether M_A is positive-definite"),
+        Answer("det", Scalar(), "the determinant of M_A"),
+    ),
+    alternatives=with_rotated_factor,
     symbols={"M_A": (M_A,), "B": (B_node,), "P": (P_node,), "det": (det(M_A),)},
 )

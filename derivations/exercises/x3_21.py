@@ -19,7 +19,7 @@ from chasles.exact.evaluate import Value
 from chasles.exact.numbers import is_zero, root, sign
 from chasles.exact.picture import Arrow, Picture
 from chasles.exact.sheet import Sheet
-from chasles.statements.exercise import Datum, Exercise, vector_shape
+from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, Truth, Word, vector_shape
 from chasles.vocabulary import dot, rate
 
 
@@ -70,13 +70,18 @@ def accelerations(sheet: Sheet) -> Value:
     return product
 
 
+WORDS = (
+    "holds: the angular acceleration is parallel to the angular velocity, or one of them is zero",
+    "holds for this r, which is normal to omega or to omega x alpha; it fails for others",
+    "fails: the accelerations are not orthogonal here; they are on average over all directions of r",
+)
+
+
 def what_holds(here: bool, everywhere: bool) -> str:
     """What the last sentence of the exercise comes to for these data."""
     if everywhere:
-        return "holds: the angular acceleration is parallel to the angular velocity, or one of them is zero"
-    if here:
-        return "holds for this r, which is normal to omega or to omega x alpha; it fails for others"
-    return "fails: the accelerations are not orthogonal here; they are on average over all directions of r"
+        return WORDS[0]
+    return WORDS[1] if here else WORDS[2]
 
 
 def instance(draw: Draw) -> dict[str, Value]:
@@ -104,4 +109,14 @@ exercise = Exercise(
     ),
     solve=solve,
     instance=instance,
+    answers=(
+        Answer("trace", Scalar(), "tr(A^T B) for the two terms, A = d(Omega)/dt and B = Omega^2"),
+        Answer("dot_tangential_centripetal", Scalar(), "the scalar product of the two accelerations at r"),
+        Answer("norm_A", Scalar(), "the norm of the first term, the root of tr(A^T A)"),
+        Answer("norm_O2", Scalar(), "the norm of the second term"),
+        Answer("orthogonal_for_this_r", Truth(), "whether the accelerations are orthogonal at r"),
+        Answer("orthogonal_for_all_r", Truth(), "whether they are so for every r"),
+        Answer("last_sentence", Word(WORDS), "what the book's last sentence comes to"),
+    ),
+    synonyms={text.partition(":")[0].partition(",")[0]: text for text in WORDS},
 )

@@ -61,7 +61,7 @@ def test_a_place_may_stand_for_what_square_roots_express() -> None:
      {"root_of": "x", "index": 0}, {"root_of": [1, "exit()"], "index": 0}, {"root_of": [1, -1]}],
 )  # fmt: skip
 def test_malformed_places_are_named(root: dict) -> None:
-    with pytest.raises(DataError, match=r"^moments_C: "):
+    with pytest.raises(DataError, match=r"^moments_C\[1\]: "):
         grade(exercise("3.16"), CUBE_ROOTS, {"moments_C": [root, 4, 5]})
 
 

@@ -11,15 +11,15 @@ from typing import Any
 
 import sympy as sp
 
-from chasles.exact.evaluate import matrix_of
 from chasles.exact.grammar import LONGEST, NotANumber, read_number
 from chasles.exact.numbers import normal, sign
-from chasles.statements.exercise import Array, Exercise, ListOf, Record, Scalar, Shape, Tuple, Word
+from chasles.statements.exercise import Array, Else, Exercise, ListOf, Record, Scalar, Shape, Truth, Tuple, Word
 
-__all__ = ["DataError", "read_data", "read_json"]
+__all__ = ["DataError", "exact_number", "read_as", "read_data", "read_json"]
 
 MOST_CHARACTERS = 1_000_000
 MOST_DIGITS = 64
+Reader = Callable[[Any, str], Any]
 
 
 class DataError(ValueError):
@@ -54,41 +54,67 @@ def read_data(exercise: Exercise, given: Mapping[str, Any]) -> dict[str, Any]:
     values = {}
     for datum in exercise.data:
         raw = given.get(datum.key, datum.default)
-        values[datum.key] = None if raw is None and datum.default is None else _read(datum.shape, raw, datum.key)
+        values[datum.key] = (
+            None if raw is None and datum.default is None else read_as(datum.shape, raw, datum.key, exact_number)
+        )
     return values
 
 
-def _read(shape: Shape, raw: Any, where: str) -> Any:
+def read_as(shape: Shape, raw: Any, where: str, number: Reader) -> Any:
+    """A thing of that shape, each number in it by `number`; DataError says `where` it is not."""
     raw = raw.tolist() if hasattr(raw, "tolist") else raw
     match shape:
         case Scalar():
-            return _scalar(shape, raw, where)
+            return _scalar(shape, raw, where, number)
         case Array(rows, 1):
             entries = _items(raw, where, f"a list of {rows} numbers", rows)
-            return matrix_of([[_number(entry, f"{where}[{i}]")] for i, entry in enumerate(entries, 1)])
+            return _array([[number(entry, f"{where}[{i}]")] for i, entry in enumerate(entries, 1)])
         case Array(rows, columns):
             listed = _items(raw, where, f"{rows} rows of {columns} numbers", rows)
-            return matrix_of([list(_read(Array(columns), row, f"{where}[{i}]")) for i, row in enumerate(listed, 1)])
+            return _array(
+                [list(read_as(Array(columns), row, f"{where}[{i}]", number)) for i, row in enumerate(listed, 1)]
+            )
         case Word(among):
-            words = {word.lower(): word for word in among}
-            if not isinstance(raw, str) or raw.lower() not in words:
-                raise DataError(f"{where}: expected one of {', '.join(among)}, and got {_shown(raw)}")
-            return words[raw.lower()]
+            return _word(among, raw, where)
+        case Truth():
+            if not isinstance(raw, bool):
+                raise DataError(f"{where}: expected true or false, and got {_shown(raw)}")
+            return raw
+        case Else(of, words):
+            if raw is None and None in words:
+                return None
+            spelled = tuple(word for word in words if word is not None)
+            is_word = isinstance(raw, str) and spelled and not isinstance(of, Scalar)
+            return _word(spelled, raw, where) if is_word or raw in spelled else read_as(of, raw, where, number)
         case ListOf(of, least, most):
             entries = _items(raw, where, "a list")
             if len(entries) < least or (most is not None and len(entries) > most):
                 wanted = f"{least}" if most == least else f"at least {least}" if most is None else f"{least} to {most}"
                 raise DataError(f"{where}: expected {wanted} entries, and got {len(entries)}")
-            return [_read(of, entry, f"{where}[{i}]") for i, entry in enumerate(entries, 1)]
+            return [read_as(of, entry, f"{where}[{i}]", number) for i, entry in enumerate(entries, 1)]
         case Tuple(parts):
             entries = _items(raw, where, f"[{', '.join(name for name, _ in parts)}]", len(parts))
             named = zip(parts, entries, strict=True)
-            return tuple(_read(part, entry, f"{where}, {name}") for (name, part), entry in named)
+            return tuple(read_as(part, entry, f"{where}, {name}", number) for (name, part), entry in named)
         case Record(names, of):
-            return _record(names, of, raw, where)
+            return {name: read_as(of, entry, f"{where}.{name}", number) for name, entry in _fields(names, raw, where)}
 
 
-def _record(names: Sequence[str], of: Shape, raw: Any, where: str) -> dict[str, Any]:
+def _array(rows: list[list[Any]]) -> Any:
+    """A matrix, or lists where an entry is no expression of SymPy."""
+    if all(isinstance(entry, sp.Expr) for row in rows for entry in row):
+        return sp.ImmutableMatrix(rows)
+    return [row[0] for row in rows] if len(rows[0]) == 1 else rows
+
+
+def _word(among: Sequence[str], raw: Any, where: str) -> str:
+    words = {word.lower(): word for word in among}
+    if not isinstance(raw, str) or raw.lower() not in words:
+        raise DataError(f"{where}: expected one of {', '.join(among)}, and got {_shown(raw)}")
+    return words[raw.lower()]
+
+
+def _fields(names: Sequence[str], raw: Any, where: str) -> list[tuple[str, Any]]:
     if not isinstance(raw, Mapping):
         raise DataError(f"{where}: expected an object with {', '.join(names)}, and got {_shown(raw)}")
     for name in names:
@@ -97,11 +123,11 @@ def _record(names: Sequence[str], of: Shape, raw: Any, where: str) -> dict[str, 
     for name in raw:
         if name not in names:
             raise DataError(f"{where}: {_shown(name)} is not known; expected {', '.join(names)}")
-    return {name: _read(of, raw[name], f"{where}.{name}") for name in names}
+    return [(name, raw[name]) for name in names]
 
 
-def _scalar(shape: Scalar, raw: Any, where: str) -> Any:
-    value = _number(raw, where)
+def _scalar(shape: Scalar, raw: Any, where: str, number: Reader) -> Any:
+    value = number(raw, where)
     if shape.integer and not value.is_Integer:
         raise DataError(f"{where}: expected an integer, and got {_shown(raw)}")
     if shape.positive and sign(value) <= 0:
@@ -119,8 +145,8 @@ def _items(raw: Any, where: str, expected: str, size: int | None = None) -> Sequ
     return raw
 
 
-def _number(raw: Any, where: str) -> Any:
-    """An exact number from an integer, a decimal as it is written, or text."""
+def exact_number(raw: Any, where: str) -> Any:
+    """An exact number from an integer, a decimal as it is written, or text; raises DataError."""
     match raw:
         case bool():
             raise DataError(f"{where}: expected a number, and got {_shown(raw)}")
@@ -167,6 +193,5 @@ def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def _shown(raw: Any) -> str:
-    spell: Callable[[Any], str] = repr
-    text = spell(raw)
+    text = {None: "null", True: "true", False: "false"}[raw] if raw is None or isinstance(raw, bool) else repr(raw)
     return text if len(text) <= 60 else f"{text[:57]}..."

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import reduce
+from functools import lru_cache, reduce
 from operator import add, mul
 from typing import Any
 
@@ -49,6 +49,12 @@ def enclosed(number: Any, bits: int) -> Any:
     return _Intervals(bits)(number)
 
 
+@lru_cache(maxsize=1000)
+def _near(root: Any, bits: int) -> Any:
+    """A rational number that far from the root at most."""
+    return root.eval_rational(sp.Rational(1, 2**bits))
+
+
 class _Intervals:
     def __init__(self, bits: int) -> None:
         self._context = MPIntervalContext()
@@ -74,7 +80,7 @@ class _Intervals:
                     value = self._root(value)
                 return value ** int(p)
             case sp.CRootOf():
-                near = number.eval_rational(sp.Rational(1, 2**self._context.prec))
+                near = _near(number, self._context.prec)
                 width = self._context.mpf([-1, 1]) / 2**self._context.prec
                 return self._context.mpf(int(near.p)) / int(near.q) + width
             case _ if number == sp.pi:

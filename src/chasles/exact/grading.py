@@ -1,49 +1,66 @@
-"""Is a student's answer right? Part by part, by exact equality, in whatever form and with either sign of an axis."""
+"""Is a student's answer right? Part by part, by exact equality, in any form and up to what the exercise leaves open.
+
+Equality is decided, or the part is undecided: no decimals make an answer right, unless a tolerance is asked for.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
-from itertools import permutations, product
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from itertools import permutations
 from typing import Any
 
 import sympy as sp
 
-from chasles.exact.data import DataError
+from chasles.exact.agreement import Equality, agree, are_along_axes, in_lists, opposite
+from chasles.exact.answers import asked_for, read_answers
+from chasles.exact.data import DataError, exact_number
 from chasles.exact.draw import Draw
-from chasles.exact.evaluate import DividesByZero, NoValue, matrix_of
-from chasles.exact.grammar import NotANumber, read_number
-from chasles.exact.numbers import is_zero, normal
-from chasles.exact.principal_axes import in_axes
-from chasles.exact.roots import Root, X, place_of, same_number
+from chasles.exact.evaluate import DividesByZero, NoValue
+from chasles.exact.numbers import NotDecided
 from chasles.exact.sheet import Sheet, equal
 from chasles.exact.solution import Solution, cited
 from chasles.exact.solving import solved_on_sheet
 from chasles.exact.spelling import text_of
+from chasles.exact.tower import TooManyRoots
 from chasles.statements.exercise import Exercise
 from chasles.vocabulary import Call
 
-__all__ = ["Grade", "grade", "new_data"]
+__all__ = ["Grade", "grade", "graded", "new_data"]
 
 MOST_REORDERED = 4
-MOST_COEFFICIENTS = 13
 MOST_STEPS = 3
-LONGEST_ANSWER = 2000
-"""Characters; what is printed as an answer can be given back as one."""
 
 
 @dataclass(frozen=True, slots=True)
 class Grade:
-    """What is right and what is wrong, by the names of the answers, what is missing, and what a wrong one violates."""
+    """What is right, what is wrong and what nothing decides, by the names of the answers, and what is missing.
+
+    `violated` says what a wrong answer does not satisfy, `feedback` which steps give each wrong one.
+    """
 
     right: tuple[str, ...]
     wrong: tuple[str, ...]
     missing: tuple[str, ...]
     violated: tuple[str, ...]
+    undecided: tuple[str, ...] = ()
+    feedback: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     @property
     def passed(self) -> bool:
-        return not self.wrong and not self.missing
+        return not self.wrong and not self.missing and not self.undecided
+
+    @property
+    def score(self) -> float:
+        """The right parts among all, from 0 to 1."""
+        parts = sum(map(len, (self.right, self.wrong, self.missing, self.undecided)))
+        return len(self.right) / parts if parts else 1.0
+
+    def as_data(self) -> dict[str, Any]:
+        """What `chasles practice --json` prints of it."""
+        names = {name: list(getattr(self, name)) for name in ("right", "wrong", "undecided", "missing", "violated")}
+        feedback = {name: list(says) for name, says in self.feedback.items()}
+        return {"passed": self.passed, "score": round(self.score, 6), **names, "feedback": feedback}
 
 
 def new_data(exercise: Exercise, seed: int) -> dict[str, Any]:
@@ -54,171 +71,132 @@ def new_data(exercise: Exercise, seed: int) -> dict[str, Any]:
     return drawn
 
 
-def grade(exercise: Exercise, data: Mapping[str, Any], given: Mapping[str, Any]) -> Grade:
-    """The grade of a student's answers for these data.
+def grade(exercise: Exercise, data: Mapping[str, Any], given: Mapping[str, Any], rtol: Any = None) -> Grade:
+    """The grade of a student's answers for these data; with `rtol`, numbers are right that are as near as that.
 
-    Numbers are read by the grammar of data. Raises DataError for a name that is no answer, and for what is no number.
+    Numbers are read by the grammar of data. A number is near if it differs by at most `rtol` times the largest number
+    in that answer, or times one where that is zero; angles are compared up to whole turns. Raises DataError for a name
+    that is no answer of the exercise, and for what does not have the shape of that answer.
     """
-    solution, sheet = solved_on_sheet(exercise, data)
-    expected = {"status": solution.status, **solution.answers}
-    for name in given:
-        if name not in expected:
-            raise DataError(f"{name!r} is no answer of exercise {exercise.number}: {', '.join(expected)} are")
-    answers = {name: _read(value, expected[name], name) for name, value in given.items()}
-    wrong = _fewest_wrong(exercise, expected, answers)
-    violated = [*_violated(exercise, sheet, answers), *_sources(solution, wrong)] if wrong else []
+    return graded(exercise, solved_on_sheet(exercise, data), given, rtol)
+
+
+def graded(exercise: Exercise, solved: tuple[Solution, Sheet], given: Mapping[str, Any], rtol: Any = None) -> Grade:
+    """The same where the exercise has been solved for these data."""
+    solution, sheet = solved
+    tolerance = None if rtol is None else exact_number(rtol, "rtol")
+    if tolerance is not None and not (tolerance.is_Rational and 0 < tolerance < 1):
+        raise DataError(f"rtol: expected a number between 0 and 1, and got {rtol}")
+    answers = read_answers(exercise, given)
+    verdicts = _Comparison(exercise, solution, sheet, tolerance).verdicts(answers)
+    of: dict[bool | None, list[str]] = {True: [], False: [], None: []}
+    for name in answers:
+        of[verdicts[name]].append(name)
+    feedback = {name: found for name in of[False] if (found := _sources(solution, name))}
+    violated = _violated(exercise, sheet, answers) if of[False] and tolerance is None else []
     return Grade(
-        tuple(name for name in answers if name not in wrong),
-        tuple(wrong),
-        tuple(name for name in solution.answers if name not in answers),
-        tuple(dict.fromkeys(violated)),
+        tuple(of[True]),
+        tuple(of[False]),
+        _missing(exercise, sheet.data, answers),
+        tuple(dict.fromkeys([*violated, *(f"{name}: {says}" for name in feedback for says in feedback[name])])),
+        tuple(of[None]),
+        feedback,
     )
 
 
-def _sources(solution: Solution, wrong: list[str]) -> list[str]:
-    """The steps whose equations give what is wrong: by its name if one does, else those that come to its value."""
-    found = []
-    for name in wrong:
-        value = solution.answers.get(name)
-        parts = [value, *value] if isinstance(value, list) else [value]
-        endings = tuple(f" = {text_of(part)}" for part in parts)
-        steps = [step for step in solution.steps if any(line.text.endswith(endings) for line in step.lines)]
-        named = [step for step in steps if any(line.text.startswith(f"{name} = ") for line in step.lines)]
-        found += [f"{name}: {step.says} {cited(step.cites)}".rstrip() for step in (named or steps)[:MOST_STEPS]]
-    return found
+def _missing(exercise: Exercise, data: Mapping[str, Any], answers: Mapping[str, Any]) -> tuple[str, ...]:
+    """What was to be answered, by what the student says is the case: this does not tell what is."""
+    claimed = [answers["status"]] if "status" in answers else exercise.statuses
+    asked = [names for status in claimed if (names := asked_for(exercise, data, status)) >= set(answers) - {"status"}]
+    certain = [name for name in (answer.name for answer in exercise.answers) if all(name in names for names in asked)]
+    left = tuple(name for name in certain if asked and name not in answers)
+    return left or (("status",) if len(set(asked)) > 1 else ())
 
 
-def _fewest_wrong(exercise: Exercise, expected: Mapping[str, Any], answers: Mapping[str, Any]) -> list[str]:
-    """What is wrong under the choice of signs, and of orders, under which least is."""
-    signs = product((1, -1), repeat=len(exercise.signs))
-    choices = product(signs, _reordered(exercise, expected))
-    return min((_wrong(exercise, known, answers, turns) for turns, known in choices), key=len)
+def _sources(solution: Solution, name: str) -> tuple[str, ...]:
+    """The steps whose equations give the answer: by its name if one does, else those that come to its value."""
+    value = solution.answers.get(name)
+    if value is None:
+        return ()
+    parts = [value, *value] if isinstance(value, list) else [value]
+    endings = tuple(f" = {text_of(part)}" for part in parts)
+    steps = [step for step in solution.steps if any(line.text.endswith(endings) for line in step.lines)]
+    named = [step for step in steps if any(line.text.startswith(f"{name} = ") for line in step.lines)]
+    return tuple(f"{step.says} {cited(step.cites)}".rstrip() for step in (named or steps)[:MOST_STEPS])
 
 
-def _reordered(exercise: Exercise, expected: Mapping[str, Any]) -> list[Mapping[str, Any]]:
-    """The expected answers with the lists of each group in every order that they have in common."""
-    found = [expected]
-    for group in exercise.orders:
-        lists = {name: expected[name] for name in group if isinstance(expected.get(name), list)}
-        size = max(map(len, lists.values()), default=0)
-        if 1 < size <= MOST_REORDERED:
-            found = [
-                {**known, **{name: [whole[k] for k in order] for name, whole in lists.items()}}
-                for known in found
-                for order in permutations(range(size))
-            ]
-    return found
+@dataclass(frozen=True)
+class _Comparison:
+    exercise: Exercise
+    solution: Solution
+    sheet: Sheet
+    tolerance: Any
+
+    def verdicts(self, answers: dict[str, Any]) -> dict[str, bool | None]:
+        """Of each answer, under the choice of signs, orders and alternatives under which least is wrong."""
+        expected = {name: in_lists(value) for name, value in self.solution.answers.items()}
+        expected["status"] = self.solution.status
+        given = {name: in_lists(value) for name, value in answers.items()}
+        found = {name: name in expected and self._verdict(name, expected, given[name]) for name in given}
+        try:
+            for choices in self._choices(expected, answers):
+                for choice in choices:
+                    before = _badness({name: found[name] for name in choice if name in given})
+                    if not any(before):
+                        break
+                    known = {**expected, **choice}
+                    other = {name: self._verdict(name, known, given[name]) for name in choice if name in given}
+                    if _badness(other) < before:
+                        found |= other
+        except (NotDecided, TooManyRoots):
+            return {name: verdict or None for name, verdict in found.items()}
+        return found
+
+    def _choices(self, expected: Mapping[str, Any], answers: dict[str, Any]) -> Iterator[list[dict[str, Any]]]:
+        """For each group of answers, what they may be instead, all together."""
+        for group in self.exercise.signs:
+            yield [{name: opposite(expected[name]) for name in group if name in expected}]
+        for group in self.exercise.orders:
+            lists = {name: expected[name] for name in group if isinstance(expected.get(name), list)}
+            size = max(map(len, lists.values()), default=0)
+            orders = permutations(range(size)) if 1 < size <= MOST_REORDERED else ()
+            yield [{name: [whole[k] for k in order] for name, whole in lists.items()} for order in orders]
+        if self.exercise.alternatives is not None:
+            found = self.exercise.alternatives(self.sheet, answers)
+            yield [{name: in_lists(value) for name, value in choice.items()} for choice in found]
+
+    def _verdict(self, name: str, expected: Mapping[str, Any], given: Any) -> bool | None:
+        if name in self.exercise.axes:
+            matrix, moments = (expected[of] for of in self.exercise.axes[name])
+            return are_along_axes(matrix, moments, given, Equality(self.tolerance, moments))
+        is_angle = name in self.exercise.turns
+        return agree(expected[name], given, Equality(self.tolerance, expected[name], is_angle))
 
 
-def _wrong(
-    exercise: Exercise, expected: Mapping[str, Any], answers: Mapping[str, Any], turns: tuple[int, ...]
-) -> list[str]:
-    turned = {name: turn for group, turn in zip(exercise.signs, turns, strict=True) for name in group}
-    return [
-        name
-        for name, value in answers.items()
-        if not (
-            _along_axes(expected[exercise.axes[name]], expected[name], value)
-            if name in exercise.axes
-            else _same(turned.get(name, 1), expected[name], value, name in exercise.turns)
-        )
-    ]
-
-
-def _along_axes(matrix: Any, expected: Any, rows: Any) -> bool:
-    """Whether the rows are principal axes of the matrix, of any length, normal to each other, in the same order."""
-    if not hasattr(rows, "shape") or rows.shape != expected.shape:
-        return False
-    moments = (in_axes(matrix, expected), expected * expected.T)
-    found = (in_axes(matrix, rows), rows * rows.T)
-    sizes = [found[1][k, k] for k in range(rows.shape[0])]
-    if any(map(is_zero, sizes)):
-        return False
-    lengths = sp.diag(*(size / moments[1][k, k] for k, size in enumerate(sizes)))
-    return all(equal(mine, lengths * theirs) for mine, theirs in zip(found, moments, strict=True))
-
-
-def _same(turn: int, expected: Any, value: Any, is_angle: bool) -> bool:
-    """Whether the answer is the expected one, or its opposite; of angles, whole turns apart."""
-    match expected:
-        case None | bool() | str():
-            return bool(expected == value)
-        case dict():
-            return set(expected) == set(value) and all(_same(turn, expected[k], value[k], is_angle) for k in expected)
-        case list():
-            return len(expected) == len(value) and all(
-                _same(turn, a, b, is_angle) for a, b in zip(expected, value, strict=True)
-            )
-        case sp.MatrixBase():
-            return not isinstance(value, str | dict | list) and value is not None and equal(expected * turn, value)
-    if isinstance(expected, Root) or isinstance(value, Root):
-        return turn == 1 and same_number(expected, value)
-    if is_angle:
-        return bool((normal(value - turn * expected) / (2 * sp.pi)).is_integer)
-    return value is not None and is_zero(value - turn * expected)
+def _badness(verdicts: Mapping[str, bool | None]) -> tuple[int, int]:
+    marks = list(verdicts.values())
+    return marks.count(False), marks.count(None)
 
 
 def _violated(exercise: Exercise, sheet: Sheet, answers: Mapping[str, Any]) -> list[str]:
     """What the student's answers, substituted into what was asked, do not satisfy."""
-    values = {node: answers[name] for name, nodes in exercise.symbols.items() if name in answers for node in nodes}
+    values = {
+        node: answers[name]
+        for name, nodes in exercise.symbols.items()
+        for node in nodes
+        if isinstance(answers.get(name), sp.Basic)
+    }
     for node in sheet.values:
         if isinstance(node, Call) and node.argument in values:
             values[node] = getattr(sp, node.function)(values[node.argument])
     found = []
     for left, right, at, says in sheet.tests:
-        sides = (sheet.value(side, {**at, **values}) for side in (left, right))
         try:
-            if not equal(*sides):
-                found.append(says)
+            holds = equal(*(sheet.value(side, {**at, **values}) for side in (left, right)))
+        except (NotDecided, TooManyRoots):
+            continue
         except (DividesByZero, NoValue, ValueError):
+            holds = False
+        if not holds:
             found.append(says)
     return found
-
-
-def _read(value: Any, expected: Any, name: str) -> Any:
-    """A student's answer, in the shape of the expected one."""
-    match value, expected:
-        case (None | bool(), _) | (str(), str()):
-            return value
-        case str(), sp.MatrixBase():
-            return value
-        case dict(), dict():
-            return {key: _read(part, expected.get(key), f"{name}.{key}") for key, part in value.items()}
-        case dict(), _ if "root_of" in value:
-            return _read_root(value, name)
-        case list(), sp.MatrixBase():
-            rows = [row if isinstance(row, list) else [row] for row in value]
-            if [len(row) for row in rows] != [expected.shape[1]] * expected.shape[0]:
-                raise DataError(f"{name}: expected {expected.shape[0]} x {expected.shape[1]} numbers")
-            return matrix_of([[_read(entry, 0, name) for entry in row] for row in rows])
-        case list(), list():
-            parts = expected if len(expected) == len(value) else [expected[0] if expected else 0] * len(value)
-            return [_read(part, like, name) for part, like in zip(value, parts, strict=True)]
-        case str(), _:
-            try:
-                return normal(read_number(value, LONGEST_ANSWER))
-            except NotANumber as error:
-                raise DataError(f"{name}: {error}") from None
-        case _:
-            if isinstance(value, list | dict) or not hasattr(value, "__abs__"):
-                raise DataError(f"{name}: expected {'a number' if not isinstance(expected, str) else 'a word'}")
-            return normal(read_number(str(value)))
-
-
-def _read_root(value: Mapping[str, Any], name: str) -> Any:
-    """A real root of an integer polynomial: a number where square roots express it, else the place of the root."""
-    coefficients, index = value["root_of"], value.get("index")
-    if not (
-        isinstance(coefficients, list)
-        and 2 <= len(coefficients) <= MOST_COEFFICIENTS
-        and all(isinstance(c, int) and not isinstance(c, bool) for c in coefficients)
-        and coefficients[0]
-        and isinstance(index, int)
-    ):
-        raise DataError(f'{name}: expected {{"root_of": [integers, highest first], "index": from 0}}')
-    polynomial = sp.Poly(coefficients, X)
-    if not 0 <= index < polynomial.count_roots():
-        raise DataError(f"{name}: index: expected 0 to {polynomial.count_roots() - 1}, and got {index}")
-    root = sp.CRootOf(polynomial, index)
-    found = place_of(polynomial, root.evalf) if root.has(sp.CRootOf) else root
-    return found if isinstance(found, Root) and len(found.coefficients) > 3 else normal(root)

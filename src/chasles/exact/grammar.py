@@ -18,6 +18,7 @@ __all__ = ["LONGEST", "MOST_EXPONENT", "NotANumber", "read_number"]
 
 LONGEST = 200
 MOST_EXPONENT = 64
+MOST_NESTED = 40
 MOST_BITS = 4096
 """Size of the largest number that a power may come to; exponents of exponents grow beyond every measure."""
 _TOKEN = re.compile(r"\s*(?:([0-9]+\.[0-9]*|\.[0-9]+|[0-9]+)|([A-Za-z]+)|(\*\*|[-+*/^()]))")
@@ -77,7 +78,7 @@ class _Reader:
     def __init__(self, text: str) -> None:
         self.text = text
         self.tokens = list(_tokens(text))
-        self.next = 0
+        self.next = self.depth = 0
 
     def whole(self) -> Any:
         value = self.sum()
@@ -126,12 +127,21 @@ class _Reader:
         return above / below
 
     def signed(self) -> Any:
-        if self.take("-"):
-            return -self.signed()
-        return self.signed() if self.take("+") else self.power()
+        turned = False
+        while sign := self.take("+", "-"):
+            turned ^= sign.text == "-"
+        value = self.power()
+        return -value if turned else value
 
     def power(self) -> Any:
-        base = self.operand()
+        self.depth += 1
+        if self.depth > MOST_NESTED:
+            raise NotANumber(self.text, self.here.at, f"a number is nested at most {MOST_NESTED} times")
+        value = self.powered(self.operand())
+        self.depth -= 1
+        return value
+
+    def powered(self, base: Any) -> Any:
         sign = self.take("^", "**")
         if sign is None:
             return base

@@ -9,7 +9,22 @@ from typing import Any
 from chasles.vocabulary import Node
 from chasles.vocabulary.arguments import Declared
 
-__all__ = ["Datum", "Exercise", "ListOf", "Record", "Scalar", "Shape", "Tuple", "Word", "matrix_shape", "vector_shape"]
+__all__ = [
+    "Answer",
+    "Array",
+    "Datum",
+    "Else",
+    "Exercise",
+    "ListOf",
+    "Record",
+    "Scalar",
+    "Shape",
+    "Truth",
+    "Tuple",
+    "Word",
+    "matrix_shape",
+    "vector_shape",
+]
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +53,19 @@ class Word(Declared):
 
 
 @dataclass(frozen=True, slots=True)
+class Truth(Declared):
+    """True or false."""
+
+
+@dataclass(frozen=True, slots=True)
+class Else(Declared):
+    """A thing of some shape, or one of some words in its place; None stands for nothing."""
+
+    of: Shape
+    words: tuple[str | None, ...] = (None,)
+
+
+@dataclass(frozen=True, slots=True)
 class ListOf(Declared):
     """A list of things of one shape, at least so many and at most so many."""
 
@@ -61,7 +89,7 @@ class Record(Declared):
     of: Shape
 
 
-Shape = Scalar | Array | Word | ListOf | Tuple | Record
+Shape = Scalar | Array | Word | Truth | Else | ListOf | Tuple | Record
 
 
 def vector_shape(size: int = 3) -> Array:
@@ -88,13 +116,28 @@ class Datum(Declared):
     from_book: bool = False
 
 
+@dataclass(frozen=True, slots=True)
+class Answer(Declared):
+    """One answer by its name: its shape, what it is with its unit and convention.
+
+    It is asked for where the status is one of `only`, if there are any, and where the datum `given` is.
+    """
+
+    name: str
+    shape: Shape
+    says: str
+    only: tuple[str, ...] = ()
+    given: str = ""
+
+
 @dataclass(frozen=True, eq=False)
 class Exercise(Declared):
     """An exercise: what is `asked`, in our words, part by part; the `data`; how it is solved.
 
     For practice: `instance` draws new data; `symbols` are the book's symbols for answers, by the answers' names;
     `signs` are groups of answers that may all be given with the other sign, `turns` angles up to whole turns; `orders`
-    groups of lists that may be given in any one order; `axes` rows along principal axes, by the matrix that has them.
+    groups of lists that may be given in any one order; `axes` rows along principal axes, by the matrix and its moments;
+    `synonyms` other words for a word. `alternatives` says, of the sheet and the answers given, what else is right.
 
     `solve` writes the solution on a sheet and returns its status, one of `statuses`. `assumptions` are always made;
     `stand_ins` only where a key has its default: said of the keys for which the book gives none.
@@ -113,7 +156,10 @@ class Exercise(Declared):
     signs: tuple[tuple[str, ...], ...] = ()
     turns: tuple[str, ...] = ()
     orders: tuple[tuple[str, ...], ...] = ()
-    axes: Mapping[str, str] = field(default_factory=dict)
+    axes: Mapping[str, tuple[str, str]] = field(default_factory=dict)
+    answers: tuple[Answer, ...] = ()
+    synonyms: Mapping[str, str] = field(default_factory=dict)
+    alternatives: Callable[[Any, dict[str, Any]], list[dict[str, Any]]] | None = None
 
     @property
     def keys(self) -> tuple[str, ...]:
