@@ -88,7 +88,7 @@ def picture(sheet: Sheet, total: Value, place: Value) -> Picture:
 
 def instance(draw: Draw) -> dict[str, Value]:
     """The tetrahedron, with other forces."""
-    return {"forces": [[*draw.some(NAMES, 2), str(draw.integer(1, 3))] for _ in range(2)]}
+    return {"forces": [[*draw.some(NAMES, 2), str(draw.integer(1, 9))] for _ in range(2)]}
 
 
 exercise = Exercise(

@@ -90,7 +90,7 @@ def solve(sheet: Sheet) -> str:
 
 def instance(draw: Draw) -> dict[str, Value]:
     """A prism of whole numbers."""
-    return {"side": draw.integer(1, 9), "height": draw.integer(1, 20)}
+    return {"side": draw.integer(1, 60), "height": draw.integer(1, 99)}
 
 
 exercise = Exercise(

@@ -109,7 +109,7 @@ def together(sheet: Sheet, whole: Body, wedge: Body, rest: Body) -> None:
 
 def instance(draw: Draw) -> dict[str, Value]:
     """A prism of whole numbers, cut through its far side or through its top."""
-    return {"side": draw.integer(1, 6), "height": draw.integer(1, 12), "angle_deg": draw.among((30, 45, 60))}
+    return {"side": draw.integer(1, 40), "height": draw.integer(1, 80), "angle_deg": draw.among((30, 45, 60))}
 
 
 exercise = Exercise(

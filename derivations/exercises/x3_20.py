@@ -141,10 +141,6 @@ exercise = Exercise(
         Datum("c", vector_shape(), [0, 0, 0], "position of the center of mass"),
         Datum("a", vector_shape(), [1, 0, 0], "position of A"),
     ),
-    assumptions=(
-        "The decomposition of the hint exists only if A is the center of mass; elsewhere the dyad is positive-definite "
-        "by the corrected (3.148).",
-    ),
     stand_ins=dict.fromkeys(
         ("I_C", "m", "c", "a"),
         "The exercise gives no numbers: I_C = diag(3, 4, 5), m = 1, c = 0 and a = (1, 0, 0) stand in.",

@@ -2,10 +2,10 @@
 
 ``chasles.prove`` decides an equation of your own; ``chasles.decide``, ``chasles.repair`` and ``chasles.derive`` ask the
 book, ``chasles.chapter``, by number; ``chasles.load`` reads another one, ``chasles.solve`` works an exercise,
-``chasles.kernels`` holds the compiled formulas, ``chasles.checked`` the same with their inputs tested, and
-``chasles.compile`` makes a kernel of an expression of your own; ``chasles.kernel`` says what is known of one of the
-book's. Each is imported on first use, so that ``import chasles`` costs neither SymPy nor NumPy. In a notebook each
-thing is displayed as the report shows it.
+``chasles.practice`` draws new data for one and grades answers, ``chasles.kernels`` holds the compiled formulas,
+``chasles.checked`` the same with their inputs tested, and ``chasles.compile`` makes a kernel of an expression of your
+own; ``chasles.kernel`` says what is known of one of the book's. Each is imported on first use, so that ``import
+chasles`` costs neither SymPy nor NumPy. In a notebook each thing is displayed as the report shows it.
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from chasles.asking import repair as repair
     from chasles.compiling import compile as compile
     from chasles.emitted import kernel as kernel
+    from chasles.exact.practice import practice as practice
     from chasles.exact.solving import solve as solve
     from chasles.prove import prove as prove
     from chasles.statements import Chapter
@@ -43,6 +44,7 @@ __all__ = [
     "kernel",
     "kernels",
     "load",
+    "practice",
     "prove",
     "repair",
     "solve",
@@ -56,6 +58,7 @@ _HELD = {
     "derive": "chasles.asking",
     "chapter": "chasles.asking",
     "load": "chasles.statements",
+    "practice": "chasles.exact.practice",
     "solve": "chasles.exact.solving",
     "compile": "chasles.compiling",
     "kernel": "chasles.emitted",

@@ -35,7 +35,10 @@ def asked_for(exercise: Exercise, data: Mapping[str, Any], status: str) -> froze
 
 
 def read_answers(exercise: Exercise, given: Mapping[str, Any]) -> dict[str, Any]:
-    """The answers, exact, in the form in which they are written; DataError for one that is malformed or no answer."""
+    """The answers, exact, in the form in which they are written, without places of the template that are left blank.
+
+    Raises DataError for one that is malformed or no answer.
+    """
     declared = {answer.name: answer for answer in (status_of(exercise), *exercise.answers)}
     found = {}
     for name, raw in given.items():
@@ -46,6 +49,8 @@ def read_answers(exercise: Exercise, given: Mapping[str, Any]) -> dict[str, Any]
                 f"{name!r} is no answer of exercise {exercise.number}{hint}; these are: {', '.join(declared)}"
             )
         shape = declared[name].shape
+        if raw == _blank(shape):
+            continue
         known = exercise.synonyms.get(raw.lower(), raw) if isinstance(raw, str) and isinstance(shape, Word) else raw
         found[name] = read_as(shape, _as_column(shape, known), name, _number)
     return found

@@ -105,6 +105,11 @@ class Solution(Displayed):
             "steps": len(self.steps),
         }
 
+    @property
+    def hints(self) -> list[str]:
+        """What each step does and the equations it uses, without values."""
+        return [f"{step.says} {cited(step.cites)}".rstrip() for step in self.steps]
+
     def figure(self) -> Any:
         """The picture as a matplotlib figure.
 

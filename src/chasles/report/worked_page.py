@@ -12,7 +12,7 @@ from rich.text import Text
 from chasles.exact.solution import Check, Line, Solution, Step, cited
 from chasles.exact.spelling import decimal_text, text_of
 
-__all__ = ["worked_page"]
+__all__ = ["hints_page", "worked_page"]
 
 WIDE = 100
 
@@ -35,6 +35,13 @@ def worked_page(solution: Solution, signs: bool) -> Iterator[RenderableType]:
         yield Text("Substituted back", "bold")
         for check in solution.checks:
             yield _step("✓" if signs else "+", check, signs)
+
+
+def hints_page(solution: Solution, count: int) -> Iterator[RenderableType]:
+    """The first steps without values."""
+    yield Text(f"Exercise {solution.exercise}, {min(count, len(solution.steps))} of {len(solution.steps)} steps")
+    for number, step in enumerate(solution.steps[:count], 1):
+        yield _step(str(number), Step(step.says, step.cites), signs=True)
 
 
 def _step(mark: str, step: Step | Check, signs: bool) -> RenderableType:

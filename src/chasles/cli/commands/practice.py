@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from json import dumps
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +16,7 @@ from chasles.cli.files import text_of_file
 
 if TYPE_CHECKING:
     from chasles.exact.grading import Grade
-    from chasles.statements.exercise import Exercise
+    from chasles.exact.practice import Practice
 
 __all__ = ["command"]
 
@@ -26,39 +27,57 @@ __all__ = ["command"]
 @click.argument("exercise", metavar="EX", shell_complete=completing.exercises)
 @click.option("--seed", type=click.IntRange(0, 10**9), default=1, show_default=True, help="Which data are drawn.")
 @click.option("--check", type=click.Path(path_type=Path), metavar="FILE", help="JSON with answers to grade; '-' reads.")
+@click.option("--rtol", metavar="R", help="Numbers are right within R times the largest of the answer, as in 0.001.")
+@click.option("--digits", type=click.IntRange(1, 30), metavar="D", help="The same by so many digits: R = 5/10^D.")
+@click.option("--batch", type=click.Path(path_type=Path), metavar="FILE", help="JSON lines to grade; '-' reads.")
 @as_data
-def command(exercise: str, seed: int, check: Path | None, json: bool) -> int:
+def command(
+    exercise: str, seed: int, check: Path | None, rtol: str | None, digits: int | None, batch: Path | None, json: bool
+) -> int:
     """Draw new data for an exercise, with nice numbers; with `--check`, grade an answer for these data.
 
-    An answer is right in any form that is exactly equal, also with the axis reversed where all else is. The exit
-    status is 1 if a part of the answer is wrong or missing.
+    An answer is right in any form that is exactly equal, and up to what the exercise leaves open, such as the sense of
+    an axis. A decimal is exactly what it shows; with --rtol or --digits it is right if it is near enough. The exit
+    status is 1 if a part of the answer is wrong, missing or undecided, and 2 if one is malformed.
+
+    With `--batch`, each line of JSON has answers, and perhaps a seed, an exercise and a tolerance, as in {"id": "ann",
+    "seed": 4, "answers": {...}}; a line with the grade is printed for each, or with its error, and then the status is
+    2.
     """
     from chasles.exact.data import DataError, read_json
-    from chasles.exact.grading import grade, new_data
+    from chasles.exact.practice import grade_lines, practice
     from chasles.proof.decision import DoesNotStand
     from chasles.report.records import as_json
     from chasles.statements.exercises import UnknownExercise
-    from chasles.statements.exercises import exercise as find_exercise
 
     only_of_the_book("the exercises")
     try:
-        chosen = find_exercise(exercise)
-        data = new_data(chosen, seed)
-        marks = None if check is None else grade(chosen, data, _answers(read_json(text_of_file(check))))
+        if batch is not None:
+            return _graded_lines(grade_lines(text_of_file(batch).splitlines(), exercise))
+        task = practice(exercise, seed)
+        marks = None if check is None else task.grade(_answers(read_json(text_of_file(check))), rtol, digits)
     except (DataError, UnknownExercise) as error:
         raise Failure(str(error.args[0]), BAD_INPUT) from error
     except DoesNotStand as error:
         raise Failure(f"answers to exercise {exercise} cannot be graded: {error}") from error
     if json:
-        click.echo(as_json({"exercise": chosen.number, "seed": seed, "data": data} | _record(marks)))
+        click.echo(as_json(task.as_data() | ({} if marks is None else marks.as_data())))
     else:
         from rich.text import Text
 
         from chasles.report.screen import Screen
 
-        lines = _task(chosen, seed, data) if marks is None else _marks(marks)
+        lines = _task(task) if marks is None else _marks(marks)
         Screen().show(*(Text(line, overflow="fold") for line in lines))
     return 0 if marks is None or marks.passed else FAILED
+
+
+def _graded_lines(records: Iterator[dict[str, Any]]) -> int:
+    status = 0
+    for record in records:
+        click.echo(dumps(record))
+        status = BAD_INPUT if "error" in record else status
+    return status
 
 
 def _answers(read: dict[str, Any]) -> dict[str, Any]:
@@ -67,31 +86,26 @@ def _answers(read: dict[str, Any]) -> dict[str, Any]:
     return inner if isinstance(inner, dict) else read
 
 
-def _record(marks: Grade | None) -> dict[str, Any]:
-    if marks is None:
-        return {}
-    return {
-        "passed": marks.passed,
-        "right": list(marks.right),
-        "wrong": list(marks.wrong),
-        "missing": list(marks.missing),
-        "violated": list(marks.violated),
-    }
-
-
-def _task(exercise: Exercise, seed: int, data: dict[str, Any]) -> Iterator[str]:
-    from chasles.report.records import as_json
-
-    yield f"Exercise {exercise.number}  {exercise.title}, new data {seed}"
-    for text in exercise.asked:
-        yield f"  - {text}"
-    yield as_json(data)
+def _task(task: Practice) -> Iterator[str]:
+    whole = task.as_data()
+    yield f"Exercise {whole['exercise']}  {whole['title']}, new data {task.seed}"
+    yield from (f"  - {text}" for text in whole["asked"])
+    yield "Data:"
+    yield from (f"  {key} = {dumps(value)}: {whole['data_are'][key]}" for key, value in whole["data"].items())
+    yield "Conventions:"
+    yield from (f"  - {text}" for text in whole["conventions"])
+    yield "Answers, those that apply:"
+    yield from (f"  {name}: {answer['is']} ({answer['shape']})" for name, answer in whole["answers"].items())
+    yield "As JSON, with ? replaced:"
+    yield "{" + ",\n ".join(f"{dumps(name)}: {dumps(blank)}" for name, blank in whole["template"].items()) + "}"
     yield "Check an answer:"
-    yield f"  chasles practice {exercise.number} --seed {seed} --check answer.json"
+    yield f"  chasles practice {whole['exercise']} --seed {task.seed} --check answer.json"
 
 
 def _marks(marks: Grade) -> Iterator[str]:
-    for word, names in (("right", marks.right), ("wrong", marks.wrong), ("missing", marks.missing)):
-        if names:
+    for word in ("right", "wrong", "undecided", "missing"):
+        if names := getattr(marks, word):
             yield f"{word}: {', '.join(names)}"
+    if not marks.passed:
+        yield f"score: {marks.score:.0%}"
     yield from (f"not satisfied: {says}" for says in marks.violated)

@@ -19,8 +19,9 @@ __all__ = ["command"]
 @click.argument("exercise", metavar="EX", shell_complete=completing.exercises)
 @click.option("--data", type=click.Path(path_type=Path), metavar="FILE", help="JSON with other data; '-' reads them.")
 @click.option("--html", type=click.Path(path_type=Path), metavar="FILE", help="Write a page with formulas and picture.")
+@click.option("--hint", type=click.IntRange(1), metavar="N", help="Say the first N steps, without their values.")
 @as_data
-def command(exercise: str, data: Path | None, html: Path | None, json: bool) -> None:
+def command(exercise: str, data: Path | None, html: Path | None, hint: int | None, json: bool) -> None:
     """Work an exercise of Section 3.9 for the book's data or for others, step by step, exactly.
 
     Data that contradict themselves are answered as such and are no error. Data that are malformed are: exit status 2.
@@ -30,7 +31,7 @@ def command(exercise: str, data: Path | None, html: Path | None, json: bool) -> 
     from chasles.proof.decision import DoesNotStand
     from chasles.report.records import as_json
     from chasles.report.screen import Screen
-    from chasles.report.worked_page import worked_page
+    from chasles.report.worked_page import hints_page, worked_page
     from chasles.statements.exercises import UnknownExercise
 
     only_of_the_book("the exercises")
@@ -45,7 +46,11 @@ def command(exercise: str, data: Path | None, html: Path | None, json: bool) -> 
         from chasles.exact.sheet_html import as_page
 
         write_whole(html, as_page(solution))
-    if json:
+    if hint is not None and json:
+        click.echo(as_json({"exercise": solution.exercise, "hints": solution.hints[:hint], "of": len(solution.hints)}))
+    elif hint is not None:
+        Screen().show(*hints_page(solution, hint))
+    elif json:
         click.echo(as_json(solution.as_data()))
     elif html is None:
         screen = Screen()
