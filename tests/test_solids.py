@@ -12,8 +12,9 @@ import trimesh
 
 from chasles.exact.bodies import cut_prism, joined, point_masses, regular_hexagon, whole_prism
 from chasles.exact.fields import Case, Field
+from chasles.exact.grammar import read_number
 from chasles.exact.moments import Moments
-from chasles.exact.numbers import NotDecided
+from chasles.exact.numbers import NotDecided, is_zero
 from chasles.exact.outlines import prism_edges, section_of
 from chasles.exact.polygons import twice_the_area
 from chasles.exact.solids import Plane, Solid, prism
@@ -224,8 +225,22 @@ def test_nested_roots_and_what_is_no_root() -> None:
     parts = cut_prism(regular_hexagon(side), sp.sqrt(5), sp.Matrix([1, sp.sqrt(7), 2]), sp.Integer(1))
     assert joined(*parts) == whole
     assert sp.simplify(whole.mass - 3 * sp.sqrt(15) / 2 * side**2) == 0
-    with pytest.raises(NotDecided, match="pi is not made by square roots"):
-        whole_prism(regular_hexagon(sp.Integer(1)), sp.pi)
+
+
+@pytest.mark.parametrize("height", ["pi", "cot(pi/9)", "sqrt(3)*cot(pi/9)", "pi*cot(1)", "cos(1)", "sqrt(pi)"])
+def test_a_height_that_square_roots_do_not_make(height: str) -> None:
+    high = read_number(height)
+    whole = whole_prism(regular_hexagon(sp.Integer(2)), high)
+    below, above = cut_prism(regular_hexagon(sp.Integer(2)), high, sp.Matrix([0, 0, 1]), high / 3)
+    assert joined(below, above) == whole
+    assert is_zero(whole.mass - 6 * sp.sqrt(3) * high)
+    assert is_zero(3 * below.mass - whole.mass)
+    assert is_zero(below.first[2] - high * whole.mass / 18)
+
+
+def test_sines_beside_cosines_are_declined() -> None:
+    with pytest.raises(NotDecided, match="sines and cosines that are no square roots"):
+        whole_prism(regular_hexagon(sp.sin(1)), sp.cos(1))
 
 
 def test_points_at_the_corners_of_a_cube() -> None:

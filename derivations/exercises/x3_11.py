@@ -11,11 +11,11 @@ from chasles.derivations.s08_dynamics import (
 
 from chasles.exact.bodies import Body, regular_hexagon, whole_prism
 from chasles.exact.draw import Draw
-from chasles.exact.evaluate import Value
+from chasles.exact.evaluate import Value, matrix_of
 from chasles.exact.outlines import prism_edges
 from chasles.exact.picture import Arrow, Picture, Point
 from chasles.exact.picture import Body as Drawn
-from chasles.exact.principal_axes import CHOICE_OF_AXES, columns_of, in_axes, principal_axes
+from chasles.exact.principal_axes import CHOICE_OF_AXES, columns_of, principal_axes, product
 from chasles.exact.sheet import Sheet
 from chasles.exact.spectra import diagonal, each_eigenvalue, eigenvalues
 from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, matrix_shape, vector_shape
@@ -46,7 +46,8 @@ def mass_properties(sheet: Sheet, body: Body, whose: str) -> None:
 def principal(sheet: Sheet, whose: str) -> tuple[Value, Value, Value]:
     """Principal moments (ascending), squares of the radii of gyration, and axes (rows), of what is bound."""
     matrix, total = sheet.values[I_C], sheet.values[m]
-    moments, radii = each_eigenvalue(matrix), each_eigenvalue(sheet.value(I_C / m))
+    moments = each_eigenvalue(matrix)
+    radii = matrix_of(moments / total)
     axes = principal_axes(matrix)
     distinct = len(eigenvalues(matrix))
     freedom = {
@@ -61,9 +62,9 @@ def principal(sheet: Sheet, whose: str) -> tuple[Value, Value, Value]:
         ("axes", axes),
         ("k squared", radii),
     )
-    sheet.check((in_axes(matrix, axes), diagonal(moments)), f"In its axes, the matrix of {whose} is diagonal.")
-    sheet.check((in_axes(sheet.value(one), axes), sheet.value(one)), f"The axes of {whose} are orthonormal.")
-    sheet.check((diagonal(radii), diagonal(moments) / total), "The radii of gyration belong to these moments.")
+    left = matrix_of(matrix * axes.T - axes.T * diagonal(moments))
+    sheet.check((left, 0 * left), f"I e less its moment times e vanishes for each axis e of {whose}.")
+    sheet.check((product(axes, axes.T), sheet.value(one)), f"The axes of {whose} are orthonormal.")
     return moments, radii, axes
 
 

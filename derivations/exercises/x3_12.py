@@ -7,7 +7,7 @@ from chasles.derivations.s08_dynamics import inertia_about_point
 from chasles.exact.bodies import (
     Body,
     cotangent_of_degrees,
-    cut_prism,
+    cut_hexagonal_prism,
     joined,
     regular_hexagon,
     tangent_of_double_angle,
@@ -33,7 +33,7 @@ def solve(sheet: Sheet) -> str:
     side, height = sheet["side"], sheet["height"]
     slope, upward, offset = cutting_plane(sheet)
     corners = regular_hexagon(side)
-    whole, (wedge, rest) = whole_prism(corners, height), cut_prism(corners, height, upward, offset)
+    whole, (wedge, rest) = whole_prism(corners, height), cut_hexagonal_prism(side, height, slope)
     through_top = compare(2 * slope * corners[1][1], height) > 0
     sheet.step(
         f"The plane leaves the prism through {'its top' if through_top else 'the far side'}: its height there, "

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import math
+from itertools import pairwise
 from random import Random
 
+import numpy as np
 import pytest
 import sympy as sp
 
 from chasles.exact.data import DataError
-from chasles.exact.numbers import is_zero
+from chasles.exact.numbers import decimals, is_zero
 from chasles.exact.solving import solve
 
-from .known import same
+from .known import number, same
 
 ROOT_3 = sp.sqrt(3)
 
@@ -47,9 +50,12 @@ def test_a_malformed_prism(data: dict) -> None:
         solve("3.11", **data)
 
 
-def test_a_prism_of_transcendental_size_is_declined() -> None:
-    with pytest.raises(DataError, match="pi is not made by square roots"):
-        solve("3.11", side="pi")
+@pytest.mark.parametrize("side", ["pi", "cot(pi/9)", "cos(1)", "tan(1)", "sqrt(pi)"])
+def test_a_prism_of_any_size(side: str) -> None:
+    answers, a = solve("3.11", side=side, height=1).answers, number(side)
+    assert same(answers["V"], 3 * ROOT_3 / 2 * a**2)
+    along, across = 5 * a**2 / 12, 5 * a**2 / 24 + sp.Rational(1, 12)
+    assert same(answers["k2"], sp.Matrix(sorted((along, across, across), key=float)))
 
 
 def slope(degrees: object) -> sp.Expr:
@@ -117,9 +123,61 @@ def test_a_plane_that_does_not_cut(degrees: object) -> None:
         solve("3.12", angle_deg=degrees)
 
 
-def test_an_angle_that_square_roots_do_not_express_is_declined() -> None:
-    with pytest.raises(DataError, match="not made by square roots"):
-        solve("3.12", angle_deg=20)
+ANGLES = ("20", "70", "40", "80", "33.3", "89.999", "0.001", "1", "7", "0.000000001", "89.999999999", "sqrt(2)", "10",
+          "180/pi", "60/pi", "60*sqrt(2)", "50", "65", "85/3", "36", "72", "54", "15", "75", "22.5", "3")  # fmt: skip
+
+
+def by_quadrature(side: float, height: float, rise: float) -> tuple[float, list[float]]:
+    """Volume of the wedge, and the squares of its radii of gyration: Gauss's rule over Y, exact between the kinks."""
+    half = np.sqrt(3) / 2 * side
+    kinks = sorted({-half, 0.0, half, min(half, height / rise - half)})
+    nodes, weights = np.polynomial.legendre.leggauss(8)
+    total = np.zeros(7)
+    for low, high in pairwise(kinks):
+        y = (low + high) / 2 + (high - low) / 2 * nodes
+        across, up = side - abs(y) / np.sqrt(3), np.minimum(rise * (y + half), height)
+        area = 2 * across * up
+        terms = (area, area * y, area * up / 2, area * across**2 / 3, area * y**2, area * up**2 / 3, area * y * up / 2)
+        sums = [(high - low) / 2 * float(weights @ term) for term in terms]
+        total = total + sums
+    volume, y, z = total[:3]
+    xx, yy, zz, yz = total[3:] / volume - np.array([0, (y / volume) ** 2, (z / volume) ** 2, y * z / volume**2])
+    inertia = [[yy + zz, 0, 0], [0, xx + zz, -yz], [0, -yz, xx + yy]]
+    return float(volume), list(np.linalg.eigvalsh(inertia))
+
+
+@pytest.mark.sampled(2)
+@pytest.mark.parametrize("degrees", ANGLES)
+def test_every_angle(degrees: str) -> None:
+    answers = solve("3.12", angle_deg=degrees).answers
+    angle = number(degrees)
+    # Each near the end where it is exact to the last digit of a double.
+    rise = 1 / math.tan(math.radians(angle)) if angle < 45 else math.tan(math.radians(90 - angle))
+    volume, radii = by_quadrature(25, 150, rise)
+    assert [float(decimals(x)) for x in answers["wedge.k2"]] == pytest.approx(radii, rel=1e-8)
+    assert float(decimals(answers["wedge.V"])) == pytest.approx(volume, rel=1e-9)
+    whole = sp.Rational(3, 2) * ROOT_3 * 25**2 * 150
+    assert is_zero(answers["wedge.V"] + answers["rest.V"] - whole)
+    for name in ("wedge", "rest"):
+        inertia, tangent = answers[f"{name}.I_C_over_rho"], answers[f"{name}.tan_2theta"]
+        assert is_zero(tangent * (inertia[1, 1] - inertia[2, 2]) - 2 * inertia[1, 2])
+    # What is printed is read again as the same numbers.
+    printed = solve("3.12", angle_deg=degrees).as_data()["answers"]
+    assert is_zero(number(printed["rest.V"]) - answers["rest.V"])
+
+
+def test_a_wedge_in_cotangents() -> None:
+    """At 20 degrees: the formulas of a wedge below the top, in the cotangent itself."""
+    answers = solve("3.12", side=1, height=10, angle_deg=20).as_data()["answers"]
+    assert answers["wedge.V"] == "9*cot(pi/9)/4"
+    assert answers["wedge.centroid"] == ["0", "5*sqrt(3)/36", "23*sqrt(3)*cot(pi/9)/72"]
+
+
+def test_the_plane_through_the_upper_edge() -> None:
+    """The height of the far edge, in cotangents: neither below the top nor above it."""
+    solution = solve("3.12", side=1, height="sqrt(3)*cot(pi/9)", angle_deg=20)
+    assert any("leaves the prism through the far side" in step.says for step in solution.steps)
+    assert same(solution.answers["rest.V"], solution.answers["wedge.V"])
 
 
 def test_a_drawn_section_is_on_the_plane_and_in_order() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import chain
 from typing import Any
 
 import sympy as sp
@@ -17,6 +18,7 @@ from chasles.exact.surds import SurdField
 __all__ = [
     "Body",
     "cotangent_of_degrees",
+    "cut_hexagonal_prism",
     "cut_prism",
     "joined",
     "point_masses",
@@ -39,6 +41,16 @@ class Body:
         """The integral of |x|^2 1 - x x^T about the origin."""
         return _inertia(self.second)
 
+    def stretched(self, *factors: Any) -> Body:
+        """The body with its coordinates multiplied by positive factors, one for each axis."""
+        scale = sp.diag(*factors)
+        size = sp.prod(factors)
+        return Body(
+            normal(size * self.mass),
+            matrix_of(size * scale * self.first),
+            matrix_of(size * scale * self.second * scale),
+        )
+
     @property
     def centroidal_inertia(self) -> Any:
         """The same about the center of mass."""
@@ -57,18 +69,30 @@ def whole_prism(polygon: Sequence[Any], height: Any) -> Body:
     Raises ValueError for a polygon that is not simple and a height that is not positive, NotDecided for coordinates
     that square roots do not express.
     """
-    field = SurdField()
+    field = SurdField(height, *chain(*polygon))
     corners = [tuple(map(field, corner)) for corner in polygon]
     return _body(field, prism(corners, field(height), field.sign).moments())
 
 
 def cut_prism(polygon: Sequence[Any], height: Any, normal_of_plane: Any, offset: Any) -> tuple[Body, Body]:
     """The parts of the prism with normal . x below the offset and above it; raises as `whole_prism` does."""
-    field = SurdField()
+    field = SurdField(height, offset, *normal_of_plane, *chain(*polygon))
     corners = [tuple(map(field, corner)) for corner in polygon]
     plane = Plane(tuple(map(field, normal_of_plane)), field(offset))
     below, above = prism(corners, field(height), field.sign).cut(plane, field.sign)
     return _body(field, below), _body(field, above)
+
+
+def cut_hexagonal_prism(side: Any, height: Any, slope: Any) -> tuple[Body, Body]:
+    """The parts of the prism over the regular hexagon below and above the plane Z = slope (Y + (sqrt(3)/2) side).
+
+    They are those of a prism with corners at integers, stretched, where one number tells how steep the plane is.
+    """
+    hexagon = [column_of(*corner) for corner in ((2, 0), (1, 1), (-1, 1), (-2, 0), (-1, -1), (1, -1))]
+    steep = normal(sp.sqrt(3) * slope * side / (2 * height))
+    parts = cut_prism(hexagon, sp.Integer(1), column_of(0, -steep, 1), steep)
+    below, above = (part.stretched(side / 2, sp.sqrt(3) * side / 2, height) for part in parts)
+    return below, above
 
 
 def point_masses(mass: Any, points: Sequence[Any]) -> Body:
@@ -86,9 +110,9 @@ def joined(one: Body, other: Body) -> Body:
 def cotangent_of_degrees(angle: Any) -> Any:
     """The cotangent of an angle given in degrees, between 0 and 90.
 
-    Square roots express it for multiples of 3 degrees, and whenever those of the tangent do.
+    Square roots express it for multiples of 3 degrees, and whenever those of the tangent do; else it stays as it is.
     """
-    return normal(1 / sp.tan(normal(angle * sp.pi / 180)))
+    return normal(sp.cot(normal(angle * sp.pi / 180)))
 
 
 def tangent_of_double_angle(inertia: Any) -> Any:

@@ -33,6 +33,7 @@ from sympy import (
 )
 from sympy.polys.domains import QQ
 
+from chasles.exact.enclosures import sign_by_enclosure
 from chasles.exact.moments import Number
 from chasles.exact.numbers import NotDecided
 
@@ -41,6 +42,7 @@ __all__ = ["Case", "Field", "sign_of"]
 MOST_TURNS = 24
 """Sines of larger denominators than pi / MOST_TURNS are independent elements: their degree as roots is too large."""
 MOST_DIGITS = 480
+MOST_BITS = 4096
 
 
 class Field:
@@ -132,8 +134,11 @@ class Case:
 
 def sign_of(value: Expr) -> int:
     """The sign of a real number that is not zero; raises NotDecided if it is too close to zero to be told from it."""
+    if found := sign_by_enclosure(value, MOST_BITS):
+        return found
     digits = 30
-    while digits <= MOST_DIGITS:
+    # SymPy's decimals of a cotangent near a right angle are not what they say.
+    while not value.has(cot) and digits <= MOST_DIGITS:
         decimal = value.evalf(digits, maxn=20 * digits)
         if not decimal.is_Number:
             raise NotDecided(f"{value} is no real number")

@@ -16,10 +16,11 @@ import sympy as sp
 from mpmath.libmp import to_rational
 
 from chasles.exact.circular import without_squares
-from chasles.exact.enclosures import enclosed, sign_by_enclosure
+from chasles.exact.enclosures import enclosed, is_bounded, sign_by_enclosure
+from chasles.exact.grounds import NotDecided, RationalFunctions
 from chasles.exact.independent import vanishes
 from chasles.exact.separation import NotAlgebraic, is_algebraic_zero
-from chasles.exact.square_roots import NotInTower, in_tower, is_surd, spelled
+from chasles.exact.square_roots import NotInTower, has_roots_of_atoms, in_tower, independent_atoms, is_surd, spelled
 from chasles.exact.tower import NegativeRadicand, Tower
 
 __all__ = ["NotDecided", "angle", "compare", "decimals", "is_zero", "normal", "root", "sign"]
@@ -32,16 +33,16 @@ LARGEST_TURN = 1000
 """Denominators of multiples of pi that an angle is compared with."""
 
 
+_forms: set[Any] = set()
+"""Normal forms that take long to find: each is its own."""
+MOST_FORMS = 2_000
+
 _QUOTIENTS = {
     sp.tan: lambda x: sp.sin(x) / sp.cos(x),
     sp.cot: lambda x: sp.cos(x) / sp.sin(x),
     sp.sec: lambda x: 1 / sp.cos(x),
     sp.csc: lambda x: 1 / sp.sin(x),
 }
-
-
-class NotDecided(ArithmeticError):
-    """Nothing that is known decides whether the number is zero."""
 
 
 def normal(value: Any) -> Any:
@@ -51,7 +52,7 @@ def normal(value: Any) -> Any:
     Raises ValueError for the square root of a negative number, ZeroDivisionError for a division by zero.
     """
     expression = sp.sympify(value) if isinstance(value, int | Fraction) else value
-    return expression if expression.is_Rational else _normal(expression)
+    return expression if expression.is_Rational or expression in _forms else _normal(expression)
 
 
 @lru_cache(maxsize=20_000)
@@ -62,7 +63,15 @@ def _normal(expression: Any) -> Any:
         tower = Tower()
         return spelled(tower, in_tower(tower, expression))
     except NotInTower:
+        atoms = independent_atoms(expression)
+    if atoms is None or expression.free_symbols or not has_roots_of_atoms(expression):
         return _with_atoms(expression)
+    tower = Tower(RationalFunctions(atoms))
+    found = spelled(tower, in_tower(tower, expression))
+    if len(_forms) == MOST_FORMS:
+        _forms.clear()
+    _forms.add(found)
+    return found
 
 
 def is_zero(value: Any) -> bool:
@@ -77,6 +86,8 @@ def is_zero(value: Any) -> bool:
 def _number_is_zero(number: Any) -> bool:
     if sign_by_enclosure(number, FEW_BITS):
         return False
+    if has_roots_of_atoms(number) and normal(number) == 0:
+        return True
     try:
         found = is_algebraic_zero(number)
     except NotAlgebraic:
@@ -127,8 +138,18 @@ def angle(cosine: Any, sine: Any) -> Any:
 
 
 def decimals(value: Any, digits: int = 10) -> str:
-    """The number in decimals, to that many significant digits."""
-    return str(sp.N(normal(value), digits))
+    """The number in decimals, to that many significant digits: both ends of an enclosure are rounded to them."""
+    expression = normal(value)
+    bits = 4 * digits + 64
+    while bits <= MOST_BITS and is_bounded(expression):
+        ends = {str(sp.Float(sp.Rational(*to_rational(end)), digits)) for end in enclosed(expression, bits)._mpi_}
+        if len(ends) == 1:
+            return ends.pop()
+        bits *= 2
+    if expression.has(sp.cot):
+        # Near a right angle SymPy's decimals of it are not what they say.
+        raise NotDecided(f"nothing tells {digits} digits of {expression}")
+    return str(sp.N(expression, digits))
 
 
 def _multiple_of_pi(cosine: Any) -> Any:

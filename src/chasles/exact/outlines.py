@@ -10,7 +10,7 @@ import mpmath
 import sympy as sp
 
 from chasles.exact.evaluate import matrix_of
-from chasles.exact.numbers import normal, sign
+from chasles.exact.numbers import decimals, normal, sign
 
 __all__ = ["axes_to_draw", "prism_edges", "section_of"]
 
@@ -41,7 +41,7 @@ def section_of(edges: Sequence[Edge], normal_of_plane: Any, offset: Any) -> tupl
 
 def axes_to_draw(matrix: Any) -> tuple[Any, ...]:
     """Unit eigenvectors of a symmetric 3 x 3 matrix in decimals, by ascending eigenvalue: drawn, and nothing else."""
-    _, vectors = mpmath.eigsy(mpmath.matrix([[mpmath.mpf(str(sp.N(x, 20))) for x in row] for row in matrix.tolist()]))
+    _, vectors = mpmath.eigsy(mpmath.matrix([[mpmath.mpf(decimals(x, 20)) for x in row] for row in matrix.tolist()]))
     columns = [[sp.Rational(float(vectors[i, j])) for i in range(3)] for j in range(3)]
     return tuple(sp.ImmutableMatrix(column) * (1 if _first(column) > 0 else -1) for column in columns)
 
@@ -51,14 +51,9 @@ def _first(column: list[Any]) -> Any:
 
 
 def _angle(point: Any, corners: Sequence[Any], normal_of_plane: Any) -> float:
-    """The direction of a corner as seen from the middle, in the plane; it only orders corners, to be drawn."""
-    middle = sum(corners[1:], corners[0]) / len(corners)
-    across = corners[0] - middle
-    upward = normal_of_plane.cross(across)
-    return atan2(
-        float((upward.T * (point - middle))[0, 0]), float((across.T * (point - middle))[0, 0]) * _size(upward, across)
-    )
-
-
-def _size(one: Any, other: Any) -> float:
-    return float(one.norm()) / float(other.norm())
+    """The direction of a corner as seen from the middle, in the plane; in decimals, as it only orders corners."""
+    near = [sp.Matrix([float(decimals(x, 15)) for x in corner]) for corner in (*corners, point, normal_of_plane)]
+    middle = sum(near[1:-2], near[0]) / len(corners)
+    across, beside = near[0] - middle, near[-2] - middle
+    upward = near[-1].cross(across)
+    return atan2(upward.dot(beside) / upward.norm(), across.dot(beside) / across.norm())

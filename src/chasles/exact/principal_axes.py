@@ -16,8 +16,8 @@ from sympy.polys.matrices import DomainMatrix
 
 from chasles.exact.fields import Field, sign_of
 from chasles.exact.numbers import is_zero, normal, root, sign
-from chasles.exact.roots import Root, X, place_of
-from chasles.exact.spectra import characteristic, eigenvalues
+from chasles.exact.roots import Root, X, merged, place_of, same_number
+from chasles.exact.spectra import characteristic, eigenvalues_by_block
 
 __all__ = ["CHOICE_OF_AXES", "columns_of", "in_axes", "principal_axes", "product"]
 
@@ -33,25 +33,35 @@ def principal_axes(matrix: Any) -> Any:
 
     `matrix` is symmetric, 3 x 3, of exact numbers.
     """
-    found = eigenvalues(matrix)
+    blocks = eigenvalues_by_block(matrix)
+    found = merged([one for _, values in blocks for one in values])
     if isinstance(found[0][0], Root):
         rows = [_row_at_root(matrix, value) for value, _ in found]
     else:
-        rows = [row for value, _ in found for row in _rows(_projector(matrix, value, [v for v, _ in found]))]
+        rows = [row for value, _ in found for row in _rows(_projector(matrix, value, blocks))]
     decimals = sp.Matrix([[_expression(entry) for entry in row] for row in rows])
     if sign_of(decimals.det(method="berkowitz")) < 0:
         rows[2] = [_negative(entry) for entry in rows[2]]
     return rows if isinstance(found[0][0], Root) else sp.ImmutableMatrix(rows)
 
 
-def _projector(matrix: Any, value: Any, values: list[Any]) -> Any:
-    """The projector onto an eigenspace: the product of (matrix - other) / (value - other) over the others."""
-    one = sp.eye(3)
-    found = one
-    for other in values:
-        if other is not value:
-            found = product(found, matrix - other * one) / (value - other)
-    return found.applyfunc(normal)
+def _projector(matrix: Any, value: Any, blocks: list[tuple[list[int], list[tuple[Any, int]]]]) -> Any:
+    """The projector onto an eigenspace, block by block.
+
+    In a block with that eigenvalue it is the product of (block - other) / (value - other) over the others.
+    """
+    whole = sp.zeros(matrix.rows, matrix.rows)
+    for places, values in blocks:
+        if not any(same_number(other, value) for other, _ in values):
+            continue
+        block = matrix.extract(places, places)
+        one = found = sp.eye(len(places))
+        for other in (other for other, _ in values if not same_number(other, value)):
+            found = product(found, block - other * one) / (value - other)
+        for i, row in enumerate(places):
+            for j, column in enumerate(places):
+                whole[row, column] = normal(found[i, j])
+    return whole
 
 
 def _rows(projector: Any) -> list[list[Any]]:
@@ -62,7 +72,11 @@ def _rows(projector: Any) -> list[list[Any]]:
             continue
         column = projector[:, j]
         # Each entry by itself as a signed root, which is short where entry / length is not.
-        rows.append([sign(entry) * root(entry**2 / projector[j, j]) for entry in column])
+        is_last = is_zero(projector.trace() - 1)
+        squares = projector.diagonal() if is_last else [entry**2 / projector[j, j] for entry in column]
+        rows.append([sign(entry) * root(square) for entry, square in zip(column, squares, strict=True)])
+        if is_last:
+            break
         projector = (projector - column * column.T / projector[j, j]).applyfunc(normal)
     return rows
 

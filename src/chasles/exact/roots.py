@@ -17,6 +17,7 @@ from sympy import CRootOf, Poly, Symbol, latex
 
 from chasles.exact.fields import Field, sign_of
 from chasles.exact.numbers import NotDecided, is_zero, normal, root
+from chasles.exact.square_roots import independent_atoms
 
 __all__ = ["Root", "merged", "place_of", "real_roots", "remainders", "same_number"]
 
@@ -87,8 +88,8 @@ def _order(one: tuple[Any, int], other: tuple[Any, int]) -> int:
 def _of_low_degree(*rest: Any) -> list[Any]:
     if len(rest) == 1:
         return [normal(-rest[0])]
-    if strangers := [c for c in rest if c.has(sp.Function)]:
-        raise NotDecided(f"square roots of sines, as in that of {strangers[0]}, are not told apart")
+    if independent_atoms(*rest) is None:
+        raise NotDecided(f"square roots of sines, as in that of {rest[-1]}, are not told apart")
     return _of_quadratic(*rest)
 
 

@@ -6,6 +6,7 @@ an equality where all roots are real) or from minors: no decimal decides anythin
 
 from __future__ import annotations
 
+from functools import lru_cache
 from itertools import chain, pairwise
 from typing import Any
 
@@ -22,6 +23,7 @@ __all__ = [
     "diagonal",
     "each_eigenvalue",
     "eigenvalues",
+    "eigenvalues_by_block",
     "is_positive_definite",
     "leading_minors",
     "residues_of",
@@ -46,10 +48,18 @@ def eigenvalues(matrix: Any) -> list[tuple[Any, int]]:
 
     A matrix that falls into blocks has the eigenvalues of these.
     """
-    found: list[tuple[Any, int]] = []
-    for places in blocks_of(matrix):
-        found += real_roots(characteristic(matrix.extract(places, places)))
-    return merged(found)
+    return merged([one for _, found in eigenvalues_by_block(matrix) for one in found])
+
+
+def eigenvalues_by_block(matrix: Any) -> list[tuple[list[int], list[tuple[Any, int]]]]:
+    """The rows of each block of a symmetric matrix, and the block's distinct eigenvalues with multiplicities."""
+    return _by_block(sp.ImmutableMatrix(matrix))
+
+
+@lru_cache(maxsize=50)
+def _by_block(matrix: Any) -> list[tuple[list[int], list[tuple[Any, int]]]]:
+    blocks = ((places, matrix.extract(places, places)) for places in blocks_of(matrix))
+    return [(places, real_roots(characteristic(block))) for places, block in blocks]
 
 
 def blocks_of(matrix: Any) -> list[list[int]]:

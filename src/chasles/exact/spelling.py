@@ -41,6 +41,10 @@ class _Printer(StrPrinter):  # type: ignore[misc]
             inside = f"sqrt({inside})"
         return inside if expr.exp.p == 1 else f"{inside}**{expr.exp.p}"
 
+    def _as_ordered_terms(self, expr: Any, order: str | None = None) -> list[Any]:
+        """The terms in SymPy's own order where the usual one asks for decimals of many cotangents, which takes long."""
+        return list(expr.args) if expr.has(sp.cot) else list(super()._as_ordered_terms(expr, order))
+
 
 _PRINTER = _Printer()
 
@@ -96,10 +100,12 @@ def latex_of(value: Any) -> str:
         case Spelled():
             return value.as_latex()
     if hasattr(value, "shape"):
-        return str(sp.latex(sp.Matrix(value), mat_str="bmatrix", mat_delim=""))
+        order = "none" if value.has(sp.cot) else None
+        return str(sp.latex(sp.Matrix(value), mat_str="bmatrix", mat_delim="", order=order))
     if isinstance(value, Sequence):
         return r"\left\{" + r",\; ".join(map(latex_of, value)) + r"\right\}"
-    return str(sp.latex(normal(value)))
+    number = normal(value)
+    return str(sp.latex(number, order="none" if number.has(sp.cot) else None))
 
 
 def words_in_latex(words: str) -> str:

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
+from collections.abc import Iterator
 from functools import reduce
 from typing import Any
 
 import sympy as sp
+from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
+from chasles.exact.grounds import reduced
 from chasles.exact.tower import Surd, Tower
 
-__all__ = ["NotInTower", "in_tower", "is_surd", "spelled"]
+__all__ = ["NotInTower", "has_roots_of_atoms", "in_tower", "independent_atoms", "is_surd", "spelled"]
+
+MOST_PARTS, MOST_FACTORS, FEW_FACTORS = 600, 64, 16
+"""Of a turn are taken, for sines, cosines and tangents, and for cotangents: Euler's function of these is a degree."""
 
 
 class NotInTower(ValueError):
@@ -20,22 +25,48 @@ class NotInTower(ValueError):
 def in_tower(tower: Tower, expression: Any) -> Surd:
     """The element of the tower that the number is; roots that the tower lacks are taken in. Raises NotInTower."""
     if expression.is_Rational:
-        return Fraction(int(expression.p), int(expression.q))
+        return tower.ground(expression)
     if expression.is_Add:
         return reduce(tower.add, [in_tower(tower, term) for term in expression.args])
     if expression.is_Mul:
         return reduce(tower.multiply, [in_tower(tower, factor) for factor in expression.args])
     if expression.is_Pow and expression.exp.is_Rational:
-        return _power(tower, expression.base, int(expression.exp.p), int(expression.exp.q))
-    if isinstance(expression, sp.cos | sp.sin | sp.tan) and (expression.args[0] / sp.pi).is_Rational:
-        written = expression.rewrite(sp.sqrt)
-        if not written.has(sp.cos, sp.sin, sp.tan):
-            return in_tower(tower, written)
-    if isinstance(expression, sp.cos | sp.sin | sp.tan):
-        written = sp.expand_trig(expression)
-        if written != expression:
-            return in_tower(tower, written)
+        if expression not in tower.known:
+            tower.known[expression] = _power(tower, expression.base, int(expression.exp.p), int(expression.exp.q))
+        return tower.known[expression]
+    for atom in tower.ground.atoms:
+        beside = expression / atom
+        if (beside**2).is_Rational:
+            return tower.multiply(tower.ground(atom), in_tower(tower, beside))
+    if isinstance(expression, sp.cos | sp.sin | sp.tan | sp.cot):
+        return _of_angle(tower, expression)
     raise NotInTower(expression)
+
+
+def _of_angle(tower: Tower, function: Any) -> Surd:
+    (angle,) = function.args
+    turns = angle / sp.pi
+    if isinstance(function, sp.cot) or any(atom.has(sp.cot(angle)) for atom in tower.ground.atoms):
+        if turns.is_Rational and not _is_constructible(turns, FEW_FACTORS):
+            raise NotInTower(function)
+        other = {sp.cot: sp.tan, sp.tan: sp.cot}.get(type(function), type(function))
+        return tower.inverse(in_tower(tower, other(angle)))
+    if not turns.is_Rational:
+        written = sp.expand_trig(function)
+    elif _is_constructible(turns, MOST_FACTORS):
+        written = function.rewrite(sp.sqrt)
+    else:
+        raise NotInTower(function)
+    if written.has(type(function)):
+        raise NotInTower(function)
+    return in_tower(tower, written)
+
+
+def _is_constructible(turns: Any, most: int) -> bool:
+    """Whether square roots express the cosine of that angle (Gauss), and few enough to be handled."""
+    part = int((turns / 2).q)
+    degree = int(sp.totient(part)) if part < MOST_PARTS else 0
+    return 0 < degree <= most and not degree & (degree - 1)
 
 
 def _power(tower: Tower, base: Any, above: int, below: int) -> Surd:
@@ -46,22 +77,32 @@ def _power(tower: Tower, base: Any, above: int, below: int) -> Surd:
         value, below = tower.root(value), below // 2
     if above < 0:
         value = tower.inverse(value)
-    one: Surd = Fraction(1)
-    return reduce(tower.multiply, [value] * abs(above), one)
+    if not isinstance(value, tuple):
+        return value ** abs(above)
+    return reduce(tower.multiply, [value] * abs(above), tower.ground(sp.Integer(1)))
 
 
 def spelled(tower: Tower, x: Surd) -> Any:
     """The element as SymPy spells it: one spelling for one number."""
-    if isinstance(x, Fraction):
-        return sp.Rational(x.numerator, x.denominator)
+    if not isinstance(x, tuple):
+        return tower.ground.expression(x)
     level, a, b = x
     radicand = tower.radicands[level - 1]
-    inside = sp.sqrt(spelled(tower, radicand))
-    if isinstance(radicand, Fraction):
+    if radicand not in tower.spelled:
+        tower.spelled[radicand] = spelled(tower, radicand)
+    under = tower.spelled[radicand]
+    inside = sp.sqrt(under)
+    if under.is_Rational and not tower.ground.atoms:
         return spelled(tower, a) + sp.expand_mul(spelled(tower, b) * inside)
-    above, below = spelled(tower, b), spelled(tower, tower.multiply(b, radicand))
-    # Whichever is shorter: b sqrt(r), or b r / sqrt(r).
-    shorter = above * inside if len(str(above)) <= len(str(below)) else below / inside
+    if under.is_Rational:
+        above, below = sp.fraction(spelled(tower, b))
+        return spelled(tower, a) + reduced(sp.expand_mul(above * inside), below)
+    times = tower.multiply(b, radicand)
+    square = tower.multiply(b, times)
+    length, beside = tower.length, tower.length(radicand)
+    if 2 * length(square) < min(length(b), length(times)) + beside:
+        return spelled(tower, a) + tower.sign(b) * sp.sqrt(spelled(tower, square))
+    shorter = spelled(tower, b) * inside if length(b) <= length(times) else spelled(tower, times) / inside
     return spelled(tower, a) + shorter
 
 
@@ -72,3 +113,34 @@ def is_surd(expression: Any) -> bool:
     except NotInTower:
         return False
     return True
+
+
+def independent_atoms(*values: Any) -> tuple[Any, ...] | None:
+    """The numbers of which some are made by arithmetic and square roots; None where they are related.
+
+    Sines and cosines are, by the unit circle. Between others nothing is used: only a chance equality is not seen.
+    Where the root of one integer occurs, each is taken times that root: most of what is made of them then lacks it.
+    """
+    found = {atom for value in values for atom, _ in _leaves(value)}
+    angles = [atom for atom in found if isinstance(atom, TrigonometricFunction)]
+    related = len(angles) > 1 and not all(isinstance(atom, sp.cot) for atom in angles)
+    if related:
+        return None
+    under = {int(x.base) for v in values for x in v.atoms(sp.Pow) if x.base.is_Integer and x.exp.q == 2}
+    beside = sp.sqrt(under.pop()) if len(under) == 1 else sp.Integer(1)
+    return tuple(beside * atom for atom in sorted(found, key=sp.default_sort_key))
+
+
+def has_roots_of_atoms(value: Any) -> bool:
+    """Whether it holds a cotangent, or a square root of a number, that square roots alone do not make."""
+    return any(under_root or isinstance(atom, sp.cot) for atom, under_root in _leaves(value))
+
+
+def _leaves(value: Any, under_root: bool = False) -> Iterator[tuple[Any, bool]]:
+    """What arithmetic and square roots do not take apart, and whether it stands under a root."""
+    if value.is_Add or value.is_Mul or (value.is_Pow and value.exp.is_Rational):
+        below = int(value.exp.q) if value.is_Pow else 1
+        for part in value.args[:1] if value.is_Pow else value.args:
+            yield from _leaves(part, under_root or below > 1)
+    elif not is_surd(value):
+        yield (sp.cot(value.args[0]) if isinstance(value, sp.tan) else value), under_root

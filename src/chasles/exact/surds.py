@@ -1,13 +1,14 @@
-"""Numbers that square roots express, with operators: elements of one tower of square roots."""
+"""Numbers made by square roots, and of what else there is, with operators: elements of one tower of square roots."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any
 
-from chasles.exact.numbers import NotDecided
-from chasles.exact.square_roots import NotInTower, in_tower, spelled
+import sympy as sp
+
+from chasles.exact.grounds import NotDecided, RationalFunctions
+from chasles.exact.square_roots import NotInTower, in_tower, independent_atoms, spelled
 from chasles.exact.tower import Surd, Tower
 
 __all__ = ["SurdField"]
@@ -19,7 +20,7 @@ class _Element:
     value: Surd
 
     def _other(self, other: Any) -> Surd:
-        return other.value if isinstance(other, _Element) else Fraction(other)
+        return other.value if isinstance(other, _Element) else self.tower.ground(sp.sympify(other))
 
     def __add__(self, other: Any) -> _Element:
         return _Element(self.tower, self.tower.add(self.value, self._other(other)))
@@ -41,13 +42,19 @@ class _Element:
 
 
 class SurdField:
-    """The real numbers made by square roots that were taken so far; elements have one form, and exact signs."""
+    """The real numbers made of some by square roots; elements have one form, and exact signs.
 
-    def __init__(self) -> None:
-        self.tower = Tower()
+    Raises NotDecided where sines and cosines are among the numbers that square roots do not make.
+    """
+
+    def __init__(self, *values: Any) -> None:
+        atoms = independent_atoms(*values)
+        if atoms is None:
+            raise NotDecided("sines and cosines that are no square roots are not told apart")
+        self.tower = Tower(RationalFunctions(atoms) if atoms else None)
 
     def __call__(self, value: Any) -> _Element:
-        """The element that a number stands for; NotDecided for one that square roots do not express."""
+        """The element that a number stands for; NotDecided for one that is not made of those of the field."""
         try:
             return _Element(self.tower, in_tower(self.tower, value))
         except NotInTower:

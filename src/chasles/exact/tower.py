@@ -1,20 +1,21 @@
 """Towers of real square roots: each root is of a number of the field below it, and no square there.
 
-An element is a fraction, or a + b sqrt(r) with the level of that root and b not zero, so that a number has one form
-and only zero is zero. Whether a number is a square in the field is decided by the norm, level by level; signs follow
-from a^2 - b^2 r. Nothing is rounded.
+An element is one of the ground field, or a + b sqrt(r) with the level of that root and b not zero, so that a number
+has one form and only zero is zero. Whether a number is a square in the field is decided by the norm, level by level;
+signs follow from a^2 - b^2 r. Nothing is rounded.
 """
 
 from __future__ import annotations
 
 from fractions import Fraction
-from math import gcd, isqrt, lcm
+from typing import Any
 
-from chasles.proof.squarefree import squarefree
+from chasles.exact.grounds import RationalFunctions, RationalNumbers
 
 __all__ = ["MOST_ROOTS", "NegativeRadicand", "Surd", "TooManyRoots", "Tower"]
 
-Surd = Fraction | tuple[int, "Surd", "Surd"]
+Surd = Any
+"""An element of the ground field, or (level, a, b)."""
 ZERO = Fraction(0)
 MOST_ROOTS = 8
 
@@ -28,15 +29,22 @@ class NegativeRadicand(ValueError):
 
 
 class Tower:
-    """The field of the rational numbers with the square roots that have been taken so far."""
+    """The rational numbers, or another ground field, with the square roots that have been taken so far."""
 
-    def __init__(self) -> None:
+    def __init__(self, ground: RationalNumbers | RationalFunctions | None = None) -> None:
+        self.ground = ground or RationalNumbers()
         self.radicands: list[Surd] = []
         """The radicand of level k + 1 in place k."""
+        self.known: dict[Any, Surd] = {}
+        """Powers, as SymPy spells them, that were read before."""
+        self.spelled: dict[Surd, Any] = {}
+        """Radicands as SymPy spells them."""
 
     def add(self, x: Surd, y: Surd) -> Surd:
         """The sum."""
-        if isinstance(x, Fraction) and isinstance(y, Fraction):
+        if x == ZERO or y == ZERO:
+            return y if x == ZERO else x
+        if not isinstance(x, tuple) and not isinstance(y, tuple):
             return x + y
         level = max(_level(x), _level(y))
         (a, b), (c, d) = _split(x, level), _split(y, level)
@@ -44,7 +52,7 @@ class Tower:
 
     def multiply(self, x: Surd, y: Surd) -> Surd:
         """The product."""
-        if isinstance(x, Fraction) and isinstance(y, Fraction):
+        if not isinstance(x, tuple) and not isinstance(y, tuple):
             return x * y
         level = max(_level(x), _level(y))
         (a, b), (c, d) = _split(x, level), _split(y, level)
@@ -56,11 +64,11 @@ class Tower:
 
     def negative(self, x: Surd) -> Surd:
         """The number with the other sign."""
-        return self.multiply(Fraction(-1), x)
+        return (x[0], self.negative(x[1]), self.negative(x[2])) if isinstance(x, tuple) else -x
 
     def inverse(self, x: Surd) -> Surd:
         """One over the number; raises ZeroDivisionError for zero."""
-        if isinstance(x, Fraction):
+        if not isinstance(x, tuple):
             return 1 / x
         level, a, b = x
         below = self.inverse(self._norm(a, b, level))
@@ -68,13 +76,17 @@ class Tower:
 
     def sign(self, x: Surd) -> int:
         """1, 0 or -1."""
-        if isinstance(x, Fraction):
-            return (x > 0) - (x < 0)
+        if not isinstance(x, tuple):
+            return self.ground.sign(x)
         level, a, b = x
         one, other = self.sign(a), self.sign(b)
         if one * other >= 0:
             return one or other
         return one * self.sign(self._norm(a, b, level))
+
+    def length(self, x: Surd) -> int:
+        """About how long the element is when it is written."""
+        return sum(map(self.ground.length, _coefficients(x)))
 
     def root(self, x: Surd) -> Surd:
         """The square root that is not negative, taken into the field if it is not there yet.
@@ -89,21 +101,21 @@ class Tower:
         if found is None and len(self.radicands) == MOST_ROOTS:
             raise TooManyRoots(f"a number has more than {MOST_ROOTS} independent square roots")
         if found is None:
-            outside, inside = _without_squares(x)
-            self.radicands.append(inside)
+            outside = self.ground.square_within(_coefficients(x))
+            self.radicands.append(_scaled(x, 1 / outside**2))
             found = _made(len(self.radicands), ZERO, outside)
         return found if self.sign(found) >= 0 else self.negative(found)
 
     def _take_parts(self, x: Surd) -> bool:
         """Take in the roots of which sqrt(a + b sqrt(r)) is the sum, if a^2 - b^2 r is a square."""
-        if isinstance(x, Fraction):
+        if not isinstance(x, tuple):
             return False
         level, a, b = x
         norm = self._root_within(self._norm(a, b, level), level - 1)
         if norm is None:
             return False
         norm = norm if self.sign(norm) >= 0 else self.negative(norm)
-        self.root(self.multiply(Fraction(1, 2), self.add(a, norm)))
+        self.root(_scaled(self.add(a, norm), Fraction(1, 2)))
         return True
 
     def _root_within(self, x: Surd, level: int) -> Surd | None:
@@ -111,7 +123,7 @@ class Tower:
         if x == ZERO:
             return ZERO
         if level == 0:
-            return _root_of_fraction(x) if isinstance(x, Fraction) else None
+            return None if isinstance(x, tuple) else self.ground.root(x)
         a, b = _split(x, level)
         if b == ZERO:
             inside = self._root_within(a, level - 1)
@@ -123,9 +135,9 @@ class Tower:
         if norm is None:
             return None
         for other in (norm, self.negative(norm)):
-            half = self._root_within(self.multiply(Fraction(1, 2), self.add(a, other)), level - 1)
+            half = self._root_within(_scaled(self.add(a, other), Fraction(1, 2)), level - 1)
             if half is not None and half != ZERO:
-                return _made(level, half, self.multiply(b, self.inverse(self.multiply(Fraction(2), half))))
+                return _made(level, half, _scaled(self.multiply(b, self.inverse(half)), Fraction(1, 2)))
         return None
 
     def _norm(self, a: Surd, b: Surd, level: int) -> Surd:
@@ -144,37 +156,21 @@ class Tower:
 
 
 def _level(x: Surd) -> int:
-    return 0 if isinstance(x, Fraction) else x[0]
+    return x[0] if isinstance(x, tuple) else 0
 
 
 def _split(x: Surd, level: int) -> tuple[Surd, Surd]:
-    return (x[1], x[2]) if not isinstance(x, Fraction) and x[0] == level else (x, ZERO)
+    return (x[1], x[2]) if isinstance(x, tuple) and x[0] == level else (x, ZERO)
 
 
 def _made(level: int, a: Surd, b: Surd) -> Surd:
     return a if b == ZERO else (level, a, b)
 
 
-def _root_of_fraction(x: Fraction) -> Fraction | None:
-    if x < 0:
-        return None
-    above, below = isqrt(x.numerator), isqrt(x.denominator)
-    return Fraction(above, below) if above**2 == x.numerator and below**2 == x.denominator else None
+def _coefficients(x: Surd) -> list[Any]:
+    """The elements of the ground field that are not zero."""
+    return _coefficients(x[1]) + _coefficients(x[2]) if isinstance(x, tuple) else [x] if x else []
 
 
-def _without_squares(x: Surd) -> tuple[Fraction, Surd]:
-    """The number as q^2 times an integral one, by q and the latter; rational squares are taken out."""
-    coefficients = list(_coefficients(x))
-    below = lcm(*(c.denominator for c in coefficients))
-    content = gcd(*(c.numerator * (below // c.denominator) for c in coefficients)) * below
-    parts = squarefree(content)
-    square = 1 if parts is None else parts[0]
-    return Fraction(square, below), _scaled(x, Fraction(below, square) ** 2)
-
-
-def _coefficients(x: Surd) -> list[Fraction]:
-    return [x] if isinstance(x, Fraction) else _coefficients(x[1]) + _coefficients(x[2])
-
-
-def _scaled(x: Surd, factor: Fraction) -> Surd:
-    return x * factor if isinstance(x, Fraction) else (x[0], _scaled(x[1], factor), _scaled(x[2], factor))
+def _scaled(x: Surd, factor: Any) -> Surd:
+    return (x[0], _scaled(x[1], factor), _scaled(x[2], factor)) if isinstance(x, tuple) else x * factor
