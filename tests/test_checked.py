@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from scipy.spatial.transform import Rotation
 
 from chasles import checked, kernels
 from chasles.checked.hypotheses import TESTS
+from chasles.kernels import written_out
 from chasles.proof.judge import Judge
 from chasles.statements import load
 from chasles.targets.commission import kernel_of
@@ -252,3 +254,20 @@ def test_all_kinds_have_a_test() -> None:
     assert {*TESTS} | {"nonzero"} == {*TESTED}
     with pytest.raises(ValueError, match="no test of arguments knows the hypothesis 'half_turn'"):
         Demand("half_turn", "Q is a half-turn", ("Q",))
+
+
+MASKED = np.ma.array([[0, 0, 1.0], [0, 1.0, 0]], mask=[[0, 0, 0], [0, 1, 0]])
+
+
+@pytest.mark.parametrize("inputs", [(MASKED, 0.5), (MASKED[0], 0.5), ([0, 0, 1.0], np.ma.array([0.5]))])
+@pytest.mark.parametrize("module", [kernels, checked, written_out()])
+def test_masked_arrays_are_refused(module: Any, inputs: tuple[Any, ...]) -> None:
+    """NumPy would give the rotations the masks of the axes."""
+    with pytest.raises(ValueError, match=r"rotation_from_axis_angle: (e|phi) is a masked array: hand over its numbers"):
+        module.rotation_from_axis_angle(*inputs)
+
+
+@pytest.mark.parametrize("inputs", [(MASKED, np.ones(2)), (np.ones((2, 3)), np.ma.array([0.5, 1.0]))])
+def test_masked_arrays_are_refused_by_light_functions(inputs: tuple[Any, ...]) -> None:
+    with pytest.raises(ValueError, match=r"rotation_from_axis_angle: (e|phi) is a masked array"):
+        kernels.one.rotation_from_axis_angle(*inputs)

@@ -51,6 +51,10 @@ static int core_of(const Call *call, int k, npy_intp *core)
 static int is_plain(Call *call, int k, PyArrayObject *array)
 {
     const int kind = PyArray_TYPE(array);
+    if (!PyArray_CheckExact(array) && PyObject_HasAttrString((PyObject *)array, "mask")) {
+        refuse(call, k, PyExc_ValueError, "is a masked array: hand over its numbers, as .filled(nan)");
+        return 0;
+    }
     if (kind != NPY_DOUBLE && kind != NPY_FLOAT) {
         PyErr_Format(
             PyExc_TypeError, "one.%s: %s must be of float64 or float32, not %S; kernels.%s casts", call->kernel->name,

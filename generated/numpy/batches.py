@@ -103,6 +103,9 @@ def _device(xp: Any, values: list[Any]) -> Any:
 
 
 def _real(xp: Any, device: Any, kernel: str, name: str, value: Any) -> Any:
+    if isinstance(value, numpy.ndarray) and hasattr(value, "mask"):
+        said = "hand over its numbers, as .filled(nan), and mask the result"
+        raise ValueError(f"{kernel}: {name} is a masked array: {said}")
     try:
         array = value if _namespace(value) is xp is not numpy else xp.asarray(value, device=device)
     except (TypeError, ValueError) as error:

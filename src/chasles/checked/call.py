@@ -56,6 +56,9 @@ class Checked:
                 # NumPy would hand it the whole call, and a pandas frame applies the kernel to its columns.
                 kind = type(operand).__name__
                 raise TypeError(f"{self.__name__}: {name} is a {kind}, no array: hand over its values, as .to_numpy()")
+            if isinstance(operand, np.ma.MaskedArray):
+                said = "hand over its numbers, as .filled(nan), and mask the result"
+                raise ValueError(f"{self.__name__}: {name} is a masked array: {said}")
             try:
                 array = np.asarray(operand)
             except ValueError as error:

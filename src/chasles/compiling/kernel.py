@@ -59,8 +59,12 @@ class CompiledKernel(Displayed):
         self.__signature__ = signature_of_call(self._function, (argument.name for argument in program.arguments))
 
     def __call__(self, *inputs: Any, **options: Any) -> Any:
-        """The results for the inputs; a tuple where there are several."""
-        return self._function(*inputs, **options)
+        """The results for the inputs; a tuple where there are several. Raises ValueError for masked arrays."""
+        found = self._function(*inputs, **options)
+        if isinstance(found[0] if type(found) is tuple else found, numpy.ma.MaskedArray):
+            # NumPy gives a result the mask of an input, whose shape is another.
+            raise ValueError(f"{self.name}: an input is a masked array: hand over its numbers, as .filled(nan)")
+        return found
 
     def error_bound(self, box: Mapping[str, Any], dtype: Any = numpy.float64) -> BoxBound:
         """How far rounding takes the results from the exact values of the expressions, proved for all floats of a box.

@@ -1,12 +1,13 @@
-"""How is a kernel called? With its inputs by their names in the book, which NumPy does not know."""
+"""How is a kernel called? With its inputs by their names in the book, which NumPy does not know, and unmasked."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from inspect import Parameter, Signature, signature
 from typing import Any
 
 import numpy as np
+from numpy.ma import core as masked
 
 __all__ = ["named", "signature_of_call"]
 
@@ -32,10 +33,29 @@ def signature_of_call(kernel: Any, names: Iterable[str]) -> Signature:
 
 
 def named(kernel: Any, light: Any) -> Any:
-    """The kernel, which says how it is called if it is a ufunc that can be told: from NumPy 2.2 on."""
-    if isinstance(kernel, np.ufunc) and hasattr(kernel, "__dict__"):
-        parameters = signature(light).parameters.values()
-        inputs = [each.name for each in parameters if each.kind is Parameter.POSITIONAL_ONLY]
+    """The kernel; a ufunc refuses masked arrays and, where it can be told, from NumPy 2.2 on, says how it is called."""
+    if not isinstance(kernel, np.ufunc):
+        return kernel
+    inputs = [each.name for each in signature(light).parameters.values() if each.kind is Parameter.POSITIONAL_ONLY]
+    _require_unmasked(kernel, inputs)
+    if hasattr(kernel, "__dict__"):
         _, _, text = (kernel.__doc__ or "").partition("\n\n")
         vars(kernel).update(__signature__=signature_of_call(kernel, inputs), __doc__=text)
     return kernel
+
+
+def _require_unmasked(ufunc: np.ufunc, names: Sequence[str]) -> None:
+    """Let the ufunc raise ValueError for masked arrays: NumPy would give its results the masks of its inputs.
+
+    Those have other shapes than results. What is registered here NumPy calls when it wraps a result.
+    """
+
+    def refuse(*operands: Any) -> Any:
+        [name, *_] = [name for name, each in zip(names, operands, strict=False) if isinstance(each, np.ma.MaskedArray)]
+        # A TypeError NumPy would take for a sign to call it otherwise.
+        raise ValueError(
+            f"{ufunc.__name__}: {name} is a masked array: hand over its numbers, as .filled(nan), and mask the result"
+        )
+
+    registered: dict[np.ufunc, Any] = vars(masked).get("ufunc_domain", {})
+    registered[ufunc] = refuse

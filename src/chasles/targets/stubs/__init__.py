@@ -33,6 +33,7 @@ class _Declared:
     gives: str
     signature: str
     title: str
+    says: str
     docstring: tuple[str, ...]
 
 
@@ -40,7 +41,8 @@ def _declared(kernel: Kernel) -> _Declared:
     program = kernel.program
     given = [_shown(item) for item in program.arguments]
     returned = [_shown(item) for item in program.results]
-    lines = (*contract(kernel, given, returned), f"  {'signature':<12}{signature(program)}")
+    contracted = (*contract(kernel, given, returned), f"  {'signature':<12}{signature(program)}")
+    says, *docstring = (_quoted(line.removeprefix("  ")) for line in contracted)
     gives = [_type_of(result) for result in program.results]
     one_each = f"tuple[{', '.join(['Array | None'] * len(gives))}]"
     return _Declared(
@@ -52,7 +54,8 @@ def _declared(kernel: Kernel) -> _Declared:
         gives=gives[0] if len(gives) == 1 else f"tuple[{', '.join(gives)}]",
         signature=signature(program),
         title=_quoted(f"{cited(kernel.heading.number)} {kernel.heading.says}"),
-        docstring=tuple(_quoted(line.removeprefix("  ")) for line in lines),
+        says=says,
+        docstring=tuple(docstring),
     )
 
 
