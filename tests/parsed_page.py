@@ -47,4 +47,4 @@ class Parsed(HTMLParser):
 
     @property
     def visible(self) -> str:
-        return "".join(text for tag, text in self.texts if tag not in ("style", "title"))
+        return "".join(text for tag, text in self.texts if tag not in ("style", "title", "script"))

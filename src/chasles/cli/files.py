@@ -30,14 +30,14 @@ def write_whole(file: Path, text: str) -> None:
         raise Failure(f"cannot write {file}: {error.strerror}", BAD_INPUT) from error
 
 
-def replace_whole(texts: Mapping[Path, str]) -> None:
-    """Make the files read as `texts`: none changes before all drafts are on the disk. Raises OSError."""
+def replace_whole(texts: Mapping[Path, str | bytes]) -> None:
+    """Make the files hold `texts`: none changes before all drafts are on the disk. Raises OSError."""
     drafts: dict[Path, Path] = {}
     try:
         for file, text in texts.items():
             draft = file.with_name(f".{file.name}.{uuid4().hex}.draft")
             drafts[draft] = file
-            draft.write_text(text, encoding="utf-8", newline="\n")
+            draft.write_bytes(text if isinstance(text, bytes) else text.encode())
         for draft, file in drafts.items():
             draft.replace(file)
     finally:

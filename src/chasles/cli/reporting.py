@@ -18,6 +18,7 @@ from chasles.report.html.measured import ERRORS, TIMES, DamagedEvidence
 from chasles.report.html.page import Sources, page
 from chasles.report.html.roads import walked
 from chasles.report.html.shown import RoadView
+from chasles.report.html.site import site
 from chasles.report.html.trusted import checked_again
 from chasles.report.latex_page import latex_page
 from chasles.report.words import seconds
@@ -32,9 +33,9 @@ EVIDENCE = (("benchmarks", "evidence"), ("evidence",))
 
 @dataclass(frozen=True, slots=True)
 class Reported:
-    """The text of each file by its name, and what was done for it."""
+    """The content of each file by its name, and what was done for it."""
 
-    texts: dict[str, str]
+    files: dict[str, str | bytes]
     outcome: Outcome
     roads: tuple[RoadView, ...]
     unsolved: tuple[str, ...]
@@ -57,8 +58,11 @@ class Reported:
         yield from self.unsolved
 
 
-def reported(book: Chapter) -> Reported:
-    """The report on the whole chapter. Raises Failure for contradictory declarations, and for damaged files."""
+def reported(book: Chapter, as_site: bool = False, address: str = "") -> Reported:
+    """The report on the whole chapter, or a site of it that will lie at the address.
+
+    Raises Failure for contradictory declarations, and for damaged files.
+    """
     started = perf_counter()
     outcome, judge = decide(book.entries, book)
     roads = walked(_roads_of(book), judge)
@@ -68,15 +72,16 @@ def reported(book: Chapter) -> Reported:
     exercises = worked_exercises(book)
     trusted = checked_again(again.certificates, again.counterexamples, len(again.rejected))
     try:
-        html = page(book, decisions, Sources(trusted, manifest(book), _evidence(book), roads, exercises))
+        sources = Sources(trusted, manifest(book), _evidence(book), roads, exercises)
+        files: dict[str, str | bytes] = (
+            dict(site(book, decisions, sources, address)) if as_site else {"index.html": page(book, decisions, sources)}
+        )
     except DamagedEvidence as error:
         raise Failure(f"{'/'.join(EVIDENCE[0])}/{error}; benchmarks/README.md says how to measure anew") from error
-    texts = {
-        "index.html": html,
-        "chapter.tex": latex_page(book, decisions, exercises),
-    }
+    if not as_site:
+        files["chapter.tex"] = latex_page(book, decisions, exercises)
     unsolved = tuple(f"exercise {one.number} is not solved: {one.unsolved}" for one in exercises if one.unsolved)
-    return Reported(texts, outcome, roads, unsolved, perf_counter() - started)
+    return Reported(files, outcome, roads, unsolved, perf_counter() - started)
 
 
 def _roads_of(book: Chapter) -> dict[str, Derivation]:

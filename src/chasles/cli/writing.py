@@ -11,8 +11,8 @@ from chasles.cli.files import replace_whole
 __all__ = ["write_whole"]
 
 
-def write_whole(folder: Path, texts: Mapping[str, str]) -> None:
-    """Make the files in the folder read as `texts`, other files there left alone.
+def write_whole(folder: Path, texts: Mapping[str, str | bytes]) -> None:
+    """Make the files in the folder hold `texts`, other files there left alone.
 
     No file changes before all drafts are on the disk. Raises Failure where that is not possible.
     """

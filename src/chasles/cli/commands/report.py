@@ -20,26 +20,36 @@ __all__ = ["command"]
     show_default=True,
     help="The folder to write to.",
 )
+@click.option(
+    "--site",
+    type=click.Path(path_type=Path, file_okay=False),
+    help="A folder to write a site to instead: a page for each equation, for any host of static files.",
+)
+@click.option("--address", default="", metavar="URL", help="Where the site will lie; shared pages then have pictures.")
 @as_data
-def command(out: Path, json: bool) -> int:
+def command(out: Path, site: Path | None, address: str, json: bool) -> int:
     """Write the whole chapter, decided and checked again: as one HTML page, and as LaTeX to print.
 
-    index.html needs no network and no script; chapter.tex compiles with pdflatex. Both are written whole or not at
-    all. The exit status is 1 if it is for `decide`, or if a derivation does not arrive.
+    index.html needs no network; chapter.tex compiles with pdflatex. All is written whole or not at all. The exit
+    status is 1 if it is for `decide`, or if a derivation does not arrive.
     """
     from chasles.cli.reporting import reported
     from chasles.cli.writing import write_whole
     from chasles.report.records import as_json
 
-    made = reported(chapter())
-    write_whole(out, made.texts)
-    sizes = {name: len(text.encode()) for name, text in made.texts.items()}
+    folder = site or out
+    made = reported(chapter(), site is not None, address)
+    write_whole(folder, made.files)
+    sizes = {name: len(text if isinstance(text, bytes) else text.encode()) for name, text in made.files.items()}
     if json:
-        files = [{"path": str(out / name), "bytes": size} for name, size in sizes.items()]
-        click.echo(as_json({"folder": str(out), "files": files, "seconds": round(made.seconds, 3)}))
+        files = [{"path": str(folder / name), "bytes": size} for name, size in sizes.items()]
+        click.echo(as_json({"folder": str(folder), "files": files, "seconds": round(made.seconds, 3)}))
     else:
         for line in made.in_words:
             click.echo(line)
+        if site is not None:
+            sizes = {"index.html": sum(sizes.values())}
+            click.echo(f"{len(made.files)} files:")
         for name, size in sizes.items():
-            click.echo(f"{out / name}  {size / 1e6:.2f} MB")
+            click.echo(f"{folder / name}  {size / 1e6:.2f} MB")
     return complain(made.failures)

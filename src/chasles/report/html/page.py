@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
+from typing import Any
 
 from chasles import __version__
 from chasles.proof.judge import Decision
@@ -17,6 +18,7 @@ from chasles.report.html.filling import filled
 from chasles.report.html.graph import graph_of
 from chasles.report.html.kernels import kernel_rows
 from chasles.report.html.measured import measured
+from chasles.report.html.notation import notation_of
 from chasles.report.html.overview import overview
 from chasles.report.html.palette import DARK, LIGHT
 from chasles.report.html.shown import Badge, KernelRow, Number, RoadView, badge_of
@@ -26,7 +28,7 @@ from chasles.report.verdict_page import WORST_FIRST
 from chasles.report.words import VERDICTS
 from chasles.statements import Chapter, Entry, Section
 
-__all__ = ["Chosen", "SectionView", "Sources", "page"]
+__all__ = ["Chosen", "SectionView", "Sources", "contents", "page"]
 
 Pair = tuple[Entry, Decision]
 
@@ -67,13 +69,18 @@ class Sources:
 
 def page(chapter: Chapter, decisions: DecisionsByName, sources: Sources) -> str:
     """The whole page; the same decisions and sources give the same text. Raises DamagedEvidence."""
+    return str(filled("index.html.jinja", **contents(chapter, decisions, sources), has_pages=False))
+
+
+def contents(chapter: Chapter, decisions: DecisionsByName, sources: Sources) -> dict[str, Any]:
+    """What the templates show, by name. Raises DamagedEvidence."""
     book = Book(chapter)
     decided = ordered(chapter, decisions)
     kernels = kernel_rows(book, sources.manifest)
     sections = tuple(_sections(book, decided, kernels, sources.roads))
     numbers = [number for section in sections for number in section.numbers]
     figures = measured(sources.evidence, {name: kernel.place for name, kernel in kernels.items()})
-    values = {
+    return {
         "title": chapter.title,
         "source": chapter.source,
         "version": __version__,
@@ -90,8 +97,8 @@ def page(chapter: Chapter, decisions: DecisionsByName, sources: Sources) -> str:
         "section_filters": tuple(_section_filters(sections)),
         "light": LIGHT,
         "dark": DARK,
+        "letters": notation_of(chapter),
     }
-    return str(filled("index.html.jinja", **values))
 
 
 def _sections(

@@ -75,7 +75,7 @@ class Repaired:
     equation: Equation
     verdict: Markup
     found: str
-    changes: tuple[str, ...]
+    changes: tuple[Markup, ...]
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,10 +17,11 @@ from chasles.report.html.citing import Book, Link, place_of_number
 from chasles.report.html.differences import mark_differences
 from chasles.report.html.formulas import equation_tree, markup
 from chasles.report.html.shown import Equation, Fact, KernelRow, Part, Related, Repaired, badge_of
+from chasles.report.html.words import with_formulas
 from chasles.report.records import certificate_hash
 from chasles.report.words import point_in_words, reason
 from chasles.statements import Entry, Inverse, Statement, Theorem
-from chasles.vocabulary import Node, plain
+from chasles.vocabulary import Node, Rate, plain, symbols_of
 
 __all__ = ["as_printed", "equation", "part_of", "place_of_part"]
 
@@ -76,7 +77,7 @@ def _why(entry: Entry, decision: Decision) -> Iterator[Fact]:
     """Why the print does not stand; what the reading or the correction comes to where that fails as well."""
     match decision.verdict:
         case IllFormed(words):
-            yield Fact("does not fit", escape(words))
+            yield Fact("does not fit", with_formulas(words, _sides(entry, decision)))
         case Fails(counterexample):
             assert isinstance(entry.statement, Statement)
             yield from _by_hand(entry.statement, decision, counterexample)
@@ -91,15 +92,23 @@ def _why(entry: Entry, decision: Decision) -> Iterator[Fact]:
             yield from _by_hand(entry.statement.saying(left, right), decision, tried.verdict.counterexample)
 
 
+def _sides(entry: Entry, decision: Decision) -> tuple[Node, ...]:
+    """All sides that are known of an equation: as printed, as read, as what stands in."""
+    statement = entry.statement
+    return (*statement.printed, *_read(statement), *decision.sides) if isinstance(statement, Statement) else ()
+
+
 def _by_hand(statement: Statement, decision: Decision, found: Counterexample) -> Iterator[Fact]:
     """The values, the left side and the right side there, and by which definitions."""
     row, column = found.entry
     by_hand = worked_out(statement, decision, found)
+    sides = [side for given in (statement, *by_hand.left, *by_hand.right) for side in given.printed]
+    known = [*sides, *(Rate(symbol) for side in sides for symbol in symbols_of(side) if not symbol.constant)]
     if found.goal:
         yield Fact("what fails", escape(found.goal))
-    yield Fact("at", CODE.format(point_in_words(found.at) or "every point"))
+    yield Fact("at", with_formulas(point_in_words(found.at) or "every point", known, of_words=False))
     if by_hand.values:
-        yield Fact("so that", CODE.format(point_in_words(by_hand.values)))
+        yield Fact("so that", with_formulas(point_in_words(by_hand.values), known, of_words=False))
     where = Markup("<code>{}</code> in row {}, column {}{}")
     yield Fact("the left side is", where.format(found.left, row, column, _by(by_hand.left)))
     yield Fact("the right side is", Markup("<code>{}</code>{}").format(found.right, _by(by_hand.right)))
@@ -129,7 +138,14 @@ def _repaired(book: Book, entry: Entry, standing: Standing) -> Repaired:
     found = "The search for a repair found it." if standing.found == "repair" else "It was declared, not found."
     if standing.modulo:
         found += f" {standing.modulo[0].upper()}{standing.modulo[1:]}."
-    return Repaired(Equation(markup(after), words), _stands(book, standing), found, standing.changes)
+    sides = (*entry.statement.printed, *_read(entry.statement), standing.left, standing.right)
+    changes = tuple(with_formulas(change, sides) for change in standing.changes)
+    return Repaired(Equation(markup(after), words), _stands(book, standing), found, changes)
+
+
+def _read(statement: Statement) -> Sides | tuple[()]:
+    """The sides as they are likely to be read, where that is declared."""
+    return () if statement.reading is None else statement.form("reading")
 
 
 def _stands(book: Book, standing: Standing) -> Markup:
