@@ -10,10 +10,12 @@ from chasles.statements.exercise import Answer, Else, Record, Scalar, Truth, Wor
 from chasles.vocabulary import (
     LENGTH,
     Node,
+    column,
     cross,
     det,
     dot,
     matrix,
+    number,
     over,
     paren,
     row,
@@ -61,6 +63,9 @@ linear_part = Definition(
 )  # fmt: skip
 constant_part = Definition("Ex 3.3", h, dot(n1, cross(n2, n3)), part=12, says="Its constant.")
 _parts = (*moments, quadratic_part, linear_part, constant_part)
+
+gradient = M @ p1 + over(1, 2) * g
+of_2_by_3, of_3_by_2 = dot(cross(p2 - p1, e2), e3), dot(cross(p3 - p1, e3), e2)
 
 locus_is_a_quadric = Claim(
     "Ex 3.3", dot(m1, cross(m2, m3)), p.T @ M @ p + g.T @ p + h, part=13, given=(*_parts, *moments_about_p),
@@ -140,3 +145,20 @@ def with_opposite_equation(sheet: Sheet, given: dict[str, Value]) -> list[dict[s
     center = right["f_centre"]
     turned["f_centre"] = center if center is None else -center
     return [turned | {"signature_M": signature, "wording": dict(zip(_SENTENCES, truths, strict=True))}]
+
+
+in_directions = Claim(
+    "Ex 3.3", row(e1, e2, e3).T @ M @ row(e1, e2, e3),
+    over(1, 2) * triple * matrix((number(0), mu_12, mu_31), (mu_12, number(0), mu_23), (mu_31, mu_23, number(0))),
+    part=16, given=(*_parts, *mutual_moments),
+    says="Seen along the three directions, M has zeros on its diagonal: f vanishes all along each line.",
+)  # fmt: skip
+half_gradient = Claim(
+    "Ex 3.3", row(e1, e2, e3).T @ gradient,
+    over(1, 2) * column(number(0), mu_12 * of_3_by_2, -mu_31 * of_2_by_3), part=17, given=(*_parts, *mutual_moments),
+    says="Half the gradient at P_1, seen along the three directions: the moments about P_1, multiplied out.",
+)  # fmt: skip
+two_moments = Claim(
+    "Ex 3.3", of_2_by_3 + of_3_by_2, mu_23, part=18, given=mutual_moments,
+    says="The moments in it add up to one.",
+)  # fmt: skip

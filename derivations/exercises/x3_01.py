@@ -42,7 +42,11 @@ def solve(sheet: Sheet) -> str:
     status = find_screw(sheet)
     for name in CORNERS:
         sheet.check((point_after_displacement.right, after[name]), f"{name} arrives.", at={p: before[name]})
-    axis = (Line(sheet.answers["p0"], sheet.answers["e"], "screw axis"),) if status == "screw" else ()
+    axis = (
+        (Line(sheet.answers["p0"], sheet.answers["e"], "screw axis, with its hits as dots"),)
+        if status == "screw"
+        else ()
+    )
     hits = None
     if status == "screw":
         places = zip(("X=0", "Y=0", "Z=0"), range(3), strict=True)
@@ -53,6 +57,7 @@ def solve(sheet: Sheet) -> str:
     corners = ((before, ""), (after, "'"))
     labels = tuple(Point(places[name], name + mark) for places, mark in corners for name in CORNERS)
     arrow = Arrow(before["A"], sheet.value(d_A), "d_A")
+    labels += tuple(Point(hit) for hit in (hits or {}).values() if not isinstance(hit, str))
     sheet.picture = Picture("The cube before and after, and its screw axis", (*bodies, *axis, arrow, *labels))
     return status
 

@@ -32,14 +32,16 @@ def solve(sheet: Sheet) -> str:
     here = points[near]
     sheet.given({name: points[name] for name in NAMES}, "The points.")
     total = moment = here * 0
-    for start, end, size in sheet["forces"]:
-        total, moment = add(sheet, points, here, (start, end, size), (total, moment))
-    sheet.step(f"Together they are one force at {near} and one moment about it.", ("f", total), ("n", moment))
+    for k, (start, end, size) in enumerate(sheet["forces"], 1):
+        total, moment = add(sheet, points, here, (k, start, end, size), (total, moment))
+    says = f"Together they are one force f, the sum of the forces, at {near} and one moment n_A about it."
+    sheet.step(says, ("f", total), ("n_A", moment))
     if equal(total, here * 0):
         sheet.step("Without a resultant force the moment is the same about every point: no point is distinguished.")
         sheet.answer(n=moment)
         return "pure-couple"
-    sheet.given({force: total, moment_A: moment, a: here * 0}, f"From here on the origin is {near}.")
+    says = f"From here on A is {near}, and the origin; f is the resultant force."
+    sheet.given({force: total, moment_A: moment, a: here * 0}, says)
     nearest = sheet.compute(wrench_point, f"Of the points about which the moment is least, the one nearest {near}.")
     sheet.given({p: nearest}, "The force is applied there.")
     sheet.compute(moment_about_point_by_force, "The moment about that point.")
@@ -47,7 +49,8 @@ def solve(sheet: Sheet) -> str:
     least = sheet.compute(least_moment_vector, "The moment of least magnitude.")
     pitch = sheet.compute(pitch_of_wrench)
     place = sheet.show(norm(p_0__), f"Its distance from {near}.", named="distance")
-    sheet.step(f"In the given coordinates, {near} added.", ("P", nearest + here), cites=(least_moment_on_one_line,))
+    says = f"In the given coordinates, {near} added.{halfway(points, nearest + here)}"
+    sheet.step(says, ("P", nearest + here), cites=(least_moment_on_one_line,))
     sheet.check((moment_P, n_0), "The moment about P is the least one.")
     sheet.check(wrench_point_is_on_axis, "It is parallel to the force.")
     sheet.check(wrench_point_is_nearest, f"P is the foot of the perpendicular from {near}.")
@@ -57,10 +60,10 @@ def solve(sheet: Sheet) -> str:
 
 
 def add(
-    sheet: Sheet, points: dict[str, Value], here: Value, one: tuple[str, str, Value], sums: tuple[Value, Value]
+    sheet: Sheet, points: dict[str, Value], here: Value, one: tuple[int, str, str, Value], sums: tuple[Value, Value]
 ) -> tuple[Value, Value]:
     """One force, and its moment about the point that is asked about, added to the sums."""
-    start, end, size = one
+    k, start, end, size = one
     way = points[end] - points[start]
     if equal(way, way * 0):
         raise DataError(f"forces: a force from {start} to {end} has no direction, as these points are one")
@@ -68,9 +71,18 @@ def add(
         raise DataError(f"forces: the magnitude of the force from {start} to {end} is negative; exchange the points")
     vector_of_force = sheet.value(along / norm(along), {along: way}) * size
     at = {force: vector_of_force, moment_A: way * 0, a: points[start], p: here}
-    sheet.step(f"The force of magnitude {size} from {start} to {end}.", ("f", vector_of_force))
-    moment = sheet.compute(moment_about_point, f"It acts at {start}; its moment about {sheet['closest_to']}.", at=at)
+    sheet.step(f"The force of magnitude {size} from {start} to {end}.", (f"f_{k}", vector_of_force))
+    says = f"It acts at {start}, where it has no moment; its moment about {sheet['closest_to']}, with f_{k} for f."
+    moment = sheet.compute(moment_about_point, says, at=at)
     return sums[0] + vector_of_force, sums[1] + moment
+
+
+def halfway(points: dict[str, Value], place: Value) -> str:
+    """Between which of the points the place is halfway, if between any."""
+    pairs = ((one, two) for k, one in enumerate(NAMES) for two in NAMES[k + 1 :])
+    found = (f" P is the midpoint of {one} and {two}." for one, two in pairs
+             if equal(points[one] + points[two], 2 * place) and not equal(points[one], points[two]))  # fmt: skip
+    return next(found, "")
 
 
 def picture(sheet: Sheet, total: Value, place: Value) -> Picture:

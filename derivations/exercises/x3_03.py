@@ -12,6 +12,8 @@ from chasles.derivations.exercises.three_lines import (
     e3,
     g,
     h,
+    half_gradient,
+    in_directions,
     linear_part,
     locus_is_a_quadric,
     moments,
@@ -24,6 +26,7 @@ from chasles.derivations.exercises.three_lines import (
     p3,
     quadratic_part,
     triple,
+    two_moments,
     whole,
     with_opposite_equation,
 )
@@ -44,6 +47,13 @@ from chasles.vocabulary import (
     over,
 )
 
+KIND = (
+    "What surface is it, if no two of the lines are in one plane? The determinant of the 4 x 4 matrix is positive, and "
+    "f vanishes at real points: two of the matrix's eigenvalues are positive and two are negative, and the surface is "
+    "ruled. It is a hyperboloid of one sheet where det M is not zero, and a hyperbolic paraboloid where all three "
+    "lines are parallel to one plane. Of M, two eigenvalues are positive if det M < 0, two are negative if det M > 0."
+)
+
 
 def solve(sheet: Sheet) -> str:
     """The three claims hold for all lines; then numbers."""
@@ -55,10 +65,10 @@ def solve(sheet: Sheet) -> str:
     for part in (*moments, quadratic_part, linear_part, constant_part, *mutual_moments):
         sheet.compute(part)
     turn = sheet.show(triple, "The triple product of the directions.")
-    det_M = sheet.compute(determinant_of_M)
-    det_M4 = sheet.compute(determinant_of_quadric)
+    det_M, det_M4 = determinants(sheet)
     kind, signature = kind_of(sheet.value(whole)), signature_of(sheet.value(M))
-    sheet.step("The ranks tell the kind of the surface.", ("kind", kind), ("signs of the eigenvalues", signature))
+    sheet.step(KIND)
+    sheet.step("For these lines, by ranks and signs:", ("kind", kind), ("signs of the eigenvalues", signature))
     centre, f_centre = None, None
     surface = locus_is_a_quadric.right
     if not is_zero(det_M):
@@ -80,13 +90,34 @@ def solve(sheet: Sheet) -> str:
     zero = sheet.value(number(0))
     for k, (a, e) in enumerate(sheet["lines"], 1):
         sheet.check((sheet.value(surface, {p: a + PARAMETER * e}), zero), f"Every point of line {k} satisfies f = 0.")
-    sheet.check((sheet.value(det(whole)), det_M4), "The determinant of the 4 x 4 matrix, directly.")
+    sheet.check((det(whole), determinant_of_quadric.right), "The determinant of the 4 x 4 matrix, directly.")
     mu = {f"mu{k}": sheet.value(m) for k, m in ((12, mu_12), (23, mu_23), (31, mu_31))}
     sheet.answer(M=sheet.value(M), g=sheet.value(g), h=sheet.value(h), det_M=det_M, det_M4=det_M4, triple=turn, **mu)
     sheet.answer(signature_M=[zero + s for s in signature], kind=kind, centre=centre, f_centre=f_centre)
     sheet.answer(wording=wording)
     sheet.picture = picture(sheet["lines"])
     return "degenerate" if is_zero(det_M4) else "quadric"
+
+
+def determinants(sheet: Sheet) -> tuple[Value, Value]:
+    """Those of M and of the 4 x 4 matrix, from what these are as seen along the three lines."""
+    sheet.state(in_directions)
+    says = (
+        "Determinants of both sides: that of a product is the product, so that on the left it is the triple product "
+        "squared times det M, and on the right (triple/2)^3 2 mu_12 mu_23 mu_31. The triple product cancels; where it "
+        "vanishes, both sides of what is left are polynomials that are equal nearby. So det M vanishes if two of the "
+        "lines are in one plane, or all three are parallel to one; and not else."
+    )
+    det_M = sheet.compute(determinant_of_M, says)
+    sheet.state(half_gradient)
+    sheet.state(two_moments)
+    says = (
+        "The 4 x 4 matrix, seen along the three lines from P_1, has these two as its blocks, and a zero in the corner, "
+        "as P_1 is on the surface. Expanded, its determinant is (triple/4)^2 (mu_12 mu_31)^2 times the square of the "
+        "last sum: triple^2 (mu_12 mu_23 mu_31)^2 / 16. It is triple^2 times that of the matrix itself, as before. So "
+        "the quadric is degenerate if two of the lines are in one plane, and not else."
+    )
+    return det_M, sheet.show(determinant_of_quadric.right, says, named="determinant of the 4 x 4 matrix")
 
 
 def picture(lines: list[tuple[Value, Value]]) -> Picture:

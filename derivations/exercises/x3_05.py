@@ -10,7 +10,7 @@ from chasles.derivations.s02_screw import (
 
 from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
-from chasles.exact.picture import Line, Picture, Point
+from chasles.exact.picture import Arrow, Curve, Line, Picture, Point
 from chasles.exact.sheet import Sheet
 from chasles.statements import Claim, Condition, unit
 from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, vector_shape
@@ -77,8 +77,11 @@ def solve(sheet: Sheet) -> str:
     sheet.check(screw_axis_point_is_nearest, "P* is the foot of the perpendicular from the origin.")
     sheet.check((distance**2, (point.T * point)[0, 0]), "The distance is that of P*.")
     sheet.answer(d=distance, p=point)
-    items = (Line(point, pi[:3, :], "axis"), Point(point, "P*"), Point(point * 0, "origin"))
-    sheet.picture = Picture("The axis and its point nearest the origin", items)
+    origin = point * 0
+    items: list[Arrow | Curve | Line | Point] = [Line(point, pi[:3, :], "axis"), Point(point, "P*"), Point(origin, "O")]
+    if any(point):
+        items += [Curve((origin, point), "perpendicular, of length d"), Arrow(origin, pi[3:, :], "n")]
+    sheet.picture = Picture("The axis, its point nearest the origin, its moment n", tuple(items))
     return status
 
 

@@ -4,7 +4,8 @@ from chasles.derivations.notation import e, omega, phi
 from chasles.derivations.s02_screw import rotation_from_axis_angle
 from chasles.derivations.s03_fixed_point import angular_velocity, angular_velocity_matrix
 
-from chasles.exact.series import leading_term
+from chasles.exact.picture import Graph, Picture
+from chasles.exact.series import FUNCTIONS, PHI, leading_term
 from chasles.exact.sheet import Sheet
 from chasles.statements import Claim, unit
 from chasles.statements.exercise import Exercise
@@ -35,7 +36,7 @@ def solve(sheet: Sheet) -> str:
     sheet.state(angular_velocity_of_axis_and_angle)
     sheet.state(what_is_no_rate, "The first term and one part of the second are the rate of phi e; what is left is:")
     terms = {name: leading_term(name) for name in ("sin(phi) - phi", "1 - cos(phi)")}
-    sheet.step("For small phi the coefficients are", *((name, term) for name, (term, _) in terms.items()))
+    sheet.step("Their Taylor series about phi = 0 begin with", *((name, term) for name, (term, _) in terms.items()))
     order = min(order for _, order in terms.values())
     sheet.step(
         "So omega is the rate of phi e, up to terms of this order in phi.",
@@ -43,6 +44,8 @@ def solve(sheet: Sheet) -> str:
         cites=(what_is_no_rate,),
     )
     sheet.answer(vector="phi*e", order=order)
+    curves = tuple((f"|{name}|", abs(function)) for name, function in FUNCTIONS.items())
+    sheet.picture = Picture("What keeps omega from being the rate of phi e", (Graph("phi", PHI, (0, 1), curves),))
     return "ok"
 
 

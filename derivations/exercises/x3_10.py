@@ -39,10 +39,12 @@ def solve(sheet: Sheet) -> str:
     sheet.values |= dict(zip(angles, values, strict=True))
     if known:
         sheet.step("The angles.", *zip(angles, values, strict=True))
-    W_fixed, W_body = (
-        sheet.show(found, f"W in the {frame} frame.", named="W")
-        for frame, found in zip(FRAMES, (fixed["W"], body["W_body"]), strict=True)
-    )
+    turns = tuple(zip(("theta", "phi", "psi"), (angle.name for angle in angles), strict=True))
+    sheet.step("The book's eta = [theta, phi, psi]^T holds the angles in the order of the turns.", *turns)
+    turned = sheet.compute(rotation, "The rotation: the product of the turns about the three axes.")
+    W_fixed, W_body = (sheet.value(found) for found in (fixed["W"], body["W_body"]))
+    says = "In omega = W d(eta)/dt, the columns of W are the axes of the turns, in the fixed frame and in the body's."
+    sheet.step(says, ("W in the fixed frame", W_fixed), ("W in the body frame", W_body))
     determinant = sheet.show(fixed["det(W)"], "The determinant, the same in both frames.", named="det(W)")
     sheet.check((body["det(W_body)"], fixed["det(W)"]), "The determinants are equal, as the frames are turned.")
     sheet.answer(W_fixed=W_fixed, W_body=W_body, det=determinant)
@@ -58,7 +60,6 @@ def solve(sheet: Sheet) -> str:
         return "ok"
     singular = is_zero(determinant)
     sheet.answer(singular=singular, rank=sheet.value(number(rank_of(W_fixed))))
-    turned = sheet.compute(rotation, "The rotation.")
     if sheet["rates"] is not None:
         forward(sheet, W_fixed, W_body)
     elif sheet["omega"] is not None:
@@ -111,7 +112,10 @@ exercise = Exercise(
         Datum("omega", vector_shape(), None, "or the angular velocity in the fixed frame"),
     ),
     statuses=("ok", "singular"),
-    assumptions=("Each rotation is about an axis of the frame as turned so far (intrinsic).",),
+    assumptions=(
+        "Each rotation is about an axis of the frame as turned so far (intrinsic).",
+        "The book's angles theta, phi, psi are read as those of the first, the second and the third turn.",
+    ),
     stand_ins={"sequence": "The book refers to another chapter for the angles; the sequence zyz stands in."},
     solve=solve,
     instance=instance,

@@ -22,18 +22,34 @@ from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, matrix_
 
 UNIT_DENSITY = "The density is one: a mass stands for a volume, and a moment of inertia is per unit of density."
 
+UNITS = (
+    "With lengths in some unit, as mm in the book, V is in its third power, I_C_over_rho and the moments are in its "
+    "fifth, k2 in its second."
+)
 
-def mass_properties(sheet: Sheet, body: Body, whose: str) -> None:
+TETRAHEDRA = (
+    "Each face falls into triangles; each triangle and one common point make a tetrahedron. Of one with its corners at "
+    "that point and at a, b, c from there, the integrals are, with s = a + b + c:"
+)
+OF_A_TETRAHEDRON = (
+    ("V, the integral of 1", "a . (b x c) / 6"),
+    ("the integral of x", "V s / 4"),
+    ("the integral of x x^T", "V (s s^T + a a^T + b b^T + c c^T) / 20"),
+)
+
+
+def mass_properties(sheet: Sheet, body: Body, whose: str, way: str = "Added up with their signs, they are") -> None:
     """Bind mass, center of mass and centroidal moment of inertia of a body, whose integrals are known.
 
     The integral about the center of mass and the one about the origin are found apart; Steiner's theorem relates them.
     """
     integrals = {rho: 1, mass.right: body.mass, first_moment.right: body.first}
-    sheet.given(integrals, f"The integrals over {whose}, exact: sums over tetrahedra, or over points.")
+    sheet.given(integrals, f"{way} the integrals over {whose}, exactly.")
     sheet.compute(mass, f"The mass of {whose}.")
     sheet.compute(first_moment)
     sheet.compute(center_of_mass, f"The center of mass of {whose}.")
-    sheet.given({inertia.right: body.centroidal_inertia}, "The integral about the center of mass.")
+    says = "The integral about the center of mass: tr(S) 1 - S, with S the integral of p p^T less q_O q_O^T / m."
+    sheet.given({inertia.right: body.centroidal_inertia}, says)
     sheet.compute(inertia, f"The centroidal moment of inertia of {whose}.")
     about_origin = {a: sheet.value(zero), I_A: body.inertia}
     sheet.check(
@@ -81,9 +97,11 @@ def solve(sheet: Sheet) -> str:
     """The integrals are those of a prism; the rest is Section 3.8."""
     side, height = sheet["side"], sheet["height"]
     corners = regular_hexagon(side)
+    sheet.step(TETRAHEDRA, *OF_A_TETRAHEDRON)
     mass_properties(sheet, whole_prism(corners, height), "the prism")
-    _, radii, axes = principal(sheet, "the prism")
-    sheet.answer(V=sheet.values[m], centroid=sheet.values[c], I_C_over_rho=sheet.values[I_C], k2=radii)
+    moments, radii, axes = principal(sheet, "the prism")
+    sheet.answer(V=sheet.values[m], centroid=sheet.values[c], I_C_over_rho=sheet.values[I_C])
+    sheet.answer(moments_over_rho=moments, axes=axes, k2=radii)
     items = (Drawn(prism_edges(corners, height)), *drawn_axes(sheet, axes, side))
     sheet.picture = Picture("The prism and its principal axes", items)
     return "ok"
@@ -113,6 +131,7 @@ exercise = Exercise(
     ),
     assumptions=(
         UNIT_DENSITY,
+        UNITS,
         "The base lies in the plane Z = 0 with its center at the origin and two opposite corners on the X axis.",
         CHOICE_OF_AXES,
     ),
@@ -122,7 +141,10 @@ exercise = Exercise(
         Answer("V", Scalar(), "the volume, in the cube of the unit of length"),
         Answer("centroid", vector_shape(), "the center of mass"),
         Answer("I_C_over_rho", matrix_shape(), "centroidal moment of inertia per unit of density, by rows"),
+        Answer("moments_over_rho", vector_shape(), "principal moments of inertia per unit of density"),
+        Answer("axes", matrix_shape(), "principal axes as rows, in the order of the moments, of any length and sign"),
         Answer("k2", vector_shape(), "squares of the principal radii of gyration, in ascending order"),
     ),
     symbols={"V": (m,), "centroid": (c,), "I_C_over_rho": (I_C,)},
+    axes={"axes": ("I_C_over_rho", "moments_over_rho")},
 )

@@ -1,6 +1,14 @@
 """Exercise 3.12: the hexagonal prism of Exercise 3.11, cut in two by a plane through an edge of its base."""
 
-from chasles.derivations.exercises.x3_11 import UNIT_DENSITY, drawn_axes, mass_properties, principal
+from chasles.derivations.exercises.x3_11 import (
+    OF_A_TETRAHEDRON,
+    TETRAHEDRA,
+    UNIT_DENSITY,
+    UNITS,
+    drawn_axes,
+    mass_properties,
+    principal,
+)
 from chasles.derivations.notation import I_C, a, c, m, zero
 from chasles.derivations.s08_dynamics import inertia_about_point
 
@@ -40,6 +48,8 @@ def solve(sheet: Sheet) -> str:
         "at Y = (sqrt(3)/2) side, is",
         ("Z", normal(2 * slope * corners[1][1])),
     )
+    sheet.step(TETRAHEDRA, *OF_A_TETRAHEDRON)
+    sheet.step("The common point lies in the cutting plane, so that the face which the cut makes adds nothing.")
     edges = prism_edges(corners, height)
     # Four colours take turns: with the section between the two sets of axes, like axes are alike.
     drawn = (
@@ -132,6 +142,7 @@ exercise = Exercise(
     ),
     assumptions=(
         UNIT_DENSITY,
+        UNITS,
         "The base lies in the plane Z = 0 with its center at the origin and two opposite corners on the X axis.",
         "The plane holds the edge of the base at Y = -(sqrt(3)/2) side and rises towards +Y; the wedge is below it.",
         CHOICE_OF_AXES,

@@ -49,7 +49,7 @@ def solve(sheet: Sheet) -> str:
     sheet.state(one_more_point)
     sheet.given({over_body(rho * p @ p.T): body.second}, "For these points: the matrix m P P^T.")
     about_origin = sheet.compute(matrix_is_inertia, "The moment of inertia about the origin.")
-    mass_properties(sheet, body, "the points")
+    mass_properties(sheet, body, "the points", "Sums over the points are")
     each = [sheet.value(m * (norm(p) ** 2 * one - p @ p.T), {m: sheet["m"], p: point}) for point in points]
     sheet.check((about_origin, sum(each[1:], each[0])), "It is the sum of m (|p|^2 1 - p p^T) over the points.")
     apart = point_masses(sheet["m"], tuple(point - sheet.values[c] for point in points))

@@ -1,11 +1,13 @@
 """Exercise 3.14: two observers measure the moment of inertia of one body in two frames; do they agree?"""
 
-from chasles.derivations.notation import I_C, Q, half, one, over_body, r_C, rho, x_any
+from chasles.derivations.notation import I_C, Q, half, one, over_body, r_C, rho, unit_columns, x_any
 from chasles.derivations.s08_dynamics import density_is_positive, inertia
 
 from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
 from chasles.exact.inertia_data import require_symmetric
+from chasles.exact.outlines import axes_to_draw
+from chasles.exact.picture import Arrow, Curve, Picture, Point
 from chasles.exact.principal_axes import in_axes, principal_axes, product
 from chasles.exact.sheet import Sheet, equal
 from chasles.exact.spectra import diagonal, each_eigenvalue, residues_of, signature
@@ -75,6 +77,15 @@ def solve(sheet: Sheet) -> str:
         ("B", found["B"][1]),
         ("all elements in one plane", all(planar)),
     )
+    away = sheet.value(unit_columns[0]) * 4
+    # Four colours take turns: with a line between the two sets of axes, like axes are alike.
+    axes_A, axes_B = (tuple(enumerate(axes_to_draw(sheet[name]), 1)) for name in ("A", "B"))
+    seen_by_A = tuple(Arrow(0 * away, axis, f"axis {k}, by ascending moment") for k, axis in axes_A)
+    seen_by_B = tuple(Arrow(away, axis) for _, axis in axes_B)
+    frames = (Point(0 * away, "as A has them"), Point(away, "as B has them"))
+    between = Curve((0 * away, away))
+    title = "The principal axes in the frames of both observers"
+    sheet.picture = Picture(title, (*seen_by_A, between, *seen_by_B, *frames))
     sheet.answer(compatible=compatible, physically_admissible=all(admissible), planar=all(planar))
     return "ok"
 

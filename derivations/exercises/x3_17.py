@@ -9,7 +9,10 @@ from chasles.derivations.s08_dynamics import (
     twist_is_in_null_space,
 )
 
+from chasles.exact.formulas import Proofs
+from chasles.exact.picture import Picture
 from chasles.exact.sheet import Sheet
+from chasles.exact.turning import graph_of_rate
 from chasles.statements import Claim, Statement
 from chasles.statements.exercise import Exercise
 from chasles.vocabulary import rate
@@ -51,12 +54,13 @@ def proved(sheet: Sheet, steps: tuple[tuple[Statement, str], ...]) -> str:
         number = f"{citation.shown} part {citation.part}"
         needs = list(citation.needs)
         proofs.append({"number": number, "says": statement.says, "verdict": citation.verdict, "needs": needs})
-    sheet.answer(proofs=proofs)
+    sheet.answer(proofs=Proofs(proofs))
     return "ok"
 
 
 def solve(sheet: Sheet) -> str:
     """A road of decided steps."""
+    sheet.picture = Picture("A moment of inertia in fixed axes, and its rate", (graph_of_rate(),))
     return proved(sheet, STEPS)
 
 

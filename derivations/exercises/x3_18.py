@@ -11,7 +11,9 @@ from chasles.derivations.s08_dynamics import (
     rate_of_inertia_dyad,
 )
 
+from chasles.exact.picture import Picture
 from chasles.exact.sheet import Sheet
+from chasles.exact.turning import graph_of_difference
 from chasles.statements import Claim, symmetric
 from chasles.statements.exercise import Exercise
 from chasles.vocabulary import number, paren, rate
@@ -79,6 +81,7 @@ STEPS = (
 
 def solve(sheet: Sheet) -> str:
     """A road of decided steps."""
+    sheet.picture = Picture("Equal for every x: their difference is skew-symmetric", (graph_of_difference(),))
     return proved(sheet, STEPS)
 
 

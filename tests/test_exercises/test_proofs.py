@@ -10,9 +10,11 @@ from chasles.derivations.exercises.x3_08 import even, formula_of_even, power, si
 from chasles.derivations.notation import p
 
 from chasles.exact.data import DataError
+from chasles.exact.sheet_html import as_html
 from chasles.exact.solving import solve
 from chasles.proof.judge import Judge
 from chasles.statements import Theorem
+from chasles.statements.exercises import exercise_numbers
 from chasles.statements.induction import ForAllK
 from chasles.vocabulary import number
 
@@ -69,6 +71,29 @@ def test_an_induction_with_a_wrong_base_or_step_fails(change: dict) -> None:
 def test_letters_need_both_values() -> None:
     with pytest.raises(TypeError, match="give both for each"):
         ForAllK(even, formula_of_even, twice[p], twice[even], ((sign, number(1)),), ())
+
+
+def test_a_leading_term_says_what_is_left_out() -> None:
+    lines = [line.text for step in solve("3.9").steps for line in step.lines]
+    assert "sin(phi) - phi = -phi**3/6 + O(phi**5)" in lines
+    assert "1 - cos(phi) = phi**2/2 + O(phi**4)" in lines
+
+
+@pytest.mark.parametrize("number", ["3.17", "3.18"])
+def test_proofs_are_lines_and_not_records(number: str) -> None:
+    proofs = solve(number).answers["proofs"]
+    lines = proofs.as_text().split("\n")
+    assert len(lines) == len(proofs)
+    assert all("{" not in line and "verdict" not in line and " It holds" in line for line in lines)
+    assert "<br>" in as_html(solve(number))
+
+
+@pytest.mark.parametrize("number", exercise_numbers())
+def test_no_line_says_that_something_is_itself(number: str) -> None:
+    solution = solve(number)
+    for line in (line.text for part in (*solution.steps, *solution.checks) for line in part.lines):
+        sides = line.split(" = ")
+        assert len(sides) == len(set(sides)) or len(sides) > 2, line
 
 
 def test_small_rotations() -> None:

@@ -171,3 +171,16 @@ def test_more_square_roots_than_can_be_handled_are_refused_at_once() -> None:
     points = {name: roots[3 * k : 3 * k + 3] for k, name in enumerate(NAMES)}
     with pytest.raises(DataError, match="more than 8 independent square roots; give simpler numbers"):
         solve("3.2", points=points)
+
+
+@pytest.mark.parametrize(
+    ("forces", "said"),
+    [([["P2", "P3", 1], ["P4", "P1", 1]], "P is the midpoint of P2 and P4"), ([["P2", "P3", 2], ["P4", "P1", 1]], "")],
+)
+def test_a_midpoint_is_named_where_there_is_one(forces: list, said: str) -> None:
+    solution = solve("3.2", forces=forces)
+    found = [step.says for step in solution.steps if "midpoint" in step.says]
+    assert bool(found) == bool(said)
+    assert all(said in says for says in found)
+    named = [line.text.split(" = ")[0] for step in solution.steps for line in step.lines]
+    assert {"f_1", "f_2"} <= set(named)

@@ -69,7 +69,7 @@ class Decided:
             unknown = isinstance(last.verdict, Undecided)
             raise (DoesNotStand if unknown else Refuted)(f"the road stops at {last.kind}: {last.reason}")
         equations = [equation for passage in walked.passages for equation in passage.equations]
-        lines = [stated("", *equation) for equation in dict.fromkeys(equations)]
+        lines = [stated("", *sides) for sides in dict.fromkeys(equations) if plain(sides[0]) != plain(sides[1])]
         shown = tuple(line for line in lines if len(line.text) <= MOST_SHOWN)
         self.steps.append(Step(f"{says} {road.says}", (), shown))
         return {plain(left): right for left, right in equations}

@@ -62,7 +62,7 @@ def _draw_graph(axes: Any, title: str, graph: Graph) -> None:
     axes.set_title(title, fontsize=11, wrap=True)
     axes.set_xlabel(graph.unit)
     axes.set_ylabel("no unit")
-    axes.set_ylim(0, graph.most)
+    axes.set_ylim(graph.least, graph.most)
     axes.grid(color="#DDDDDD")
     axes.legend(fontsize=9)
 
@@ -119,7 +119,7 @@ class _Drawing:
         """The names of points, each on the side where it is farthest from what is drawn and from other names."""
         taken = [self._flat(place) for ends in self._drawn() for place in _between(*ends)]
         for item in self.picture.items:
-            if not isinstance(item, Point):
+            if not isinstance(item, Point) or not item.label:
                 continue
             x, y = self._flat(_at(item.at))
             half = LETTER * len(item.label) / 2

@@ -9,7 +9,7 @@ from chasles.exact.solution import Line
 from chasles.exact.spelling import decimal_text, latex_of, text_of, words_in_latex
 from chasles.vocabulary import Identity, Node, Number, Zero, latex, plain
 
-__all__ = ["chain", "compared", "confirmed", "equation", "note", "scalar_or_matrix", "solved", "stated"]
+__all__ = ["Proofs", "chain", "compared", "confirmed", "equation", "note", "scalar_or_matrix", "solved", "stated"]
 
 
 def scalar_or_matrix(value: Any) -> Any:
@@ -28,8 +28,9 @@ def equation(name: Node | str, value: Any) -> Line:
 
 
 def chain(texts: list[str], formulas: list[str], value: Any) -> Line:
-    """Expressions that are equal, the last of them a value."""
-    return Line(" = ".join([*texts, text_of(value)]), " = ".join([*formulas, latex_of(value)]), decimal_text(value))
+    """Expressions that are equal, the last of them a value; what is written alike is written once."""
+    written = dict(zip([*texts, text_of(value)], [*formulas, latex_of(value)], strict=True))
+    return Line(" = ".join(written), " = ".join(written.values()), decimal_text(value))
 
 
 def compared(left: Node, right: Node, values: tuple[Any, Any], same: bool) -> tuple[Line, ...]:
@@ -46,6 +47,29 @@ def stated(label: str, left: Node, right: Node) -> Line:
     """An equation without numbers."""
     text, in_latex = f"{plain(left)} = {plain(right)}", f"{latex(left)} = {latex(right)}"
     return Line(f"{label}: {text}", f"{words_in_latex(label + ': ')} {in_latex}") if label else Line(text, in_latex)
+
+
+class Proofs(list[dict[str, Any]]):
+    """What is proved, one sentence a line: its number, what it says, what is decided of it and what that needs."""
+
+    def as_data(self) -> list[dict[str, Any]]:
+        """What JSON holds of it."""
+        return list(self)
+
+    def as_text(self) -> str:
+        """A line for each."""
+        return "\n".join(self._lines())
+
+    def as_latex(self) -> str:
+        """The same in LaTeX."""
+        return r"\begin{array}{l}" + r" \\ ".join(map(words_in_latex, self._lines())) + r"\end{array}"
+
+    def _lines(self) -> list[str]:
+        return [f"{one['number']}: {one['says']} {_verdict(one['verdict'], one['needs'])}" for one in self]
+
+
+def _verdict(verdict: str, needs: list[str]) -> str:
+    return f"It {verdict.partition('-')[0]}" + (f", given that {' and '.join(needs)}." if needs else ".")
 
 
 def note(text: str) -> Line:

@@ -53,13 +53,17 @@ class Curve:
 
 @dataclass(frozen=True, slots=True)
 class Graph:
-    """Functions of one variable, each with its label; `unit` says what the variable is, which runs over a range."""
+    """Functions of one variable, each with its label; `unit` says what the variable is, which runs over a range.
+
+    They are drawn from the `least` value to the `most`; from the least and to the most there are, where it is None.
+    """
 
     unit: str
     variable: Any
     over: tuple[int, int]
     curves: tuple[tuple[str, Any], ...]
     most: int | None = None
+    least: int | None = 0
 
 
 @dataclass(frozen=True, slots=True)

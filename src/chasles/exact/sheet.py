@@ -19,7 +19,7 @@ from chasles.exact.linear import Solutions, solve_linear
 from chasles.exact.numbers import is_zero, normal, sign
 from chasles.exact.picture import Picture
 from chasles.exact.solution import Check, Line, Step
-from chasles.exact.spelling import text_of
+from chasles.exact.spelling import Spelled, text_of
 from chasles.proof.variables import angle_multiples
 from chasles.statements import Hypothesis, Inverse, Statement
 from chasles.statements.statement import bare
@@ -163,7 +163,8 @@ class Sheet(Decided):
         left, right = sides
         if isinstance(left, Node) and isinstance(right, Node):
             self.tests.append((left, right, at or {}, says))
-        lines = (confirmed(left, right, values[1]),) if isinstance(left, Node) and isinstance(right, Node) else ()
+        says_more = isinstance(left, Node) and isinstance(right, Node) and plain(left) != plain(right)
+        lines = (confirmed(left, right, values[1]),) if says_more else ()
         self.checks.append(Check(says, lines, tuple(map(self.cite, cited))))
 
     def answer(self, **answers: Any) -> None:
@@ -200,6 +201,8 @@ def _matrix(value: Any) -> Any:
 def _normal(value: Any) -> Any:
     """A value with its numbers in normal form."""
     match value:
+        case Spelled():
+            return value
         case list() | tuple():
             return [_normal(part) for part in value]
         case dict():

@@ -7,9 +7,11 @@ from collections.abc import Iterator
 from html import escape
 from io import StringIO
 from itertools import count
+from typing import Any
 
 from latex2mathml.converter import convert
 
+from chasles.exact.formulas import Proofs
 from chasles.exact.solution import Check, Line, Solution, Step, cited
 from chasles.exact.spelling import decimal_text, latex_of
 
@@ -52,7 +54,7 @@ def _parts(solution: Solution) -> Iterator[str]:
     yield from map(_step, solution.steps)
     yield f"</ol>\n<h2>Answer: {escape(solution.status)}</h2>\n<table>"
     for name, value in solution.answers.items():
-        yield f"<tr><th>{escape(name)}</th><td>{_formula(latex_of(value))}{_decimals(decimal_text(value))}</td></tr>"
+        yield f"<tr><th>{escape(name)}</th><td>{_answer(value)}</td></tr>"
     yield "</table>"
     if solution.checks:
         yield "<h2>Substituted back</h2>\n<ul>" + "".join(map(_step, solution.checks)) + "</ul>"
@@ -68,6 +70,12 @@ def _step(step: Step | Check) -> str:
 
 def _line(line: Line) -> str:
     return f'<div class="line">{_formula(line.latex)}{_decimals(line.decimals)}</div>'
+
+
+def _answer(value: Any) -> str:
+    if isinstance(value, Proofs):
+        return "<br>".join(escape(line) for line in value.as_text().split("\n"))
+    return _formula(latex_of(value)) + _decimals(decimal_text(value))
 
 
 def _decimals(decimals: str) -> str:
