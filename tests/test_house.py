@@ -146,7 +146,7 @@ int main(void)
 CONSUMER_CMAKE = """\
 cmake_minimum_required(VERSION 3.21)
 project(consumer LANGUAGES C)
-find_package(chasles 0.1 REQUIRED)
+find_package(chasles 0.2 REQUIRED)
 add_executable(consumer consumer.c)
 target_link_libraries(consumer PRIVATE chasles::chasles)
 """

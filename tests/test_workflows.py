@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import subprocess
+import sys
 import tomllib
 from collections.abc import Iterator
 from pathlib import Path
@@ -46,7 +47,8 @@ def test_a_workflow_says_when_it_runs_and_may_only_read(name: str) -> None:
     # YAML reads the key `on` as the truth value.
     assert "workflow_dispatch" in workflow[True]
     assert workflow["permissions"] == {"contents": "read"}
-    for job in workflow["jobs"].values():
+    for job_name, job in workflow["jobs"].items():
+        assert job.get("permissions") == ({"id-token": "write"} if job_name == "publish" else None)
         assert set(job) >= {"name", "runs-on", "timeout-minutes", "steps"}
         assert set(job.get("needs", [])) <= set(workflow["jobs"])
         assert all(("uses" in step) != ("run" in step) for step in job["steps"])
@@ -73,7 +75,8 @@ def test_scripts_are_shell_and_name_files_and_targets_that_there_are() -> None:
         for step in job["steps"]:
             script = filled(step.get("run", ""), rows(job)[0])
             subprocess.run(["sh", "-n"], input=script, text=True, check=True)
-    named = {word for line in lines for word in re.findall(r"\b(tests/[\w/.]+|\.ci/\w+)", line)}
+    named = {word for line in lines for word in re.findall(r"(?<![\w.])(tests/[\w/.]+|\.ci/\w+)", line)}
+    assert {".ci/run", ".ci/oldest", ".ci/bare"} <= named
     assert "tests/test_portability.py" in named
     assert [path for path in named if not (ROOT / path).exists()] == []
     made = {word for line in lines for word in re.findall(r"\bmake ([a-z]+)", line)}
@@ -118,3 +121,21 @@ def test_an_issue_form_asks_for_what_it_takes(form: Path) -> None:
     assert len(asked) == len(said["body"]) >= 2
     assert all(field["attributes"]["label"] for field in asked.values())
     assert any(field.get("validations", {}).get("required") for field in asked.values())
+
+
+def test_only_a_tag_is_published_and_only_once_all_was_looked_at() -> None:
+    publish = read("wheels.yml")["jobs"]["publish"]
+    assert publish["needs"] == ["all"]
+    assert publish["if"] == "startsWith(github.ref, 'refs/tags/v')"
+    assert publish["environment"] == "pypi"
+
+
+def test_the_oldest_versions_are_those_that_are_allowed() -> None:
+    said = subprocess.run([sys.executable, ROOT / ".ci" / "oldest"], capture_output=True, text=True, check=True).stdout
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    assert len(said.splitlines()) >= len(project["dependencies"])
+    for line in said.splitlines():
+        name, least = line.removesuffix(".*").split("==")
+        wanted = [*project["dependencies"], *project["optional-dependencies"]["fast"]]
+        wanted += project["optional-dependencies"]["plots"]
+        assert any(each.startswith(f"{name}>={least}") for each in wanted), line
