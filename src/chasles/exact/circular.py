@@ -6,13 +6,14 @@ algebraic numbers vanishes only if its coefficients do.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import cache
 from math import lcm
 from typing import Any
 
 import sympy as sp
 
-__all__ = ["C", "S", "in_one_angle", "is_of_rational_angle", "without_squares"]
+__all__ = ["C", "S", "coefficients", "in_one_angle", "is_of_rational_angle", "without_squares"]
 
 C, S = sp.Symbol("c", real=True), sp.Symbol("s", real=True)
 LARGEST_MULTIPLE = 120
@@ -41,8 +42,21 @@ def in_one_angle(expression: Any) -> Any:
 
 def without_squares(polynomial: Any, cosine: Any = C, sine: Any = S) -> Any:
     """The polynomial in a cosine and a sine of one angle with at most the first power of the sine."""
-    terms = sp.Poly(sp.expand(polynomial), sine, domain="EX").terms()
-    return sp.expand(sp.Add(*(c * sine ** (k % 2) * (1 - cosine**2) ** (k // 2) for (k,), c in terms)))
+    squares = {
+        power: sine ** (power.exp % 2) * (1 - cosine**2) ** (power.exp // 2)
+        for power in sp.expand(polynomial).atoms(sp.Pow)
+        if power.base == sine and power.exp.is_Integer and power.exp > 1
+    }
+    return sp.expand(sp.expand(polynomial).xreplace(squares))
+
+
+def coefficients(polynomial: Any, symbols: Iterable[Any]) -> dict[Any, Any]:
+    """What multiplies each product of powers of the symbols."""
+    found: dict[Any, Any] = {}
+    for term in sp.Add.make_args(sp.expand(polynomial)):
+        factor, powers = term.as_independent(*symbols, as_Add=False)
+        found[powers] = found.get(powers, sp.Integer(0)) + factor
+    return found
 
 
 @cache

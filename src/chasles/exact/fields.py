@@ -36,6 +36,7 @@ from sympy.polys.domains import QQ
 from chasles.exact.enclosures import sign_by_enclosure
 from chasles.exact.moments import Number
 from chasles.exact.numbers import NotDecided
+from chasles.exact.separation import degree_of
 
 __all__ = ["Case", "Field", "sign_of"]
 
@@ -43,6 +44,8 @@ MOST_TURNS = 24
 """Sines of larger denominators than pi / MOST_TURNS are independent elements: their degree as roots is too large."""
 MOST_DIGITS = 480
 MOST_BITS = 4096
+MOST_DEGREE = 12
+"""Of the field: factoring a polynomial over a larger one takes minutes."""
 
 
 class Field:
@@ -150,7 +153,11 @@ def sign_of(value: Expr) -> int:
 
 @lru_cache(maxsize=200)
 def _algebraic(roots: tuple[Expr, ...]) -> tuple[Any, dict[Expr, Number]]:
-    """The extension of the rationals by some roots, and what each of these is in it."""
+    """The extension of the rationals by some roots, and what each of these is in it; NotDecided for a large one."""
+    if (degree := degree_of(roots)) > MOST_DEGREE:
+        raise NotDecided(
+            f"roots that occur here are numbers of degree up to {degree}, and {MOST_DEGREE} can be handled"
+        )
     domain = QQ.algebraic_field(*roots) if roots else QQ
     return domain, {root: domain.from_sympy(root) for root in roots}
 

@@ -12,7 +12,7 @@ from typing import Any
 import mpmath
 import sympy as sp
 
-from chasles.exact.circular import C, S, in_one_angle, without_squares
+from chasles.exact.circular import C, S, coefficients, in_one_angle, without_squares
 from chasles.exact.enclosures import INVERSES, enclosed
 from chasles.exact.separation import is_algebraic, is_algebraic_zero
 
@@ -40,10 +40,7 @@ def vanishes(number: Any) -> bool:
     named |= {part: sp.Dummy("other") for part in parts if part not in named}
     above = sp.fraction(sp.together(written.xreplace(named)))[0]
     above = reduce(lambda rest, circle: without_squares(rest, *circle), circles, above)
-    if not above.free_symbols:
-        return is_algebraic_zero(above) is True
-    terms = sp.Poly(above, *sorted(above.free_symbols, key=sp.default_sort_key), domain="EX").terms()
-    return all(is_algebraic_zero(coefficient) for _, coefficient in terms)
+    return all(map(is_algebraic_zero, coefficients(above, above.free_symbols).values()))
 
 
 def _apart(number: Any) -> Any:

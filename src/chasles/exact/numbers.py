@@ -15,7 +15,7 @@ from typing import Any
 import sympy as sp
 from mpmath.libmp import to_rational
 
-from chasles.exact.circular import without_squares
+from chasles.exact.circular import coefficients, without_squares
 from chasles.exact.enclosures import enclosed, is_bounded, sign_by_enclosure
 from chasles.exact.grounds import NotDecided, RationalFunctions
 from chasles.exact.independent import vanishes
@@ -197,9 +197,7 @@ def _on_circles(polynomial: Any, circles: list[tuple[Any, Any]]) -> Any:
 
 
 def _polynomial(expression: Any, symbols: list[Any]) -> Any:
-    polynomial = sp.Poly(sp.expand(expression), *symbols, domain="EX")
-    return sp.Add(*(normal(c) * sp.prod(s**k for s, k in zip(symbols, powers, strict=True))
-                    for powers, c in polynomial.terms()))  # fmt: skip
+    return sp.Add(*(normal(c) * powers for powers, c in coefficients(expression, symbols).items()))
 
 
 def _atoms(expression: Any) -> set[Any]:

@@ -8,17 +8,19 @@ where the angle is an inverse function of a number, some L z and L / z are algeb
 
 from __future__ import annotations
 
-from math import lcm, prod
+from collections.abc import Iterable
+from math import isqrt, lcm, prod
 from typing import Any
 
 import sympy as sp
 
 from chasles.exact.enclosures import INVERSES, NoEnclosure, enclosed
 
-__all__ = ["NotAlgebraic", "is_algebraic", "is_algebraic_zero"]
+__all__ = ["NotAlgebraic", "degree_of", "is_algebraic", "is_algebraic_zero"]
 
 MOST_BITS = 1 << 15
 """Of an enclosure; beyond, a long number takes seconds."""
+MOST_PRODUCTS = 1 << 8
 
 
 class NotAlgebraic(ValueError):
@@ -30,8 +32,9 @@ def is_algebraic_zero(number: Any) -> bool | None:
     size = _Size()
     above, below = size(number)
     separation = below + above * (size.degree - 1)
-    bits = 128
-    while bits <= MOST_BITS:
+    for bits in (128, separation + 128, 2 * separation + 256):
+        if bits > MOST_BITS:
+            return None
         try:
             interval = enclosed(number, bits)
         except NoEnclosure:
@@ -40,7 +43,6 @@ def is_algebraic_zero(number: Any) -> bool | None:
             return False
         if separation < bits and abs(interval) * 2**separation < 1:
             return True
-        bits = min(2 * bits, max(bits + 1, 2 * separation + 128))
     return None
 
 
@@ -53,18 +55,32 @@ def is_algebraic(number: Any) -> bool:
     return True
 
 
+def degree_of(numbers: Iterable[Any]) -> int:
+    """At least the degree of a field of real numbers in which all are. Raises NotAlgebraic."""
+    size = _Size()
+    for number in numbers:
+        size(number)
+    return size.degree // (1 if size.is_real else 2)
+
+
 class _Size:
     """Bounds on the conjugates of U and of L, in bits, for the parts of one number; `degree` is that of all of them."""
 
     def __init__(self) -> None:
         self._degrees: dict[Any, int] = {}
+        self._squares = {1}
         self._turns = 1
+
+    @property
+    def is_real(self) -> bool:
+        """Whether the field is known to be, without the imaginary unit."""
+        return self._turns == 1
 
     @property
     def degree(self) -> int:
         """At least the degree of a field in which all parts are."""
         turns = int(sp.totient(self._turns)) if self._turns < MOST_BITS else self._turns
-        return turns * prod(self._degrees.values())
+        return turns * len(self._squares) * prod(self._degrees.values())
 
     def __call__(self, number: Any) -> tuple[int, int]:
         match number:
@@ -102,10 +118,18 @@ class _Size:
 
     def _root(self, base: Any, degree: int) -> tuple[int, int]:
         above, below = self(base)
-        self._degrees[base, degree] = degree
+        if base.is_Rational and degree == 2 and len(self._squares) < MOST_PRODUCTS:
+            self._adjoin(int(abs(base.p * base.q)))
+        else:
+            self._degrees[base, degree] = degree
         if above >= below:
             return -(-(above + (degree - 1) * below) // degree), below
         return above, -(-((degree - 1) * above + below) // degree)
+
+    def _adjoin(self, radicand: int) -> None:
+        """The square root of an integer, unless a product of those of others is a multiple of it."""
+        if not any(isqrt(radicand * other) ** 2 == radicand * other for other in self._squares):
+            self._squares |= {radicand * other for other in self._squares}
 
     def _circular(self, angle: Any) -> tuple[int, int]:
         """Of (z + 1/z) / 2 and (z - 1/z) / 2i, z a product of powers of exp(i angle / m)."""

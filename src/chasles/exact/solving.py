@@ -43,6 +43,8 @@ def solved_on_sheet(exercise: Exercise, data: Mapping[str, Any]) -> tuple[Soluti
         raise DataError(f"{error}; give numbers that square roots express") from error
     except TooManyRoots as error:
         raise DataError(f"{error}; give simpler numbers") from error
+    except OverflowError as error:
+        raise DataError("a number grows too large; give smaller ones") from error
     except BasePolynomialError as error:
         raise DataError("polynomials in these numbers are not known; give numbers that square roots express") from error
     assert status in exercise.statuses, f"{status} is not among {exercise.statuses}"
