@@ -67,7 +67,10 @@ def _normal(expression: Any) -> Any:
     if atoms is None or expression.free_symbols or not has_roots_of_atoms(expression):
         return _with_atoms(expression)
     tower = Tower(RationalFunctions(atoms))
-    found = spelled(tower, in_tower(tower, expression))
+    try:
+        found = spelled(tower, in_tower(tower, expression))
+    except NotInTower:
+        return _with_atoms(expression)
     if len(_forms) == MOST_FORMS:
         _forms.clear()
     _forms.add(found)
