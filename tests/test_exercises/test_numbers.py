@@ -8,9 +8,10 @@ from random import Random
 import mpmath
 import pytest
 import sympy as sp
+from mpmath.ctx_iv import MPIntervalContext
 
 from chasles.exact.grammar import read_number
-from chasles.exact.numbers import NotDecided, angle, is_zero, normal, root, sign
+from chasles.exact.numbers import NotDecided, angle, decimals, is_zero, normal, root, sign
 from chasles.exact.spelling import text_of
 
 
@@ -150,3 +151,14 @@ def test_a_number_that_grows_too_long_is_declined() -> None:
     with pytest.raises(NotDecided, match="beyond 800 operations"):
         normal(value)
     assert not is_zero(value)
+
+
+def test_decimals_are_those_of_both_ends(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Near a right angle SymPy's decimals of a cotangent lose digits; an enclosure without ends tells none."""
+    near = sp.cot(sp.pi / 2 - sp.pi / 10**15)
+    assert decimals(near, 15) == str(sp.Float(sp.pi.n(40) / 10**15, 15))
+    assert decimals(sp.sqrt(2) - sp.Rational("1.4142135623730950488016887"), 3) == "2.42e-26"
+    nothing = MPIntervalContext().mpf(["-inf", "inf"])
+    monkeypatch.setattr("chasles.exact.numbers.enclosed", lambda *_: nothing)
+    with pytest.raises(NotDecided, match="nothing tells 10 digits"):
+        decimals(sp.cot(sp.Rational(1, 7)))

@@ -32,7 +32,7 @@ class Refuted(AssertionError):
 
 @cache
 def _judge() -> Judge:
-    return Judge(book=load(), memory=Memory(shipped=shipped(BOOK)))
+    return Judge(book=load, memory=Memory(shipped=shipped(BOOK)))
 
 
 def _decided(sentence: Sentence) -> Decision:

@@ -49,6 +49,14 @@ def enclosed(number: Any, bits: int) -> Any:
     return _Intervals(bits)(number)
 
 
+@lru_cache(maxsize=50)
+def _context(bits: int) -> MPIntervalContext:
+    """Intervals with so many bits; to make them anew takes longer than most numbers."""
+    context = MPIntervalContext()
+    context.prec = bits
+    return context
+
+
 @lru_cache(maxsize=1000)
 def _near(root: Any, bits: int) -> Any:
     """A rational number that far from the root at most."""
@@ -57,8 +65,7 @@ def _near(root: Any, bits: int) -> Any:
 
 class _Intervals:
     def __init__(self, bits: int) -> None:
-        self._context = MPIntervalContext()
-        self._context.prec = bits
+        self._context = _context(bits)
         self._known: dict[Any, Any] = {}
 
     def __call__(self, number: Any) -> Any:

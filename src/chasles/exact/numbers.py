@@ -8,15 +8,16 @@ independent; else the question is declined rather than guessed.
 
 from __future__ import annotations
 
+from contextlib import suppress
 from fractions import Fraction
 from functools import lru_cache, reduce
 from typing import Any
 
 import sympy as sp
-from mpmath.libmp import to_rational
+from mpmath.libmp import finf, fninf, to_rational
 
 from chasles.exact.circular import coefficients, without_squares
-from chasles.exact.enclosures import enclosed, is_bounded, sign_by_enclosure
+from chasles.exact.enclosures import NoEnclosure, enclosed, sign_by_enclosure
 from chasles.exact.grounds import NotDecided, RationalFunctions
 from chasles.exact.independent import vanishes
 from chasles.exact.separation import NotAlgebraic, is_algebraic_zero
@@ -144,11 +145,13 @@ def decimals(value: Any, digits: int = 10) -> str:
     """The number in decimals, to that many significant digits: both ends of an enclosure are rounded to them."""
     expression = normal(value)
     bits = 4 * digits + 64
-    while bits <= MOST_BITS and is_bounded(expression):
-        ends = {str(sp.Float(sp.Rational(*to_rational(end)), digits)) for end in enclosed(expression, bits)._mpi_}
-        if len(ends) == 1:
-            return ends.pop()
-        bits *= 2
+    with suppress(NoEnclosure):
+        while bits <= MOST_BITS:
+            ends = enclosed(expression, bits)._mpi_
+            near = {str(sp.Float(sp.Rational(*to_rational(end)), digits)) for end in ends if end not in (finf, fninf)}
+            if len(near) == 1 and finf not in ends and fninf not in ends:
+                return near.pop()
+            bits *= 2
     if expression.has(sp.cot):
         # Near a right angle SymPy's decimals of it are not what they say.
         raise NotDecided(f"nothing tells {digits} digits of {expression}")

@@ -42,8 +42,8 @@ class Tower:
 
     def add(self, x: Surd, y: Surd) -> Surd:
         """The sum."""
-        if x == ZERO or y == ZERO:
-            return y if x == ZERO else x
+        if not x or not y:
+            return x or y
         if not isinstance(x, tuple) and not isinstance(y, tuple):
             return x + y
         level = max(_level(x), _level(y))
@@ -56,7 +56,7 @@ class Tower:
             return x * y
         level = max(_level(x), _level(y))
         (a, b), (c, d) = _split(x, level), _split(y, level)
-        if c == ZERO or d == ZERO or a == ZERO or b == ZERO:
+        if not c or not d or not a or not b:
             squares = self._weighted(a, c, b, d, level)
         else:
             squares = self.add(self.multiply(a, c), self._by_radicand(self.multiply(b, d), level))
@@ -120,12 +120,12 @@ class Tower:
 
     def _root_within(self, x: Surd, level: int) -> Surd | None:
         """A square root in the field up to that level, if there is one."""
-        if x == ZERO:
+        if not x:
             return ZERO
         if level == 0:
             return None if isinstance(x, tuple) else self.ground.root(x)
         a, b = _split(x, level)
-        if b == ZERO:
+        if not b:
             inside = self._root_within(a, level - 1)
             if inside is not None:
                 return inside
@@ -136,7 +136,7 @@ class Tower:
             return None
         for other in (norm, self.negative(norm)):
             half = self._root_within(_scaled(self.add(a, other), Fraction(1, 2)), level - 1)
-            if half is not None and half != ZERO:
+            if half is not None and half:
                 return _made(level, half, _scaled(self.multiply(b, self.inverse(half)), Fraction(1, 2)))
         return None
 
@@ -148,11 +148,11 @@ class Tower:
         return self.multiply(x, self.radicands[level - 1])
 
     def _times(self, x: Surd, y: Surd) -> Surd:
-        return ZERO if ZERO in (x, y) else self.multiply(x, y)
+        return self.multiply(x, y) if x and y else ZERO
 
     def _weighted(self, a: Surd, c: Surd, b: Surd, d: Surd, level: int) -> Surd:
         product = self._times(b, d)
-        return self.add(self._times(a, c), ZERO if product == ZERO else self._by_radicand(product, level))
+        return self.add(self._times(a, c), ZERO if not product else self._by_radicand(product, level))
 
 
 def _level(x: Surd) -> int:
@@ -164,7 +164,7 @@ def _split(x: Surd, level: int) -> tuple[Surd, Surd]:
 
 
 def _made(level: int, a: Surd, b: Surd) -> Surd:
-    return a if b == ZERO else (level, a, b)
+    return a if not b else (level, a, b)
 
 
 def _coefficients(x: Surd) -> list[Any]:

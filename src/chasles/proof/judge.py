@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace as with_fields
-from functools import partial
+from functools import cached_property, partial
 from time import perf_counter
 from typing import Any
 
@@ -39,18 +39,28 @@ __all__ = ["Correction", "Decision", "Judge", "Used"]
 class Judge:
     """Decides sentences, each once; a given claim that fails is used in the form that stands in for it.
 
-    With `book`, what does not stand as printed is repaired: what the book says about a symbol tells which freedom it
-    has, and claims that rest on a definition tell what it is. What is in `memory` is not decided again; what it
-    has from another time is checked.
+    With `book`, or what loads it, what does not stand as printed is repaired: what the book says about a symbol tells
+    which freedom it has, and claims that rest on a definition tell what it is. What is in `memory` is not decided
+    again; what it has from another time is checked.
     """
 
-    def __init__(self, budget: float = BUDGET, book: Chapter | None = None, memory: Memory | None = None) -> None:
+    def __init__(
+        self, budget: float = BUDGET, book: Chapter | Callable[[], Chapter] | None = None, memory: Memory | None = None
+    ) -> None:
         self.budget = budget
         self.memory = memory or Memory()
         self._decisions: dict[int, Decision] = {}
         self.searches = book is not None
-        self._book = tuple(entry.statement for entry in book or () if isinstance(entry.statement, Statement))
-        self._place = {id(statement): k for k, statement in enumerate(self._book)}
+        self._given_book = book
+
+    @cached_property
+    def _book(self) -> tuple[Statement, ...]:
+        book = self._given_book() if callable(self._given_book) else self._given_book
+        return tuple(entry.statement for entry in book or () if isinstance(entry.statement, Statement))
+
+    @cached_property
+    def _place(self) -> dict[int, int]:
+        return {id(statement): k for k, statement in enumerate(self._book)}
 
     def decide_all(self, entries: Iterable[Entry]) -> Iterator[tuple[Entry, Decision]]:
         """The decisions, one at a time, in the order of the entries."""
