@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+import chasles
 from chasles.cli import reporting
 from chasles.exact.solution import Solution
 from chasles.exact.solving import solve_with
@@ -89,7 +90,7 @@ def test_every_exercise_is_worked(report: dict[str, str]) -> None:
     for number in ("3.4", "3.5", "3.9", "3.19"):
         body, solution = found[number], solve_with(number, {})
         assert body.count("<li><p>") == len(solution.steps) + len(solution.checks)
-        assert f"<h4>Answer: {solution.status}</h4>" in body
+        assert f"<h4>Answer: {solution.outcome}</h4>" in body
         assert all(f"<dt><code>{name}</code></dt>" in body for name in solution.answers)
         assert body.count("<figure>") == (solution.picture is not None)
 
@@ -204,3 +205,11 @@ def test_a_proof_says_what_is_put_in_and_divided_by(number: str, words: str) -> 
 )
 def test_formulas_of_solutions_are_spaced(latex: str, mathml: str) -> None:
     assert mathml in displayed(latex)
+
+
+@pytest.mark.parametrize(("number", "outcome"), [("3.9", "solved"), ("3.17", "proved"), ("3.5", "line")])
+def test_an_answer_says_what_was_found(number: str, outcome: str) -> None:
+    solution = chasles.solve(number)
+    assert solution.outcome == outcome
+    assert f"Answer: {outcome}" in solution._repr_mimebundle_()["text/plain"]
+    assert all(f"Answer: {outcome}" in solution._repr_mimebundle_()[f"text/{kind}"] for kind in ("html", "latex"))

@@ -201,4 +201,4 @@ def test_what_rests_on_an_undecided_statement_is_said_to(number: str) -> None:
     assert "undecided" in line or "the road stops" in line
     assert done.stdout == ""
     view = worked_view(load(), number)
-    assert (view.status, view.steps, view.unsolved) == ("unsolved", (), line.partition(" is not solved: ")[2])
+    assert (view.outcome, view.steps, view.unsolved) == ("unsolved", (), line.partition(" is not solved: ")[2])

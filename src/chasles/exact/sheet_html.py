@@ -52,7 +52,7 @@ def _parts(solution: Solution) -> Iterator[str]:
         yield "<p>Assumed: " + " ".join(escape(text) for text in solution.assumptions) + "</p>"
     yield "<h2>Solution</h2>\n<ol>"
     yield from map(_step, solution.steps)
-    yield f"</ol>\n<h2>Answer: {escape(solution.status)}</h2>\n<table>"
+    yield f"</ol>\n<h2>Answer: {escape(solution.outcome)}</h2>\n<table>"
     for name, value in solution.answers.items():
         yield f"<tr><th>{escape(name)}</th><td>{_answer(value)}</td></tr>"
     yield "</table>"

@@ -22,7 +22,7 @@ def _parts(solution: Solution) -> Iterator[str]:
     for number, step in enumerate(solution.steps, 1):
         yield rf"\par {number}. {_said(step)}"
         yield from (rf"\[ {line.latex} \]" for line in step.lines)
-    yield rf"\par\textbf{{Answer: {plain_in_latex(solution.status)}}}"
+    yield rf"\par\textbf{{Answer: {plain_in_latex(solution.outcome)}}}"
     yield from (rf"\[ {words_in_latex(name)} = {latex_of(value)} \]" for name, value in solution.answers.items())
     for check in solution.checks:
         yield rf"\par {_said(check)}"

@@ -106,6 +106,13 @@ class Solution(Displayed):
         }
 
     @property
+    def outcome(self) -> str:
+        """What was found, in words: which case it is; where there is but one, that it is solved, or proved."""
+        if self.status == "ok":
+            return "proved" if set(self.answers) == {"proofs"} else "solved"
+        return self.status.replace("-", " ")
+
+    @property
     def hints(self) -> list[str]:
         """What each step does and the equations it uses, without values."""
         return [f"{step.says} {cited(step.cites)}".rstrip() for step in self.steps]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from chasles.report.html.exercises import Answer, WorkedStep, WorkedView
+from chasles.report.html.exercises import AnswerView, WorkedStep, WorkedView
 from chasles.report.html.shown import Equation
 from chasles.report.latex_text import escaped
 
@@ -26,7 +26,7 @@ class Exercise:
 
     number: str
     title: str
-    status: str
+    outcome: str
     asked: tuple[str, ...]
     assumed: tuple[str, ...]
     steps: tuple[Sentence, ...]
@@ -40,7 +40,7 @@ def exercises_in_latex(worked: Iterable[WorkedView]) -> Iterator[Exercise]:
         yield Exercise(
             number=escaped(view.number),
             title=escaped(view.title),
-            status=escaped(view.status),
+            outcome=escaped(view.outcome),
             asked=tuple(map(escaped, view.asked)),
             assumed=tuple(map(escaped, view.assumed)),
             steps=tuple(map(_step, view.steps)),
@@ -54,7 +54,7 @@ def _step(step: WorkedStep) -> Sentence:
     return Sentence(escaped(f"{step.says} {cites}".strip()), tuple(map(_formula, step.equations)))
 
 
-def _answer(answer: Answer) -> Sentence:
+def _answer(answer: AnswerView) -> Sentence:
     words = "; ".join(answer.words)
     return Sentence(escaped(f"{answer.name}: {words}".rstrip(": ")), tuple(map(_formula, answer.equations)))
 

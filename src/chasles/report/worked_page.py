@@ -28,7 +28,7 @@ def worked_page(solution: Solution, signs: bool) -> Iterator[RenderableType]:
     for number, step in enumerate(solution.steps, 1):
         yield _step(str(number), step, signs)
     yield Text("")
-    yield Text.assemble(("Answer", "bold"), ": ", (solution.status, "bold cyan"))
+    yield Text.assemble(("Answer", "bold"), ": ", (solution.outcome, "bold cyan"))
     yield Padding(_answers(solution, signs), (0, 0, 0, 2))
     if solution.checks:
         yield Text("")

@@ -41,7 +41,7 @@ class Given:
 
 
 @dataclass(frozen=True, slots=True)
-class Answer:
+class AnswerView:
     """What was found: its name, the value as a formula, labelled with its decimals, or in `words` if it is words."""
 
     name: str
@@ -68,12 +68,12 @@ class WorkedView:
     place: str
     number: str
     title: str
-    status: str
+    outcome: str
     asked: tuple[str, ...]
     assumed: tuple[str, ...]
     given: tuple[Given, ...]
     steps: tuple[WorkedStep, ...]
-    answers: tuple[Answer, ...]
+    answers: tuple[AnswerView, ...]
     checks: tuple[WorkedStep, ...]
     pictures: tuple[Markup, ...]
     captions: tuple[str, ...]
@@ -104,7 +104,7 @@ def worked_view(chapter: Chapter, number: str) -> WorkedView:
         place=place,
         number=number,
         title=solution.title,
-        status=solution.status,
+        outcome=solution.outcome,
         asked=solution.asked,
         assumed=solution.assumptions,
         given=tuple(_given(asked, solution)),
@@ -137,11 +137,11 @@ def _given(asked: Exercise, solution: Solution) -> Iterator[Given]:
             yield Given(datum.key, datum.says, text_of(value))
 
 
-def _answer(name: str, value: Any) -> Answer:
+def _answer(name: str, value: Any) -> AnswerView:
     if words := tuple(_words(value)):
-        return Answer(name, (), words)
+        return AnswerView(name, (), words)
     latex = latex_of(value)
-    return Answer(name, (Equation(displayed(latex), text_of(value), _decimals(decimal_text(value)), latex),))
+    return AnswerView(name, (Equation(displayed(latex), text_of(value), _decimals(decimal_text(value)), latex),))
 
 
 def _words(value: Any) -> Iterator[str]:
