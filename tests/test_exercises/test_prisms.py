@@ -166,6 +166,25 @@ def test_every_angle(degrees: str) -> None:
     assert is_zero(number(printed["rest.V"]) - answers["rest.V"])
 
 
+@pytest.mark.parametrize(
+    "data",
+    [{"angle_deg": "33.3", "height": "pi"}, {"angle_deg": 20, "side": "cot(1)"}, {"height": "pi", "side": "cot(1)"},
+     {"angle_deg": 20, "height": "cos(1) + sin(1)"}, {"height": "cos(1) + sin(1)"}],
+)  # fmt: skip
+def test_more_than_one_number_beside_roots_is_declined_at_once(data: dict) -> None:
+    with pytest.raises(DataError, match=r"only one number that square roots do not express|are not told apart"):
+        solve("3.12", **data)
+
+
+@pytest.mark.parametrize(
+    "data",
+    [{"angle_deg": "1.5", "side": "sqrt(7)"}, {"angle_deg": 10, "side": "sqrt(2)", "height": "sqrt(5+sqrt(7))"}],
+)
+def test_too_many_roots_are_declined_at_once(data: dict) -> None:
+    with pytest.raises(DataError, match="too many different square roots"):
+        solve("3.12", **data)
+
+
 def test_a_wedge_in_cotangents() -> None:
     """At 20 degrees: the formulas of a wedge below the top, in the cotangent itself."""
     answers = solve("3.12", side=1, height=10, angle_deg=20).as_data()["answers"]

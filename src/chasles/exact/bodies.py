@@ -10,9 +10,11 @@ from typing import Any
 import sympy as sp
 
 from chasles.exact.evaluate import column_of, matrix_of
+from chasles.exact.grounds import NotDecided
 from chasles.exact.moments import Moments
 from chasles.exact.numbers import is_zero, normal
 from chasles.exact.solids import Plane, prism
+from chasles.exact.square_roots import independent_atoms
 from chasles.exact.surds import SurdField
 
 __all__ = [
@@ -26,6 +28,9 @@ __all__ = [
     "tangent_of_double_angle",
     "whole_prism",
 ]
+
+MOST_ROOTS, MOST_ROOTS_BESIDE = 4, 3
+"""Square roots, that of three among them, with which a cut prism takes seconds: alone, and beside others."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +92,17 @@ def cut_hexagonal_prism(side: Any, height: Any, slope: Any) -> tuple[Body, Body]
     """The parts of the prism over the regular hexagon below and above the plane Z = slope (Y + (sqrt(3)/2) side).
 
     They are those of a prism with corners at integers, stretched, where one number tells how steep the plane is.
+    NotDecided where more than one independent number stands beside the square roots: what is made of two grows long.
     """
+    atoms = independent_atoms(side, height, slope)
+    if atoms is None or len(atoms) > 1:
+        strangers = "sines and cosines" if atoms is None else " and ".join(map(str, atoms))
+        raise NotDecided(f"{strangers}: only one number that square roots do not express can be handled here")
+    field = SurdField(side, height, slope)
+    for number in (side, height, slope, sp.sqrt(3)):
+        field(number)
+    if len(field.tower.radicands) > (MOST_ROOTS_BESIDE if atoms else MOST_ROOTS):
+        raise NotDecided("the sizes and the angle have too many different square roots in them")
     hexagon = [column_of(*corner) for corner in ((2, 0), (1, 1), (-1, 1), (-2, 0), (-1, -1), (1, -1))]
     steep = normal(sp.sqrt(3) * slope * side / (2 * height))
     parts = cut_prism(hexagon, sp.Integer(1), column_of(0, -steep, 1), steep)

@@ -126,7 +126,9 @@ def independent_atoms(*values: Any) -> tuple[Any, ...] | None:
     related = len(angles) > 1 and not all(isinstance(atom, sp.cot) for atom in angles)
     if related:
         return None
-    under = {int(x.base) for v in values for x in v.atoms(sp.Pow) if x.base.is_Integer and x.exp.q == 2}
+    hidden = {atom: sp.Dummy() for value in values for atom in value.atoms(TrigonometricFunction)}
+    powers = set().union(*(value.xreplace(hidden).atoms(sp.Pow) for value in values))
+    under = {int(x.base) for x in powers if x.base.is_Integer and x.exp.q == 2}
     beside = sp.sqrt(under.pop()) if len(under) == 1 else sp.Integer(1)
     return tuple(beside * atom for atom in sorted(found, key=sp.default_sort_key))
 
