@@ -105,6 +105,12 @@ def test_what_is_missing_follows_what_is_claimed() -> None:
     assert (marks.passed, marks.wrong, marks.score) == (False, ("e", "p", "n0", "d"), 0)
 
 
+def test_only_what_was_given_is_found_not_to_satisfy_something() -> None:
+    marks = grade(exercise("3.7"), AMBIGUOUS, {"e_candidates": [[1, 0, 0]]})
+    assert marks.wrong == ("e_candidates",)
+    assert all(says.startswith("e_candidates: ") for says in marks.violated)
+
+
 def own(number: str, data: dict[str, Any]) -> dict[str, Any]:
     solution, _ = solved_on_sheet(exercise(number), data)
     return json.loads(json.dumps(solution.as_data()["answers"]))

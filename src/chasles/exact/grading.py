@@ -186,6 +186,8 @@ def _violated(exercise: Exercise, sheet: Sheet, answers: Mapping[str, Any]) -> l
         for node in nodes
         if isinstance(answers.get(name), sp.Basic)
     }
+    if not values:
+        return []
     for node in sheet.values:
         if isinstance(node, Call) and node.argument in values:
             values[node] = getattr(sp, node.function)(values[node.argument])
