@@ -42,6 +42,7 @@ def solve(sheet: Sheet) -> str:
     turns = tuple(zip(("theta", "phi", "psi"), (angle.name for angle in angles), strict=True))
     sheet.step("The book's eta = [theta, phi, psi]^T holds the angles in the order of the turns.", *turns)
     turned = sheet.compute(rotation, "The rotation: the product of the turns about the three axes.")
+    sheet.step("It is, multiplied out,", (Q, turned))
     W_fixed, W_body = (sheet.value(found) for found in (fixed["W"], body["W_body"]))
     says = "In omega = W d(eta)/dt, the columns of W are the axes of the turns, in the fixed frame and in the body's."
     sheet.step(says, ("W in the fixed frame", W_fixed), ("W in the body frame", W_body))

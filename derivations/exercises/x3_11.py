@@ -29,12 +29,8 @@ UNITS = (
 
 TETRAHEDRA = (
     "Each face falls into triangles; each triangle and one common point make a tetrahedron. Of one with its corners at "
-    "that point and at a, b, c from there, the integrals are, with s = a + b + c:"
-)
-OF_A_TETRAHEDRON = (
-    ("V, the integral of 1", "a . (b x c) / 6"),
-    ("the integral of x", "V s / 4"),
-    ("the integral of x x^T", "V (s s^T + a a^T + b b^T + c c^T) / 20"),
+    "that point and at a, b, c from there, and with s = a + b + c, the volume V is a . (b x c) / 6; the integral of x is "
+    "V s / 4, and that of x x^T is V (s s^T + a a^T + b b^T + c c^T) / 20."
 )
 
 
@@ -97,7 +93,7 @@ def solve(sheet: Sheet) -> str:
     """The integrals are those of a prism; the rest is Section 3.8."""
     side, height = sheet["side"], sheet["height"]
     corners = regular_hexagon(side)
-    sheet.step(TETRAHEDRA, *OF_A_TETRAHEDRON)
+    sheet.step(TETRAHEDRA)
     mass_properties(sheet, whole_prism(corners, height), "the prism")
     moments, radii, axes = principal(sheet, "the prism")
     sheet.answer(V=sheet.values[m], centroid=sheet.values[c], I_C_over_rho=sheet.values[I_C])

@@ -1,7 +1,6 @@
 """Exercise 3.12: the hexagonal prism of Exercise 3.11, cut in two by a plane through an edge of its base."""
 
 from chasles.derivations.exercises.x3_11 import (
-    OF_A_TETRAHEDRON,
     TETRAHEDRA,
     UNIT_DENSITY,
     UNITS,
@@ -48,7 +47,7 @@ def solve(sheet: Sheet) -> str:
         "at Y = (sqrt(3)/2) side, is",
         ("Z", normal(2 * slope * corners[1][1])),
     )
-    sheet.step(TETRAHEDRA, *OF_A_TETRAHEDRON)
+    sheet.step(TETRAHEDRA)
     sheet.step("The common point lies in the cutting plane, so that the face which the cut makes adds nothing.")
     edges = prism_edges(corners, height)
     # Four colours take turns: with the section between the two sets of axes, like axes are alike.

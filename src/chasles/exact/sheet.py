@@ -19,7 +19,7 @@ from chasles.exact.linear import Solutions, solve_linear
 from chasles.exact.numbers import is_zero, normal, sign
 from chasles.exact.picture import Picture
 from chasles.exact.solution import Check, Line, Step
-from chasles.exact.spelling import Spelled, text_of
+from chasles.exact.spelling import Spelled, text_of, words_in_latex
 from chasles.proof.variables import angle_multiples
 from chasles.statements import Hypothesis, Inverse, Statement
 from chasles.statements.statement import bare
@@ -147,7 +147,8 @@ class Sheet(Decided):
         """Evaluate an expression written in the book's words, as a step; its value."""
         value = self.value(node, at)
         name = [named] if named else []
-        line = chain([*name, plain(node)], [*name, latex(node)], value)
+        in_latex = [words_in_latex(named)] if " " in named else name
+        line = chain([*name, plain(node)], [*in_latex, latex(node)], value)
         self.steps.append(Step(says, tuple(map(self.cite, cites)), (line,)))
         return value
 
