@@ -29,8 +29,8 @@ UNITS = (
 
 TETRAHEDRA = (
     "Each face falls into triangles; each triangle and one common point make a tetrahedron. Of one with its corners at "
-    "that point and at a, b, c from there, and with s = a + b + c, the volume V is a . (b x c) / 6; the integral of x is "
-    "V s / 4, and that of x x^T is V (s s^T + a a^T + b b^T + c c^T) / 20."
+    "that point and at a, b, c from there, and with s = a + b + c, the volume V is a . (b x c) / 6; the integral of x "
+    "is V s / 4, and that of x x^T is V (s s^T + a a^T + b b^T + c c^T) / 20."
 )
 
 
