@@ -6,6 +6,7 @@ from contextlib import suppress
 from random import Random
 from time import process_time
 
+import mpmath
 import pytest
 import sympy as sp
 
@@ -50,6 +51,8 @@ IDENTITIES = [
     ("sqrt(5+2*sqrt(6))", "sqrt(2)+sqrt(3)"),
 ]
 NEAR = ["+1/2^60", "-1/2^60", "+1/10^50", "-1/10^50", "*(1+1/2^60)", "+pi/10^40", "+sqrt(2)/10^45"]
+TINIER = ["+1/10^60/10^60", "-1/2^64/2^64/2^64/2^64/2^64", "*(1+1/10^60/10^50)", "+sqrt(3)/10^64/10^64/10^64/10^64"]
+"""Below what the first enclosures tell from zero."""
 
 
 @pytest.mark.parametrize(("one", "other"), IDENTITIES)
@@ -58,9 +61,41 @@ def test_identities_are_decided(one: str, other: str) -> None:
     assert sign(read_number(other) - read_number(one)) == 0
 
 
-@pytest.mark.parametrize(("one", "other", "near"), sample([(*pair, near) for pair in IDENTITIES for near in NEAR], 5))
+@pytest.mark.parametrize(
+    ("one", "other", "near"), sample([(*pair, near) for pair in IDENTITIES for near in (*NEAR, *TINIER)], 5)
+)
 def test_what_is_near_is_not_equal(one: str, other: str, near: str) -> None:
     assert not is_zero(read_number(one) - read_number(f"({other}){near}"))
+
+
+MINUTE = [
+    "*".join(["(sqrt(2)-1)^64"] * 5),
+    "*".join(["(2*cos(2*pi/7)-1)^64"] * 4),
+    "*".join(["tan(pi/8)^64"] * 5),
+    "*".join(["(sqrt(2)+sqrt(3)-3)^64"] * 4),
+    "*".join(["(2*cos(pi/5)-8/5)^64"] * 5),
+    "*".join(["(2*cos(acos(1/2)/3)-15/8)^64"] * 3),
+    "sqrt(10^64*10^64*10^64*10^64+1)-10^64*10^64",
+    "sqrt(10^64*10^64*10^64*10^64+1)+sqrt(10^64*10^64*10^64*10^64-1)-2*10^64*10^64",
+    "sqrt(10^64*10^64*10^64*10^64+1)/10^64/10^64-1",
+    "sqrt(10^60*10^60*10^60*10^60+7)/10^60/10^60-sqrt(2)/sqrt(2+1/10^60/10^60/10^60/10^60)",
+    "cos(1/10^64/10^64)-1",
+    "atan(1+1/10^64/10^64/10^64)-pi/4",
+    "atan(1/2)+atan(1/3+1/10^64/10^64/10^64)-pi/4",
+    "acos(1/3+1/10^64/10^64)+asin(1/3)-pi/2",
+    "2*atan(sqrt(3/2)+1/10^60/10^60)-acos(-1/5)",
+]
+"""Numbers that are minute though their denominators are not large, and sums of angles that are nearly related."""
+
+
+@pytest.mark.parametrize("text", MINUTE)
+def test_minute_numbers_are_not_zero(text: str) -> None:
+    value = read_number(text, 1000)
+    with mpmath.workdps(800):
+        near = sp.lambdify((), value, "mpmath")()
+        assert 0 < abs(near) < mpmath.mpf(2) ** -256
+    assert not is_zero(value)
+    assert sign(value) == mpmath.sign(near)
 
 
 def pythagorean(draw: Random) -> sp.Rational:

@@ -85,7 +85,7 @@ class _Size:
     def __call__(self, number: Any) -> tuple[int, int]:
         match number:
             case sp.Rational():
-                return int(abs(number.p)).bit_length(), int(number.q).bit_length()
+                return _bits(number.p), _bits(number.q)
             case sp.Add():
                 return self._sum([term.as_coeff_Mul() for term in number.args])
             case sp.Mul():
@@ -96,7 +96,7 @@ class _Size:
                 times = int(number.exp.p)
                 return (times * above, times * below) if times > 0 else (-times * below, -times * above)
             case sp.CRootOf():
-                leading, *others = (int(abs(c)).bit_length() for c in number.poly.all_coeffs())
+                leading, *others = map(_bits, number.poly.all_coeffs())
                 self._degrees[number] = len(others)
                 return max(leading, *others) + 1, leading
             case sp.cos() | sp.sin():
@@ -112,9 +112,9 @@ class _Size:
         whole, divisor = 0, 0
         for times, rest in terms:
             above, below = self(rest)
-            above += int(abs(times.p) * (common // times.q)).bit_length()
+            above += _bits(times.p * (common // times.q))
             whole, divisor = max(whole + below, above + divisor) + 1, divisor + below
-        return whole, divisor + common.bit_length()
+        return whole, divisor + _bits(common)
 
     def _root(self, base: Any, degree: int) -> tuple[int, int]:
         above, below = self(base)
@@ -158,3 +158,8 @@ def _angles_in(angle: Any) -> dict[Any, Any]:
             raise NotAlgebraic(angle)
         found[rest] = found.get(rest, sp.Integer(0)) + times
     return found
+
+
+def _bits(integer: Any) -> int:
+    """The least power of two that is not less than its size."""
+    return max(int(abs(integer)) - 1, 0).bit_length()
