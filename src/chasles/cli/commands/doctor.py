@@ -79,7 +79,7 @@ def _lines(found: Mapping[str, Any]) -> Lines:
     yield (
         "cache",
         (
-            f"{cache['folder']}: {cache['files']} files, {cache['bytes'] / 1e6:.2f} MB"
+            f"{cache['folder']}: {cache['files']} file{'s' * (cache['files'] != 1)}, {cache['bytes'] / 1e6:.2f} MB"
             if cache["folder"]
             else "off: CHASLES_CACHE is empty"
         ),
