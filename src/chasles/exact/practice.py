@@ -70,7 +70,7 @@ class Practice:
             "asked": list(self.exercise.asked),
             "data": self.data,
             "data_are": {datum.key: datum.says for datum in self.exercise.data if datum.key in self.data},
-            "conventions": [*self.exercise.assumed(tuple(self.drawn)), EXACT],
+            "conventions": [*self.exercise.assumed(tuple(self.data)), EXACT],
             "answers": {answer.name: {"shape": shape_in_words(answer.shape), "is": answer.says} for answer in asked},
             "template": self.template,
         }
