@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import reduce
+from math import lcm
 from typing import Any
 
 import sympy as sp
@@ -119,7 +120,7 @@ def independent_atoms(*values: Any) -> tuple[Any, ...] | None:
     """The numbers of which some are made by arithmetic and square roots; None where they are related.
 
     Sines and cosines are, by the unit circle. Between others nothing is used: only a chance equality is not seen.
-    Where the root of one integer occurs, each is taken times that root: most of what is made of them then lacks it.
+    Each is taken times the root of the integers whose roots occur: most of what is made of them then lacks these.
     """
     found = {atom for value in values for atom, _ in _leaves(value)}
     angles = [atom for atom in found if isinstance(atom, TrigonometricFunction)]
@@ -129,7 +130,7 @@ def independent_atoms(*values: Any) -> tuple[Any, ...] | None:
     hidden = {atom: sp.Dummy() for value in values for atom in value.atoms(TrigonometricFunction)}
     powers = set().union(*(value.xreplace(hidden).atoms(sp.Pow) for value in values))
     under = {int(x.base) for x in powers if x.base.is_Integer and x.exp.q == 2}
-    beside = sp.sqrt(under.pop()) if len(under) == 1 else sp.Integer(1)
+    beside = sp.sqrt(lcm(*under))
     return tuple(beside * atom for atom in sorted(found, key=sp.default_sort_key))
 
 
