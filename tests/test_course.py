@@ -65,4 +65,4 @@ def test_a_question_of_prairielearn() -> None:
     assert 0 < data["score"] < 1
     assert data["feedback"]["parts"][0]["name"] == "d"
     submit({"d": None})
-    assert "d: expected a number, and got null" in data["format_errors"]["answer.json"]
+    assert "d: expected a number, and got None" in data["format_errors"]["answer.json"]

@@ -103,7 +103,7 @@ def test_a_batch(run, tmp_path: Path) -> None:
     lines.write_text('{"id": 2, "answers": {"d": true}}\n{"answers": {}}\n', "utf-8")
     done = run("practice", "3.5", "--batch", str(lines))
     assert (done.exit_code, done.stdout.count("\n"), done.stderr) == (2, 2, "")
-    assert json.loads(done.stdout.splitlines()[0]) == {"id": 2, "error": "d: expected a number, and got true"}
+    assert json.loads(done.stdout.splitlines()[0]) == {"id": 2, "error": "d: expected a number, and got True"}
 
 
 def test_hints(run) -> None:

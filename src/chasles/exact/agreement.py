@@ -37,7 +37,7 @@ class Equality:
             if self.is_exact:
                 return is_zero(difference)
             return not abs(enclosed(difference, BITS)) > self._allowed
-        except (NoEnclosure, NotDecided, TooManyRoots):
+        except (NoEnclosure, NotDecided, TooManyRoots, RecursionError):
             return None
 
     @cached_property

@@ -193,5 +193,6 @@ def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def _shown(raw: Any) -> str:
-    text = {None: "null", True: "true", False: "false"}[raw] if raw is None or isinstance(raw, bool) else repr(raw)
+    spell: Callable[[Any], str] = repr
+    text = spell(raw)
     return text if len(text) <= 60 else f"{text[:57]}..."

@@ -18,7 +18,7 @@ __all__ = ["LONGEST", "MOST_EXPONENT", "NotANumber", "read_number"]
 
 LONGEST = 200
 MOST_EXPONENT = 64
-MOST_NESTED = 40
+MOST_NESTED = 100
 MOST_BITS = 4096
 """Size of the largest number that a power may come to; exponents of exponents grow beyond every measure."""
 _TOKEN = re.compile(r"\s*(?:([0-9]+\.[0-9]*|\.[0-9]+|[0-9]+)|([A-Za-z]+)|(\*\*|[-+*/^()]))")
@@ -55,7 +55,10 @@ def read_number(text: str, longest: int = LONGEST) -> Any:
     """
     if len(text) > longest:
         raise NotANumber(text, longest, f"a number has at most {longest} characters")
-    return _Reader(text).whole()
+    try:
+        return _Reader(text).whole()
+    except RecursionError:
+        raise NotANumber(text, 0, "the number is nested too deeply") from None
 
 
 def _tokens(text: str) -> Iterator[_Token]:
