@@ -12,7 +12,6 @@ from typing import Any
 
 import pytest
 
-from chasles.cli import cache
 from chasles.cli.outcome import decide
 from chasles.proof import spreading
 from chasles.proof.certificate import check
@@ -51,7 +50,7 @@ def decisions() -> tuple[Judge, list[Decision]]:
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Where earlier runs keep what they found, of a chapter that brings nothing along."""
     monkeypatch.setenv("CHASLES_CACHE", str(tmp_path / "kept"))
-    monkeypatch.setattr(cache, "shipped", lambda package: {})
+    monkeypatch.setattr(recalled, "shipped", lambda package: {})
     return tmp_path / "kept"
 
 
@@ -321,7 +320,7 @@ def test_a_cache_that_cannot_be_written_is_none(tmp_path: Path, monkeypatch: pyt
 def test_another_engine_has_another_cache(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     decide(section("3.3"), BOOK)
     (first,) = folder.iterdir()
-    monkeypatch.setattr(cache, "LIBRARIES", ())
+    monkeypatch.setattr(recalled, "LIBRARIES", ())
     decide(section("3.3"), BOOK)
     (second,) = folder.iterdir()
     assert first != second
@@ -330,7 +329,7 @@ def test_another_engine_has_another_cache(folder: Path, monkeypatch: pytest.Monk
 def test_a_verdict_that_is_rejected_without_a_cache_is_a_failure(monkeypatch: pytest.MonkeyPatch) -> None:
     from chasles.cli import rechecking
 
-    monkeypatch.setattr(cache, "shipped", lambda package: {})
+    monkeypatch.setattr(recalled, "shipped", lambda package: {})
     monkeypatch.setenv("CHASLES_CACHE", "")
     monkeypatch.setattr(rechecking, "spread", lambda work, pieces, seconds: ["not proved" for _ in pieces])
     found, _ = decide(section("3.3"), BOOK)
