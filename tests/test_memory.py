@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from chasles.cli.outcome import decide
-from chasles.proof import spreading
+from chasles.proof import recalled, spreading
 from chasles.proof.certificate import check
 from chasles.proof.decision import Decision
 from chasles.proof.foresight import foresee
