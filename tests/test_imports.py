@@ -15,6 +15,7 @@ pytestmark = pytest.mark.skipif(not (ROOT / "pyproject.toml").exists(), reason="
 # Rooms, and the modules beside them, each after everything it may import.
 ORDER = (
     "display",
+    "several",
     "keeping",
     "nearest",
     "vocabulary",

@@ -8,9 +8,8 @@ from __future__ import annotations
 from collections.abc import Container
 from importlib import import_module
 from types import ModuleType
-from typing import TypeVar
 
-__all__ = ["Displayed", "Several", "displayed_by"]
+__all__ = ["Displayed", "displayed_by"]
 
 _room: list[str] = []
 
@@ -50,24 +49,3 @@ class Displayed:
             for kind, make in made.items()
             if (not include or kind in include) and not (exclude and kind in exclude)
         }
-
-
-T_co = TypeVar("T_co", bound=Displayed, covariant=True)
-
-
-class Several(tuple[T_co, ...], Displayed):
-    """Things that are displayed one below the other, and printed so."""
-
-    __slots__ = ()
-
-    def __str__(self) -> str:
-        return self._repr_text_()
-
-    def _repr_text_(self) -> str:
-        return "\n\n".join(each._repr_text_() for each in self)
-
-    def _repr_html_(self) -> str:
-        return "\n".join(each._repr_html_() for each in self)
-
-    def _repr_latex_(self) -> str:
-        return "\n\n".join(each._repr_latex_() for each in self)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from chasles.display import Displayed, Several
+from chasles.display import Displayed
 from chasles.proof.repair import Repair
 from chasles.proof.verdict import (
     Assumed,
@@ -19,6 +19,7 @@ from chasles.proof.verdict import (
     Undecided,
     Verdict,
 )
+from chasles.several import Several
 from chasles.statements import Inverse, Statement, Theorem
 from chasles.statements.problem import default_sides
 from chasles.statements.statement import Equation
