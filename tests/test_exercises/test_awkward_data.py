@@ -31,6 +31,10 @@ ANGLES = (
 )  # fmt: skip
 
 
+ENDLESS = 120
+"""Seconds of processor time: what is not bounded takes many minutes, what is bounded a few seconds."""
+
+
 def soon(number: str, data: dict[str, Any]) -> str:
     """How it ends; a defect is raised."""
     before = process_time()
@@ -39,7 +43,7 @@ def soon(number: str, data: dict[str, Any]) -> str:
     except (DataError, DoesNotStand) as refused:
         ended = str(refused)
     assert "\n" not in ended
-    assert process_time() - before < 15, data
+    assert process_time() - before < ENDLESS, data
     return ended
 
 
@@ -68,7 +72,7 @@ def turned(angle: str) -> list[list[str]]:
     return [[f"cos({angle})", f"-sin({angle})", "0"], [f"sin({angle})", f"cos({angle})", "0"], ["0", "0", "1"]]
 
 
-@pytest.mark.parametrize("angle", sample(ANGLES, 4))
+@pytest.mark.parametrize("angle", sample(ANGLES, 8))
 def test_awkward_angles(angle: str) -> None:
     rows = turned(angle)
     columns = dict(zip("ijk", ([row[k] for row in rows] for k in range(3)), strict=True))
@@ -89,4 +93,4 @@ def test_rotations_through_tiny_angles(size: int) -> None:
     columns = {"i": [cosine, sine, 0], "j": [f"-{sine}", cosine, 0], "k": [0, 0, 1]}
     before = process_time()
     assert solve_with("3.6", columns).status == "screw"
-    assert process_time() - before < 5
+    assert process_time() - before < ENDLESS
