@@ -143,3 +143,24 @@ def test_decimals_are_read_on_request_only() -> None:
     assert isinstance(prove(0.3 * x, x / 3, exact=True), Fails)
     with pytest.raises(Untreatable, match="floating-point"):
         prove(0.5 * m * x**2, m * x**2 / 2)
+
+
+def unevaluated(*terms: Any) -> Any:
+    return sp.Add(*terms, evaluate=False)
+
+
+@pytest.mark.parametrize(
+    ("angle", "same"),
+    [
+        (unevaluated(2 * x + 2 * y, 4 * sp.pi), 2 * x + 2 * y),
+        (unevaluated(x, unevaluated(x, y), sp.pi), 2 * x + y + sp.pi),
+        (unevaluated(x + y, -(x + y)), sp.S.Zero),
+        (unevaluated(unevaluated(x, sp.pi / 3), unevaluated(y, sp.pi / 6)), x + y + sp.pi / 2),
+        (sp.Mul(2, unevaluated(x, unevaluated(y, x)), evaluate=False), 4 * x + 2 * y),
+    ],
+)
+@pytest.mark.parametrize("function", [sp.sin, sp.cos, sp.tan])
+def test_sums_in_sums_are_angles(function: Any, angle: Any, same: Any) -> None:
+    verdict = prove(function(angle, evaluate=False), function(same))
+    assert isinstance(verdict, Holds | HoldsUnder)
+    assert isinstance(prove(function(angle, evaluate=False), function(same) + 1), Fails)

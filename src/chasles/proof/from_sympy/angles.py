@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
 from functools import reduce
 from typing import Any
@@ -34,7 +35,7 @@ class Angles:
         """
         multiples: dict[Symbol, Fraction] = {}
         turn = sympy.S.Zero
-        for term in sympy.Add.make_args(sympy.expand(argument)):
+        for term in _terms(argument):
             multiple, rest = term.as_coeff_Mul()
             if not multiple.is_Rational or rest == 1 or max(abs(multiple.p), multiple.q) > LARGEST_MULTIPLE:
                 raise _no_angle(argument)
@@ -62,6 +63,15 @@ class Angles:
             self._words[rest] = word = self.atoms.fresh(str(rest), rest)
             self.products[word] = factors
         return self._words[rest]
+
+
+def _terms(argument: Any) -> Iterator[Any]:
+    """The terms of a sum, and of the sums that stand unevaluated in it."""
+    for term in sympy.Add.make_args(sympy.expand(argument)):
+        if isinstance(term, sympy.Add):
+            yield from _terms(term)
+        else:
+            yield term
 
 
 def _no_angle(argument: Any) -> Untreatable:
