@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from chasles.checked.hypotheses import TESTS, Finding, Numbers, is_finite
-from chasles.kernels.signatures import signature_of_call
+from chasles.kernels.signatures import MASKED, signature_of_call
 
 __all__ = ["Checked"]
 
@@ -57,8 +57,7 @@ class Checked:
                 kind = type(operand).__name__
                 raise TypeError(f"{self.__name__}: {name} is a {kind}, no array: hand over its values, as .to_numpy()")
             if isinstance(operand, np.ma.MaskedArray):
-                said = "hand over its numbers, as .filled(nan), and mask the result"
-                raise ValueError(f"{self.__name__}: {name} is a masked array: {said}")
+                raise ValueError(f"{self.__name__}: {name} {MASKED}")
             try:
                 array = np.asarray(operand)
             except ValueError as error:

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from difflib import get_close_matches
 from typing import Any
 
 import sympy as sp
 
-from chasles.exact.data import DataError, exact_number, read_as
+from chasles.exact.data import DataError, exact_number, near_it, read_as
 from chasles.exact.grammar import NotANumber, read_number
 from chasles.exact.roots import Root, X
 from chasles.statements.exercise import Answer, Array, Else, Exercise, ListOf, Record, Scalar, Shape, Truth, Tuple, Word
@@ -43,8 +42,7 @@ def read_answers(exercise: Exercise, given: Mapping[str, Any]) -> dict[str, Any]
     found = {}
     for name, raw in given.items():
         if name not in declared:
-            near = get_close_matches(name, declared, n=1)
-            hint = f"; near it: {near[0]}" if near else ""
+            hint = near_it(name, declared)
             raise DataError(
                 f"{name!r} is no answer of exercise {exercise.number}{hint}; these are: {', '.join(declared)}"
             )

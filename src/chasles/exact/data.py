@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from decimal import Decimal
 from difflib import get_close_matches
 from fractions import Fraction
@@ -15,7 +15,7 @@ from chasles.exact.grammar import LONGEST, NotANumber, read_number
 from chasles.exact.numbers import normal, sign
 from chasles.statements.exercise import Array, Else, Exercise, ListOf, Record, Scalar, Shape, Truth, Tuple, Word
 
-__all__ = ["DataError", "exact_number", "read_as", "read_data", "read_json"]
+__all__ = ["DataError", "exact_number", "near_it", "read_as", "read_data", "read_json"]
 
 MOST_CHARACTERS = 1_000_000
 MOST_DIGITS = 64
@@ -43,14 +43,20 @@ def read_json(text: str) -> dict[str, Any]:
     return found
 
 
+def near_it(name: str, known: Iterable[str]) -> str:
+    """The end of a message about an unknown name: the one that it may have been meant to be, if one is near."""
+    near = get_close_matches(name, list(known), n=1)
+    return f"; near it: {near[0]}" if near else ""
+
+
 def read_data(exercise: Exercise, given: Mapping[str, Any]) -> dict[str, Any]:
     """All data of the exercise, exact: those given, and the defaults of the others. Raises DataError."""
     for key in given:
         if key not in exercise.keys:
-            near = get_close_matches(key, exercise.keys, n=1)
-            hint = f"; near it: {near[0]}" if near else ""
             takes = f"it takes {', '.join(exercise.keys)}" if exercise.keys else "it takes none"
-            raise DataError(f"exercise {exercise.number} has no datum {_shown(key)}{hint}; {takes}")
+            raise DataError(
+                f"exercise {exercise.number} has no datum {_shown(key)}{near_it(key, exercise.keys)}; {takes}"
+            )
     values = {}
     for datum in exercise.data:
         raw = given.get(datum.key, datum.default)

@@ -10,7 +10,7 @@ import sympy as sp
 from mpmath.ctx_iv import MPIntervalContext
 from mpmath.libmp import fzero, mpf_lt
 
-__all__ = ["INVERSES", "NoEnclosure", "enclosed", "is_bounded", "sign_by_enclosure"]
+__all__ = ["INVERSES", "NoEnclosure", "enclosed", "intervals", "is_bounded", "sign_by_enclosure"]
 
 INVERSES = (sp.acos, sp.asin, sp.atan, sp.acot, sp.asec, sp.acsc)
 
@@ -50,7 +50,7 @@ def enclosed(number: Any, bits: int) -> Any:
 
 
 @lru_cache(maxsize=50)
-def _context(bits: int) -> MPIntervalContext:
+def intervals(bits: int) -> MPIntervalContext:
     """Intervals with so many bits; to make them anew takes longer than most numbers."""
     context = MPIntervalContext()
     context.prec = bits
@@ -65,7 +65,7 @@ def _near(root: Any, bits: int) -> Any:
 
 class _Intervals:
     def __init__(self, bits: int) -> None:
-        self._context = _context(bits)
+        self._context = intervals(bits)
         self._known: dict[Any, Any] = {}
 
     def __call__(self, number: Any) -> Any:

@@ -15,14 +15,12 @@ from operator import mul
 from typing import Any
 
 import sympy as sp
-from mpmath import MPIntervalContext
 
-from chasles.exact.enclosures import enclosed
+from chasles.exact.enclosures import enclosed, intervals
 from chasles.proof.squarefree import squarefree
 
 __all__ = ["NotDecided", "RationalFunctions", "RationalNumbers", "reduced"]
 
-iv = MPIntervalContext()
 FEWEST_BITS, MOST_BITS = 128, 2048
 PLACES = (7, 11, 13, 17, 19)
 """Where a rational function that is a square has a square for its value."""
@@ -154,11 +152,11 @@ def _square_in(number: int) -> int:
 
 def _sign_of(polynomial: Any, at: Sequence[Any], bits: int) -> int:
     """The sign of an integer polynomial at intervals; zero where these do not tell."""
-    iv.prec = bits
+    number = intervals(bits).mpf
     terms = (
-        prod((x**k for x, k in zip(at, powers, strict=True)), start=iv.mpf(int(c))) for powers, c in polynomial.terms()
+        prod((x**k for x, k in zip(at, powers, strict=True)), start=number(int(c))) for powers, c in polynomial.terms()
     )
-    value = sum(terms, iv.mpf(0))
+    value = sum(terms, number(0))
     return bool(value > 0) - bool(value < 0)
 
 

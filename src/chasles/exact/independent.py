@@ -12,7 +12,7 @@ from typing import Any
 import mpmath
 import sympy as sp
 
-from chasles.exact.circular import C, S, coefficients, in_one_angle, without_squares
+from chasles.exact.circular import C, S, by_sine_and_cosine, coefficients, in_one_angle, without_squares
 from chasles.exact.enclosures import INVERSES, enclosed
 from chasles.exact.separation import is_algebraic, is_algebraic_zero
 
@@ -46,13 +46,6 @@ def vanishes(number: Any) -> bool:
 def _apart(number: Any) -> Any:
     """By sines and cosines alone, and these of rational angles apart from those of others."""
     sine, cosine = sp.sin, sp.cos
-    for function, written in (
-        (sp.tan, lambda x: sine(x) / cosine(x)),
-        (sp.cot, lambda x: cosine(x) / sine(x)),
-        (sp.sec, lambda x: 1 / cosine(x)),
-        (sp.csc, lambda x: 1 / sine(x)),
-    ):
-        number = number.replace(function, written)
 
     def sine_of_sum(x: Any) -> Any:
         a, b = x.as_coeff_Add()
@@ -62,7 +55,7 @@ def _apart(number: Any) -> Any:
         a, b = x.as_coeff_Add()
         return cosine(a) * cosine(b) - sine(a) * sine(b)
 
-    return number.replace(sp.sin, sine_of_sum).replace(sp.cos, cosine_of_sum)
+    return by_sine_and_cosine(number).replace(sp.sin, sine_of_sum).replace(sp.cos, cosine_of_sum)
 
 
 def _parts(number: Any) -> set[Any]:

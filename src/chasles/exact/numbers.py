@@ -16,7 +16,7 @@ from typing import Any
 import sympy as sp
 from mpmath.libmp import finf, fninf, to_rational
 
-from chasles.exact.circular import coefficients, without_squares
+from chasles.exact.circular import by_sine_and_cosine, coefficients, without_squares
 from chasles.exact.enclosures import NoEnclosure, enclosed, sign_by_enclosure
 from chasles.exact.grounds import NotDecided, RationalFunctions
 from chasles.exact.independent import vanishes
@@ -37,13 +37,6 @@ LARGEST_TURN = 1000
 _forms: set[Any] = set()
 """Normal forms that take long to find: each is its own."""
 MOST_FORMS = 2_000
-
-_QUOTIENTS = {
-    sp.tan: lambda x: sp.sin(x) / sp.cos(x),
-    sp.cot: lambda x: sp.cos(x) / sp.sin(x),
-    sp.sec: lambda x: 1 / sp.cos(x),
-    sp.csc: lambda x: 1 / sp.sin(x),
-}
 
 
 def normal(value: Any) -> Any:
@@ -171,8 +164,7 @@ def _with_atoms(expression: Any) -> Any:
     is_number = not expression.free_symbols
     if is_number:
         _require_short(expression)
-    for function, by_sine_and_cosine in _QUOTIENTS.items():
-        expression = expression.replace(function, by_sine_and_cosine)
+    expression = by_sine_and_cosine(expression)
     atoms = sorted(_atoms(expression), key=sp.default_sort_key)
     symbols = [sp.Dummy(f"x{place}") for place in range(len(atoms))]
     named = dict(zip(atoms, symbols, strict=True))

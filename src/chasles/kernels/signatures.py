@@ -9,7 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.ma import core as masked
 
-__all__ = ["named", "signature_of_call"]
+__all__ = ["MASKED", "named", "signature_of_call"]
+
+MASKED = "is a masked array: hand over its numbers, as .filled(nan), and mask the result"
+"""What is said of an input that is refused for that."""
 
 _OPTIONS = {
     "out": None,
@@ -53,9 +56,7 @@ def _require_unmasked(ufunc: np.ufunc, names: Sequence[str]) -> None:
     def refuse(*operands: Any) -> Any:
         [name, *_] = [name for name, each in zip(names, operands, strict=False) if isinstance(each, np.ma.MaskedArray)]
         # A TypeError NumPy would take for a sign to call it otherwise.
-        raise ValueError(
-            f"{ufunc.__name__}: {name} is a masked array: hand over its numbers, as .filled(nan), and mask the result"
-        )
+        raise ValueError(f"{ufunc.__name__}: {name} {MASKED}")
 
     registered: dict[np.ufunc, Any] = vars(masked).get("ufunc_domain", {})
     registered[ufunc] = refuse

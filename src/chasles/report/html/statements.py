@@ -45,7 +45,7 @@ def part_of(book: Book, entry: Entry, decision: Decision, kernels: Sequence[Kern
         says=entry.statement.says,
         badge=badge_of(decision.verdict.name),
         equations=as_printed(entry.statement, found),
-        needs=tuple(book.condition(text) for text in getattr(decision.verdict, "needs", ())),
+        needs=tuple(map(book.condition, decision.needs)),
         why=tuple(_why(entry, decision)),
         instead=tuple(_repaired(book, entry, standing) for standing in found),
         slip=(f"More likely a slip {likely_slip(entry, decision)}.",) if wrong else (),
