@@ -17,8 +17,11 @@ from chasles.targets.target import COMMAND, Page, Target
 
 __all__ = ["TARGET"]
 
-_FAMILIES = {"kernels": "Ufunc", "one": "Light", "checked": "Checked"}
-"""The module of each kind of function, and how the names of its protocols begin."""
+_REMARKS = {
+    "one": ("Light", "chasles.kernels.one", "Of one element or a contiguous batch."),
+    "checked": ("Checked", "chasles.checked", "The inputs are tested."),
+}
+"""By file: how the names of protocols begin, the module, and in what its functions differ from the kernels."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,8 +79,11 @@ def _pages(kernels: tuple[Kernel, ...]) -> Iterator[Page]:
     values = {"command": COMMAND, "declared": [_declared(kernel) for kernel in kernels]}
     for module in ("__init__", "protocols", "calls"):
         yield Page(f"{module}.pyi", f"{module}.pyi.jinja", values)
-    for module, family in _FAMILIES.items():
-        yield Page(f"{module}.pyi", f"{module}.pyi.jinja", {**values, "family": family})
+    yield Page("kernels.pyi", "kernels.pyi.jinja", {**values, "family": "Ufunc"})
+    for file, (family, module, remark) in _REMARKS.items():
+        yield Page(
+            f"{file}.pyi", "functions.pyi.jinja", {**values, "family": family, "module": module, "remark": remark}
+        )
 
 
 TARGET = Target("stubs", Path(__file__).parent, _pages)
