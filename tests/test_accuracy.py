@@ -17,7 +17,7 @@ import pytest
 from chasles import generated, kernels
 from chasles.lowering.lower import lower
 from chasles.lowering.program import Op, Program
-from chasles.numerics import Request, request_of
+from chasles.numerics import Specification, specification_of
 from chasles.numerics.draws import CONTEXT
 from chasles.numerics.enclosures import exactly
 from chasles.numerics.reference import Singular
@@ -75,13 +75,14 @@ class Book:
     def __init__(self) -> None:
         self._judge = Judge()
         self._chapter: Chapter = load()
-        self._made: dict[str, tuple[Request, Program]] = {}
+        self._made: dict[str, tuple[Specification, Program]] = {}
 
-    def made(self, name: str) -> tuple[Request, Program]:
+    def made(self, name: str) -> tuple[Specification, Program]:
         if name not in self._made:
             entry = next(e for e in self._chapter if e.name == name)
             program = lower(entry, self._judge.decide)
-            request = request_of(name, entry.statement, program=program, standing=self._judge.standing)  # type: ignore[arg-type]
+            names = [result.name for result in program.results]
+            request = specification_of(name, entry.statement, results=names, standing=self._judge.standing)  # type: ignore[arg-type]
             self._made[name] = request, program
         return self._made[name]
 
@@ -108,7 +109,7 @@ def angles(dtype: type[np.floating[Any]]) -> Iterator[float]:
     yield from (1.0, 2.0, -2.5, math.pi, 2 * math.pi, 100.0)
 
 
-def points(request: Request, dtype: type[np.floating[Any]]) -> Iterator[dict[Any, Any]]:
+def points(request: Specification, dtype: type[np.floating[Any]]) -> Iterator[dict[Any, Any]]:
     """Inputs as arrays of the type: at every angle two axes, and all else at large."""
     generator = np.random.default_rng(7)
     units = {h.subjects[0] for h in request.hypotheses if h.kind == "unit"}
@@ -116,19 +117,19 @@ def points(request: Request, dtype: type[np.floating[Any]]) -> Iterator[dict[Any
         for near_axis in (False, True):
             point = {}
             for given in request.inputs:
-                value = generator.standard_normal(given.argument.shape)
+                value = generator.standard_normal(given.shape)
                 if given.holds in units:
                     value = np.array([1e-7, 1.0, -1e-4]) if near_axis else value
                     value = value / np.linalg.norm(value)
-                elif given.argument.shape == (3, 3):
+                elif given.shape == (3, 3):
                     value = value @ value.T
-                elif given.argument.name == "m":
+                elif given.name == "m":
                     value = abs(value)
                 point[given.holds] = np.asarray(angle if given.holds in request.angles else value, dtype)
             yield point
 
 
-def reference(request: Request, point: dict[Any, Any]) -> list[Any] | None:
+def reference(request: Specification, point: dict[Any, Any]) -> list[Any] | None:
     """The first output's entries; None where it has no value, or none within the range of the type."""
     try:
         exact = [x for row in request.reference(point, 40)[0] for x in row]
@@ -139,7 +140,7 @@ def reference(request: Request, point: dict[Any, Any]) -> list[Any] | None:
     return exact if float(limits.tiny) / float(limits.eps) < largest < float(limits.max) / 16 else None
 
 
-def error(request: Request, point: dict[Any, Any], exact: list[Any], dtype: type[np.floating[Any]]) -> float:
+def error(request: Specification, point: dict[Any, Any], exact: list[Any], dtype: type[np.floating[Any]]) -> float:
     """The largest error of an entry in units of the roundoff of the largest entry."""
     got = np.asarray(getattr(kernels, request.name)(*(point[given.holds] for given in request.inputs)))
     assert got.dtype == dtype
@@ -148,12 +149,14 @@ def error(request: Request, point: dict[Any, Any], exact: list[Any], dtype: type
     return float(max(gaps) / max(map(abs, exact)) * 2 / exactly(float(np.finfo(dtype).eps), CONTEXT))
 
 
-def entries(request: Request, point: dict[Any, Any], k: int, places: tuple[int, ...], digits: int = 40) -> list[Any]:
+def entries(
+    request: Specification, point: dict[Any, Any], k: int, places: tuple[int, ...], digits: int = 40
+) -> list[Any]:
     flat = [x for row in request.reference(point, digits)[k] for x in row]
     return [flat[place] for place in places]
 
 
-def condition(request: Request, point: dict[Any, Any], k: int, places: tuple[int, ...]) -> float:
+def condition(request: Specification, point: dict[Any, Any], k: int, places: tuple[int, ...]) -> float:
     """The condition number of a group of entries."""
     exact, total = entries(request, point, k, places), exactly(0, CONTEXT)
     for node, value in point.items():
@@ -244,7 +247,7 @@ SLOW = {np.float64: (1e-140, 1e-100, 1e-12, 1e-8, 1e-4, 1.0), np.float32: (1e-17
 PARALLEL = {np.float64: (1.0, 1e-4, 1e-8, 1e-12), np.float32: (1.0, 1e-2, 1e-4, 1e-6)}
 
 
-def slow_points(request: Request, dtype: type[np.floating[Any]]) -> Iterator[dict[Any, Any]]:
+def slow_points(request: Specification, dtype: type[np.floating[Any]]) -> Iterator[dict[Any, Any]]:
     """The first input, of which the direction is taken, ever smaller; the second ever nearer to parallel to it."""
     generator = np.random.default_rng(11)
     for size in SLOW[dtype]:
@@ -270,7 +273,7 @@ def test_as_good_as_the_inputs_where_nothing_turns_or_pulls(
                 assert found / float(np.finfo(dtype).eps) * 2 <= 4 + 2 * bound, (output.name, point)
 
 
-def relative(request: Request, point: dict[Any, Any], got: Any, k: int, places: tuple[int, ...]) -> float:
+def relative(request: Specification, point: dict[Any, Any], got: Any, k: int, places: tuple[int, ...]) -> float:
     """The error of a group of entries, in parts of the largest of them."""
     exact = entries(request, point, k, places)
     flat = np.ravel(got)

@@ -21,7 +21,7 @@ from chasles.generated.numpy import kernels as readable
 from chasles import generated, kernels
 from chasles.bounds import DOUBLE, SINGLE, Bound, Guarantee, Model, bound_of, key_of, proving, remembered
 from chasles.bounds.cases import cases
-from chasles.bounds.covering import bounds_of, covered, largest
+from chasles.bounds.covering import Boxes, bounds_over, covered, largest
 from chasles.bounds.intervals import Interval
 from chasles.bounds.norms import against_largest
 from chasles.bounds.outline import NoBound, Outline, is_power_of_two, outlined
@@ -547,10 +547,15 @@ def test_changes_of_sign_that_stand_for_each_other_have_one_bound(book: Book, na
             part = place if abs(end) >= abs(start) else 0.95 - place
             low.append(start + part * (end - start))
             high.append(start + (part + 0.05) * (end - start))
-        (bound,) = bounds_of(outline, SINGLE, measure, [pieces], np.array([low]), np.array([high]))
+        (bound,) = bounds_of(outline, measure, pieces, np.array([low]), np.array([high]))
         key = signs, *(piece.kind for piece in pieces)
         assert found.setdefault(key, float(bound)) == pytest.approx(float(bound), rel=1e-6)
     assert len(found) < 200
+
+
+def bounds_of(outline: Outline, measure: Any, region: tuple[Any, ...], low: Any, high: Any) -> Any:
+    boxes = Boxes((region,), np.zeros(1, np.intp), low, high)
+    return bounds_over(boxes, outline, SINGLE, measure)[0]
 
 
 def against(outline: Outline) -> Callable[[Any, float], Any]:
@@ -689,7 +694,7 @@ def test_every_input_lies_in_a_piece_and_none_is_worse_than_proved(book: Book, n
             power, low, high = found
             value = function(float(factor) * phi) * 2.0 ** (halvings * power)
             assert low - 1e-12 <= value <= high + 1e-12
-        (bound,) = bounds_of(outline, SINGLE, against(outline), [(face, turn)], inner[None, :], inner[None, :])
+        (bound,) = bounds_of(outline, against(outline), (face, turn), inner[None, :], inner[None, :])
         assert bound <= float(guarantee.units) + 0.5 * near
 
 

@@ -14,9 +14,6 @@ import pytest
 import sympy
 
 from chasles.numerics.enclosures import plain_context
-from chasles.numerics.instants import DIGITS, Instant, World
-from chasles.numerics.motions import Motion
-from chasles.numerics.second_opinion import AGREEMENT, NoMotion, Opinion, opinion_on, rooted, second_opinion
 from chasles.proof.judge import Judge
 from chasles.proof.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed, Verdict
 from chasles.statements import (
@@ -54,6 +51,10 @@ from chasles.vocabulary import (
     sin,
     vector,
 )
+
+from .second_opinion.instants import DIGITS, Instant, World
+from .second_opinion.motions import Motion
+from .second_opinion.opinion import AGREEMENT, NoMotion, Opinion, opinion_on, rooted, second_opinion
 
 Sentence = Statement | Theorem | Inverse
 CHAPTER = load()

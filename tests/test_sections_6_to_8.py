@@ -9,12 +9,12 @@ import pytest
 
 from chasles import derivations
 from chasles.lowering.declaration import requested
-from chasles.lowering.request import argument_name
 from chasles.proof.certificate import check
 from chasles.proof.judge import Judge
 from chasles.proof.refutation import check_counterexample
 from chasles.proof.verdict import Fails, Holds, HoldsUnder
 from chasles.statements import Chapter, Entry, load, problem_of
+from chasles.statements.arrays import argument_name
 from chasles.vocabulary import Negative, number, replace
 
 MODULES = (

@@ -12,7 +12,7 @@ from chasles.lowering.declaration import requested
 from chasles.lowering.equality import differences
 from chasles.lowering.lower import program_of
 from chasles.lowering.program import Op
-from chasles.numerics import request_of
+from chasles.numerics import specification_of
 from chasles.numerics.sampling import draw, moves
 from chasles.proof.judge import Judge
 from chasles.statements import Definition, Entry, Kernel, Packed, Section, Stack, load
@@ -125,8 +125,8 @@ def test_a_family_of_statements_is_declared_by_name() -> None:
 
 def test_inputs_are_drawn_and_moved_symmetrically() -> None:
     asked = entry(S @ S, Kernel(of=(S,), symmetric=(S, T)))
-    request = request_of("made_sym6", asked.statement, asked.kernels[1])
-    assert [(item.argument.shape, item.nodes) for item in request.inputs] == [((6,), (S,))]
+    request = specification_of("made_sym6", asked.statement, asked.kernels[1])
+    assert [(item.shape, item.nodes) for item in request.inputs] == [((6,), (S,))]
     assert [output.shape for output in request.outputs] == [(6,)]
     sample = next(draw(request, "generic", np.random.default_rng(5)))
     matrix = sample.arrays[S]

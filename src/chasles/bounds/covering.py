@@ -26,7 +26,7 @@ from chasles.bounds.scaled import Scaled
 from chasles.bounds.symmetry import Sign, Symmetry, symmetry
 from chasles.lowering.program import Op
 
-__all__ = ["Cover", "Measure", "bounds_of", "covered", "largest"]
+__all__ = ["Boxes", "Cover", "Measure", "bounds_over", "covered", "largest"]
 
 CLOSE = 1.033
 """How much larger than at a point the bound over all boxes may be."""
@@ -120,7 +120,7 @@ def _dividing(outline: Outline) -> set[tuple[int, int]]:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Boxes:
+class Boxes:
     """Boxes of several regions of one batch: the ends of each coordinate, a row a box."""
 
     regions: tuple[Region, ...]
@@ -129,17 +129,18 @@ class _Boxes:
     high: Array
     places: Mapping[int, Places] = field(default_factory=dict)
 
-    def kept(self, which: Any) -> _Boxes:
+    def kept(self, which: Any) -> Boxes:
         """Those of the boxes, in their order."""
         places = {k: (least[which], most[which]) for k, (least, most) in self.places.items()}
-        return _Boxes(self.regions, self.owner[which], self.low[which], self.high[which], places)
+        return Boxes(self.regions, self.owner[which], self.low[which], self.high[which], places)
 
     @property
-    def middles(self) -> _Boxes:
+    def middles(self) -> Boxes:
+        """The middle of each box, as a box of no extent."""
         middle = (self.low + self.high) / 2
-        return _Boxes(self.regions, self.owner, middle, middle)
+        return Boxes(self.regions, self.owner, middle, middle)
 
-    def parted(self, split: tuple[NDArray[Any], NDArray[Any]]) -> _Boxes:
+    def parted(self, split: tuple[NDArray[Any], NDArray[Any]]) -> Boxes:
         """Boxes in which a step's size may lie on both sides of a power of two, once for each of the sides."""
         steps, powers = split
         which = np.concatenate((np.arange(len(steps)), np.flatnonzero(steps >= 0)))
@@ -155,7 +156,7 @@ class _Boxes:
             places[number] = least, most
         return replace(found, places=places)
 
-    def halved(self, scales: Array) -> _Boxes:
+    def halved(self, scales: Array) -> Boxes:
         """Both halves of every box, across its widest side."""
         rows = np.arange(len(self.owner))
         side = np.argmax((self.high - self.low) * scales, axis=1)
@@ -166,17 +167,10 @@ class _Boxes:
         return replace(twice, low=np.concatenate((self.low, low)), high=np.concatenate((high, self.high)))
 
 
-def bounds_of(
-    outline: Outline, model: Model, measure: Measure, regions: Sequence[Region], low: Array, high: Array
-) -> Array:
-    """The bound over a box of each region, all of one batch; infinite where the box is too large for one."""
-    return _bounds(outline, model, measure, _Boxes(tuple(regions), np.arange(len(regions)), low, high), 0.0)[0]
-
-
-def _bounds(
-    outline: Outline, model: Model, measure: Measure, boxes: _Boxes, enough: float
+def bounds_over(
+    boxes: Boxes, outline: Outline, model: Model, measure: Measure, enough: float = 0.0
 ) -> tuple[Array, tuple[NDArray[Any], NDArray[Any]]]:
-    """The bound over each box, and the step at whose power of two it may be parted."""
+    """The bound over each box, infinite where that is too large for one, and the step at whose power of two to part."""
     values: dict[tuple[int, int], Scaled] = {}
     turns: dict[tuple[int, int], int] = {}
     place = 0
@@ -199,11 +193,11 @@ def _bounds(
     return np.where(running.empty, 0, measure(running, enough)), running.split
 
 
-def _column(boxes: _Boxes, place: int) -> Interval:
+def _column(boxes: Boxes, place: int) -> Interval:
     return Interval(boxes.low[:, place], boxes.high[:, place])
 
 
-def _vectors(boxes: _Boxes, k: int, place: int) -> dict[tuple[int, int], Scaled]:
+def _vectors(boxes: Boxes, k: int, place: int) -> dict[tuple[int, int], Scaled]:
     """The entries of a unit vector, whose pieces are the k-th of each region's."""
     found = [Interval(np.empty(len(boxes.owner)), np.empty(len(boxes.owner))) for _ in range(3)]
     pieces = [region[k] for region in boxes.regions]
@@ -221,7 +215,7 @@ def _vectors(boxes: _Boxes, k: int, place: int) -> dict[tuple[int, int], Scaled]
     return {(argument, entry): Scaled(0, value, zero) for entry, value in enumerate(found)}
 
 
-def _turned(boxes: _Boxes, k: int, place: int, factor: Fraction) -> tuple[Scaled, Scaled]:
+def _turned(boxes: Boxes, k: int, place: int, factor: Fraction) -> tuple[Scaled, Scaled]:
     """Sine and cosine of an angle, whose pieces are the k-th of each region's."""
     pieces = [region[k] for region in boxes.regions]
     first = np.array([pieces.index(piece) for piece in pieces], dtype=np.float64)[boxes.owner]
@@ -261,7 +255,7 @@ def _largest(outline: Outline, model: Model, cover: Cover, measure: Measure, bud
     found, spent, within, before = 0.0, 0, CLOSE * reached, [math.inf] * STUCK
     ahead = [_whole(regions) for regions in batches.values()]
     while ahead:
-        measured = [(boxes, *_bounds(outline, model, measure, boxes, within)) for boxes in ahead]
+        measured = [(boxes, *bounds_over(boxes, outline, model, measure, within)) for boxes in ahead]
         spent += sum(len(bounds) for _, bounds, _ in measured)
         worst = max(found, *(float(bounds.max()) for _, bounds, _ in measured))
         if spent > budget or (worst <= FAIR * reached and worst > 0.998 * before[-STUCK]):
@@ -281,7 +275,7 @@ def _climbed(outline: Outline, model: Model, measure: Measure, regions: Sequence
     places = low + generator.random(low.shape) * (high - low)
     reached = 0.0
     for attempt in range(CLIMBS):
-        bounds, _ = _bounds(outline, model, measure, _Boxes(whole.regions, owner, places, places), 0.0)
+        bounds, _ = bounds_over(Boxes(whole.regions, owner, places, places), outline, model, measure)
         bounds = np.where(np.isfinite(bounds), bounds, 0)
         reached = max(reached, float(bounds.max()))
         best = np.repeat(np.argsort(-bounds)[:POINTS], MOVES)
@@ -292,7 +286,7 @@ def _climbed(outline: Outline, model: Model, measure: Measure, regions: Sequence
     return reached
 
 
-def _finer(boxes: _Boxes, bounds: Array, split: tuple[NDArray[Any], NDArray[Any]], within: float) -> _Boxes:
+def _finer(boxes: Boxes, bounds: Array, split: tuple[NDArray[Any], NDArray[Any]], within: float) -> Boxes:
     """The boxes whose bound is too large, halved, and parted where it is hardly too large."""
     wide = bounds > within
     near = bounds[wide] < PARTED * within
@@ -300,12 +294,12 @@ def _finer(boxes: _Boxes, bounds: Array, split: tuple[NDArray[Any], NDArray[Any]
     return parted.halved(_scales(parted))
 
 
-def _whole(regions: Sequence[Region]) -> _Boxes:
+def _whole(regions: Sequence[Region]) -> Boxes:
     ranges = np.array([[x for piece in region for x in piece.ranges] for region in regions])
-    return _Boxes(tuple(regions), np.arange(len(regions)), ranges[:, :, 0].copy(), ranges[:, :, 1].copy())
+    return Boxes(tuple(regions), np.arange(len(regions)), ranges[:, :, 0].copy(), ranges[:, :, 1].copy())
 
 
-def _scales(boxes: _Boxes) -> Array:
+def _scales(boxes: Boxes) -> Array:
     """How much a coordinate of a box moves values, about."""
     scales: list[Array] = []
     for piece in boxes.regions[0]:

@@ -13,10 +13,11 @@ import numpy as np
 
 from chasles.cli.book import BOOK
 from chasles.cli.failures import BAD_INPUT, Failure, complain
+from chasles.lowering.cost import roundings
 from chasles.lowering.lower import lower
 from chasles.lowering.refusal import LoweringError
 from chasles.nearest import nearest
-from chasles.numerics import Evidence, Request, Unsatisfiable, request_of, request_of_inverse, verify
+from chasles.numerics import Evidence, Specification, Unsatisfiable, specification_of, specification_of_inverse, verify
 from chasles.proof.judge import Judge
 from chasles.report.waiting import watched
 from chasles.statements import Chapter, Entry, Inverse, Kernel, Theorem
@@ -77,7 +78,7 @@ def compared(
             )
         options = {"dtype": precision, "strategies": (strategy,), "samples": samples, "batched": True}
         try:
-            yield verify(_request(entry, kernel, judge), function, **options)
+            yield verify(_specification(entry, kernel, judge), function, **options)
         except (LoweringError, Unsatisfiable, TypeError) as error:
             raise Failure(f"{name} cannot be compared with ({entry.number}): {error}") from error
 
@@ -87,10 +88,11 @@ def backend_of(kernels: ModuleType) -> str:
     return getattr(kernels, "backend", "numpy")
 
 
-def _request(entry: Entry, kernel: Kernel, judge: Judge) -> Request:
-    statement = entry.statement
+def _specification(entry: Entry, kernel: Kernel, judge: Judge) -> Specification:
     program = lower(entry, judge.decide, kernel)
-    if isinstance(statement, Inverse):
-        return request_of_inverse(program.name, statement, kernel, program, judge.standing)
-    assert not isinstance(statement, Theorem)
-    return request_of(program.name, statement, kernel, program, judge.standing)
+    of = entry.statement
+    assert not isinstance(of, Theorem)
+    names = [result.name for result in program.results]
+    if isinstance(of, Inverse):
+        return specification_of_inverse(program.name, of, kernel, names, roundings(program), judge.standing)
+    return specification_of(program.name, of, kernel, names, roundings(program), judge.standing)

@@ -6,9 +6,11 @@ measures both on a machine, and how well they foretell the times of the kernels.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from chasles.lowering.program import Op, Program
 
-__all__ = ["ANGLE", "LATENCIES", "WEIGHTS", "cost", "latency", "price"]
+__all__ = ["ANGLE", "LATENCIES", "WEIGHTS", "cost", "latency", "price", "roundings"]
 
 WEIGHTS = {
     Op.ADD: 1,
@@ -37,6 +39,11 @@ LATENCIES = {
 }
 """Time until a result can be used, relative to that of an addition; a change of sign is taken into what uses it."""
 
+ROUNDINGS = {
+    **dict.fromkeys((Op.ADD, Op.SUBTRACT, Op.MULTIPLY, Op.DIVIDE, Op.SQUARE_ROOT), 1),
+    **dict.fromkeys((Op.SINE, Op.COSINE, Op.ARCTANGENT2), 2),
+}
+
 ANGLE = 40
 """What the first of cosine and sine of an angle costs besides: both are computed, and selected from, together."""
 
@@ -49,10 +56,22 @@ def cost(program: Program) -> int:
 
 def latency(program: Program) -> int:
     """The weighted length of the longest chain of steps, each of which waits for the one before it."""
-    ready: list[int] = []
+    return _longest_chain(program, LATENCIES)
+
+
+def roundings(program: Program) -> int:
+    """The most roundings in a row: to first order, so many units in the last place, times the condition, can go wrong.
+
+    A sine, a cosine or an arctangent counts as two: libraries round it to within one unit rather than half of one.
+    """
+    return _longest_chain(program, ROUNDINGS)
+
+
+def _longest_chain(program: Program, weights: Mapping[Op, int]) -> int:
+    lengths: list[int] = []
     for step in program.steps:
-        ready.append(LATENCIES.get(step.op, 0) + max((ready[k] for k in step.operands), default=0))
-    return max((ready[entry] for result in program.results for entry in result.entries), default=0)
+        lengths.append(weights.get(step.op, 0) + max((lengths[k] for k in step.operands), default=0))
+    return max((lengths[entry] for result in program.results for entry in result.entries), default=0)
 
 
 def price(program: Program) -> tuple[int, int]:

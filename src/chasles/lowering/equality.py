@@ -9,20 +9,16 @@ from chasles.lowering.algebra import Algebra
 from chasles.lowering.cases import Choice
 from chasles.lowering.program import Program
 from chasles.lowering.reading import Reading, Settled, Unreadable, angles_of, scale_symbols
-from chasles.lowering.request import Output, Request, argument_name
+from chasles.lowering.request import Output, Request
 from chasles.lowering.signs import Differences, Fork, Impossible, Signs
 from chasles.proof.ratios import Ratio
 from chasles.proof.unfold import UndeclaredDivisor
 from chasles.proof.variables import Untreatable
+from chasles.statements.arrays import argument_name
 from chasles.statements.kernel import places_of
 from chasles.vocabulary import Node, Symbol
 
-__all__ = ["differences", "program_equals"]
-
-
-def program_equals(request: Request, program: Program) -> bool:
-    """Whether the program computes what the request asks for, wherever its expressions have a value."""
-    return not differences(request, program)
+__all__ = ["differences"]
 
 
 def differences(request: Request, program: Program) -> tuple[str, ...]:

@@ -13,9 +13,10 @@ from chasles.lowering.passes.guard import guarded
 from chasles.lowering.passes.prune import pruned
 from chasles.lowering.passes.scale import scaled
 from chasles.lowering.program import Argument, Op, Program, Result
-from chasles.lowering.request import Request, argument_name, core_shape, meaning_of
+from chasles.lowering.request import Request
 from chasles.lowering.rounding import stable
 from chasles.statements import Entry, Kernel
+from chasles.statements.arrays import argument_name, core_shape, meaning_of
 
 __all__ = ["expanded", "lower", "program_of"]
 

@@ -10,11 +10,11 @@ from chasles.lowering.cases import Choice, Comparison
 from chasles.lowering.matrices import Rows
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Request
-from chasles.lowering.rewriting import rate_of
 from chasles.statements import Packed
 from chasles.statements.kernel import Place, nodes_of, places_of
 from chasles.statements.statement import bare
 from chasles.vocabulary import Group, Node, Rate, Symbol, Zero, plain
+from chasles.vocabulary.differentiation import rate_of
 
 __all__ = ["Meanings"]
 

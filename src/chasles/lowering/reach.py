@@ -7,9 +7,10 @@ from typing import Any
 
 from chasles.lowering.cases import Choice
 from chasles.lowering.refusal import LoweringError
-from chasles.lowering.rewriting import Angle, rate_of
+from chasles.lowering.rewriting import Angle
 from chasles.statements.statement import bare
 from chasles.vocabulary import Node, Rate, Symbol, children, plain
+from chasles.vocabulary.differentiation import NoRule, rate_of
 
 __all__ = ["Reach"]
 
@@ -107,15 +108,21 @@ class Reach:
         match of:
             case _ if of in self._rules:
                 self.follow(of)
-                self.follow(rate_of(self._rules[of]))
+                self._follow_rate_by_parts(self._rules[of])
             case Symbol(stands_for=Node() as inner):
-                self.follow(rate_of(inner))
+                self._follow_rate_by_parts(inner)
             case Symbol(constant=True):
                 return
             case Symbol() | Rate():
                 raise self._free(Rate(of))
             case _:
-                self.follow(rate_of(of))
+                self._follow_rate_by_parts(of)
+
+    def _follow_rate_by_parts(self, of: Node) -> None:
+        try:
+            self.follow(rate_of(of))
+        except NoRule as error:
+            raise LoweringError(str(error)) from None
 
     def _free(self, node: Node) -> LoweringError:
         arguments = ", ".join(map(plain, self._of))

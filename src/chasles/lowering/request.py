@@ -5,7 +5,6 @@ A request is closed: every symbol in it is an argument or is defined in it, and 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
@@ -15,13 +14,14 @@ from chasles.lowering.reach import Reach
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.rewriting import Angle, without_angles
 from chasles.statements import Hypothesis, Packed, Stack, symmetric
+from chasles.statements.arrays import argument_name, core_shape
 from chasles.statements.kernel import Argument, Place, nodes_of, places_of
 from chasles.statements.statement import bare
 from chasles.vocabulary import Misfit, Node, Rate, Symbol, plain
 from chasles.vocabulary.measure import added
 from chasles.vocabulary.nodes import measured
 
-__all__ = ["Output", "Request", "argument_name", "composed", "core_shape", "meaning_of"]
+__all__ = ["Output", "Request", "composed"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,41 +126,6 @@ def composed(
             raise LoweringError(f"{name}: no result depends on the argument {said}: leave it out")
     _require_names(name, [argument_name(argument) for argument in arguments], [output.name for output in outputs])
     return Request(name, arguments, outputs, reach.rules, hypotheses, reach.choices, reach.angles, form)
-
-
-def argument_name(argument: Argument) -> str:
-    """An argument's name as an identifier: a_prime for a', a_dot for its rate."""
-    match argument:
-        case Stack(name):
-            return name
-        case Packed(matrix):
-            return argument_name(matrix)
-    text = plain(argument).replace("'", "_prime").replace("~", "_tilde").replace("*", "_star")
-    return re.sub(r"[^A-Za-z0-9]+", "_", text).strip("_")
-
-
-def core_shape(argument: Argument) -> tuple[int, ...]:
-    """The shape of an array: () for a scalar, one axis for a column, a row or what is packed or stacked."""
-    if isinstance(argument, Stack | Packed):
-        return (len(places_of(argument)),)
-    return argument.shape if 1 not in argument.shape else tuple(extent for extent in argument.shape if extent > 1)
-
-
-def meaning_of(argument: Argument) -> str:
-    """What an argument means, in plain text; for an expression that is no symbol or rate, the expression itself."""
-    match argument:
-        case Stack(meaning=text):
-            return text
-        case Packed(matrix):
-            return f"{meaning_of(matrix)}, symmetric, as (xx, xy, xz, yy, yz, zz)"
-        case Symbol(meaning=str(text)) if text:
-            return text
-        case Rate(Rate(of)):
-            return f"second time derivative of: {meaning_of(of)}"
-        case Rate(of):
-            return f"time derivative of: {meaning_of(of)}"
-        case _:
-            return plain(argument)
 
 
 def _opened_choice(choice: Choice, opened: Callable[[Node], Node]) -> Choice:

@@ -1,6 +1,6 @@
 """Words for words, before any step is made.
 
-Transposes are carried to the symbols, rates to the symbols' rates; cosines and sines of an angle that is known by its
+Transposes are carried to the symbols; cosines and sines of an angle that is known by its
 own cosine and sine become polynomials in these.
 """
 
@@ -17,31 +17,24 @@ from chasles.vocabulary import (
     Block,
     Call,
     Contract,
-    Cross,
-    Dot,
     Group,
     Identity,
     Negative,
     Node,
-    Norm,
     Number,
-    Power,
     Quotient,
-    Rate,
     Scale,
     Skew,
     Sum,
     Symbol,
-    Trace,
     Transpose,
-    Vect,
     Zero,
     children,
     plain,
     rebuilt,
 )
 
-__all__ = ["Angle", "flipped", "rate_of", "without_angles"]
+__all__ = ["Angle", "flipped", "without_angles"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,56 +75,6 @@ def flipped(node: Node) -> Node:
             return flipped(of)
         case _:
             return Transpose(node)
-
-
-def rate_of(node: Node) -> Node:
-    """The time derivative of an expression by the rates of its parts.
-
-    Raises `LoweringError` for what has no such rule: symbols, inverses, determinants.
-    """
-    match node:
-        case Number() | Identity() | Zero():
-            return Zero(*node.shape)
-        case Sum(terms):
-            return Sum(tuple(map(Rate, terms)))
-        case Negative(term):
-            return Negative(Rate(term))
-        case Scale(factor, term):
-            return Sum((Scale(Rate(factor), term), Scale(factor, Rate(term))))
-        case Quotient(numerator, denominator):
-            return Quotient(Sum((Rate(numerator), Negative(Scale(Rate(denominator), node)))), denominator)
-        case Contract(factors):
-            return Sum(tuple(Contract((*factors[:k], Rate(f), *factors[k + 1 :])) for k, f in enumerate(factors)))
-        case Power(Norm(of), exponent) if exponent % 2 == 0:
-            square: Node = Dot(of, of)
-            return Rate(square if exponent == 2 else Power(square, exponent // 2))
-        case Power(base, exponent) if node.is_scalar:
-            below = Number(Fraction(1)) if exponent == 1 else Power(base, exponent - 1)
-            return Scale(Number(Fraction(exponent)), Scale(below, Rate(base)))
-        case Power(base, exponent):
-            return rate_of(Contract((base,) * exponent))
-        case Transpose() | Skew() | Vect() | Trace() | Block():
-            return rebuilt(node, tuple(map(Rate, children(node))))
-        case At(of, "t") | Group(of):
-            return Rate(of)
-        case _:
-            return _rate_of_scalar_or_vector(node)
-
-
-def _rate_of_scalar_or_vector(node: Node) -> Node:
-    match node:
-        case Dot(left, right):
-            return Sum((Dot(Rate(left), right), Dot(left, Rate(right))))
-        case Cross(left, right):
-            return Sum((Cross(Rate(left), right), Cross(left, Rate(right))))
-        case Norm(of):
-            return Quotient(Dot(of, Rate(of)), node)
-        case Call("sin", argument):
-            return Scale(Call("cos", argument), Rate(argument))
-        case Call("cos", argument):
-            return Negative(Scale(Call("sin", argument), Rate(argument)))
-        case _:
-            raise LoweringError(f"the rate of {plain(node)} has no program: state it in the rates of symbols")
 
 
 def without_angles(node: Node, angles: Mapping[Symbol, Angle], rules: Mapping[Node, Node]) -> Node:

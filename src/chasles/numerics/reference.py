@@ -11,7 +11,6 @@ from functools import reduce
 from operator import add
 from typing import Any
 
-from chasles.lowering.rewriting import rate_of
 from chasles.numerics.enclosures import ends, exactly, interval_context, is_narrow, middle
 from chasles.numerics.small_matrices import Matrix, cofactors, determinant, flipped, plus, product
 from chasles.vocabulary import (
@@ -44,6 +43,7 @@ from chasles.vocabulary import (
     Vect,
     Zero,
 )
+from chasles.vocabulary.differentiation import rate_of
 
 __all__ = ["Matrix", "NoValue", "Singular", "evaluate"]
 

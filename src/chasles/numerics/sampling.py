@@ -13,12 +13,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chasles.lowering.request import core_shape
 from chasles.numerics.draws import AXES, CONTEXT, Draws, DrawsNearby, SimpleDraws, turned, unit_of
 from chasles.numerics.enclosures import exactly
-from chasles.numerics.request import Request
 from chasles.numerics.small_matrices import Matrix, flipped, product
+from chasles.numerics.specification import Specification
 from chasles.statements import Hypothesis, Packed
+from chasles.statements.arrays import core_shape
 from chasles.vocabulary import Node
 
 __all__ = ["STRATEGIES", "Sample", "Unsatisfiable", "draw", "moves"]
@@ -40,7 +40,7 @@ class Unsatisfiable(ValueError):
 
 
 def draw(
-    request: Request,
+    asked: Specification,
     strategy: str,
     generator: np.random.Generator,
     dtype: type[np.floating] = np.float64,
@@ -53,36 +53,36 @@ def draw(
     draws = STRATEGIES[strategy](generator, np.finfo(dtype).precision + 1)
     failures = 0
     while failures < ATTEMPTS:
-        point = _point(request, draws)
+        point = _point(asked, draws)
         arrays = {
             node: np.array([[float(x) for x in row] for row in point[node]], dtype).reshape(core_shape(node))
-            for node in request.nodes
+            for node in asked.nodes
         }
-        if request.admits(point if request.exact_inputs else arrays):
+        if asked.admits(point if asked.exact_inputs else arrays):
             failures = 0
             yield Sample(arrays, point)
         else:
             failures += 1
     raise Unsatisfiable(
-        f"{request.name}: none of {ATTEMPTS} {strategy} inputs satisfies its hypotheses "
-        f"({', '.join(hypothesis.text for hypothesis in request.hypotheses)})"
+        f"{asked.name}: none of {ATTEMPTS} {strategy} inputs satisfies its hypotheses "
+        f"({', '.join(hypothesis.text for hypothesis in asked.hypotheses)})"
     )
 
 
-def _point(request: Request, draws: Draws) -> dict[Node, Matrix]:
+def _point(asked: Specification, draws: Draws) -> dict[Node, Matrix]:
     point: dict[Node, Matrix] = {}
-    for node in request.nodes:
-        point[node] = _free(node, point, request, draws)
-    for hypothesis in sorted(request.hypotheses, key=lambda h: h.kind == "perpendicular"):
+    for node in asked.nodes:
+        point[node] = _free(node, point, asked, draws)
+    for hypothesis in sorted(asked.hypotheses, key=lambda h: h.kind == "perpendicular"):
         if all(subject in point for subject in hypothesis.subjects):
-            point |= _bound(hypothesis, point, request, draws)
+            point |= _bound(hypothesis, point, asked, draws)
     return point
 
 
-def _free(node: Node, point: dict[Node, Matrix], request: Request, draws: Draws) -> Matrix:
+def _free(node: Node, point: dict[Node, Matrix], asked: Specification, draws: Draws) -> Matrix:
     """A value that no hypothesis binds; it may be drawn close to that of an earlier input of the same kind."""
     rows, columns = node.shape
-    if node in request.angles:
+    if node in asked.angles:
         return [[draws.angle()]]
     relatives = [other for other in point if other.measure == node.measure]
     if relatives and columns == 1:
@@ -92,7 +92,7 @@ def _free(node: Node, point: dict[Node, Matrix], request: Request, draws: Draws)
     return [draws.vector(columns) for _ in range(rows)] if columns > 1 else [[x] for x in draws.vector(rows)]
 
 
-def _bound(hypothesis: Hypothesis, point: dict[Node, Matrix], request: Request, draws: Draws) -> dict[Node, Matrix]:
+def _bound(hypothesis: Hypothesis, point: dict[Node, Matrix], asked: Specification, draws: Draws) -> dict[Node, Matrix]:
     """Values of the subjects that satisfy the hypothesis."""
     subjects = hypothesis.subjects
     match hypothesis.kind:
@@ -113,11 +113,11 @@ def _bound(hypothesis: Hypothesis, point: dict[Node, Matrix], request: Request, 
         case "positive":
             return {subjects[0]: [[abs(point[subjects[0]][0][0]) or 1]]}
         case "perpendicular":
-            return _perpendicular(subjects, point, request)
+            return _perpendicular(subjects, point, asked)
         case "nonzero":
             return {}
         case kind:
-            raise TypeError(f"{request.name}: inputs with the hypothesis {kind} cannot be drawn yet")
+            raise TypeError(f"{asked.name}: inputs with the hypothesis {kind} cannot be drawn yet")
 
 
 def _unit(size: int, draws: Draws) -> list[object]:
@@ -126,7 +126,7 @@ def _unit(size: int, draws: Draws) -> list[object]:
     return unit_of([*draws.direction(), *draws.vector(size - 3)])
 
 
-def _perpendicular(subjects: tuple[Node, ...], point: dict[Node, Matrix], request: Request) -> dict[Node, Matrix]:
+def _perpendicular(subjects: tuple[Node, ...], point: dict[Node, Matrix], asked: Specification) -> dict[Node, Matrix]:
     """The second vector less its component along the first; of unit length still if it has to be."""
     one, other = ([row[0] for row in point[subject]] for subject in subjects)
     square = sum(x * x for x in one)
@@ -134,39 +134,44 @@ def _perpendicular(subjects: tuple[Node, ...], point: dict[Node, Matrix], reques
         return {}
     share = sum(x * y for x, y in zip(one, other, strict=True)) / square
     rest = [y - share * x for x, y in zip(one, other, strict=True)]
-    if any(h.kind == "unit" and h.subjects == (subjects[1],) for h in request.hypotheses) and any(rest):
+    if any(h.kind == "unit" and h.subjects == (subjects[1],) for h in asked.hypotheses) and any(rest):
         rest = unit_of(rest)
     return {subjects[1]: [[x] for x in rest]}
 
 
-def moves(request: Request, node: Node, array: NDArray[np.floating], value: Any) -> Iterator[tuple[Any, Any]]:
+def moves(asked: Specification, node: Node, array: NDArray[np.floating], value: Any) -> Iterator[tuple[Any, Any]]:
     """The neighbours of an input's value, one unit in the last place away, forth and back, in every direction.
 
     The exact value of a rotation is turned by one unit about each axis; otherwise each entry that is not zero moves,
     one of a packed matrix together with the entry across the diagonal.
     """
-    if request.exact_inputs and any(h.kind == "rotation" and h.subjects == (node,) for h in request.hypotheses):
+    if asked.exact_inputs and any(h.kind == "rotation" and h.subjects == (node,) for h in asked.hypotheses):
         step = float(np.finfo(array.dtype).eps)
         for axis in AXES:
             yield product(turned(list(axis), step), value), product(turned(list(axis), -step), value)
         return
-    packed = any(isinstance(given.holds, Packed) and given.nodes == (node,) for given in request.inputs)
+    packed = any(isinstance(given.holds, Packed) and given.nodes == (node,) for given in asked.inputs)
     for place in range(array.size):
         row, column = divmod(place, node.shape[1])
         if array.flat[place] != 0 and not (packed and row > column):
             alike = {(row, column), (column, row)} if packed else {(row, column)}
-            below, above = (_moved(request, node, array, value, alike, way) for way in (-np.inf, np.inf))
+            below, above = (_moved(asked, node, array, value, alike, way) for way in (-np.inf, np.inf))
             yield below, above
 
 
 def _moved(
-    request: Request, node: Node, array: NDArray[np.floating], value: Any, alike: set[tuple[int, int]], way: float
+    asked: Specification,
+    node: Node,
+    array: NDArray[np.floating],
+    value: Any,
+    alike: set[tuple[int, int]],
+    way: float,
 ) -> NDArray[np.floating] | Matrix:
     """The value with the next float in place of equal entries, or with their exact value moved as far."""
     moved = array.copy()
     places = [row * node.shape[1] + column for row, column in sorted(alike)]
     moved.flat[places] = np.nextafter(array.flat[places[0]], array.dtype.type(way))
-    if not request.exact_inputs:
+    if not asked.exact_inputs:
         return moved
     step = exactly(float(moved.flat[places[0]]) - float(array.flat[places[0]]), CONTEXT)
     return [[x + step if (i, j) in alike else x for j, x in enumerate(line)] for i, line in enumerate(value)]

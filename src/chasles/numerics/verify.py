@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 from chasles.numerics.draws import CONTEXT
 from chasles.numerics.enclosures import exactly
 from chasles.numerics.reference import Singular
-from chasles.numerics.request import Request
 from chasles.numerics.sampling import STRATEGIES, Sample, draw, moves
+from chasles.numerics.specification import Specification
 from chasles.vocabulary import Node
 
 __all__ = ["Evidence", "Finding", "verify", "verify_all"]
@@ -103,7 +103,7 @@ class Evidence:
 
 
 def verify(
-    request: Request,
+    asked: Specification,
     function: Function,
     *,
     dtype: type[np.floating] = np.float64,
@@ -112,9 +112,9 @@ def verify(
     seed: int = 0,
     batched: bool = False,
 ) -> Evidence:
-    """How the function's results differ from the request's reference, over so many inputs from each strategy.
+    """How the function's results differ from the reference, over so many inputs from each strategy.
 
-    The function takes the request's inputs in their order and returns its outputs, an array or a tuple of arrays; with
+    The function takes the inputs in their order and returns its outputs, an array or a tuple of arrays; with
     `batched` it gets all inputs of a strategy at once, the batch axis first. Inputs at which the reference is singular
     or beyond the type's range are skipped. Raises TypeError for results of another shape or type.
     """
@@ -122,11 +122,11 @@ def verify(
     failures: list[Finding] = []
     skipped, share = 0, 0.0
     for strategy in strategies:
-        generator = np.random.default_rng([seed, crc32(f"{request.name} {strategy}".encode())])
-        inputs = list(islice(draw(request, strategy, generator, dtype), samples))
+        generator = np.random.default_rng([seed, crc32(f"{asked.name} {strategy}".encode())])
+        inputs = list(islice(draw(asked, strategy, generator, dtype), samples))
         findings: list[Finding] = []
-        for sample, results in zip(inputs, _results(request, function, inputs, dtype, batched), strict=True):
-            comparison = _Comparison(request, strategy, sample, dtype)
+        for sample, results in zip(inputs, _results(asked, function, inputs, dtype, batched), strict=True):
+            comparison = _Comparison(asked, strategy, sample, dtype)
             found = list(comparison.findings(results))
             skipped += not found
             findings += found
@@ -137,39 +137,41 @@ def verify(
     failures.sort(key=lambda finding: -finding.error)
     total = samples * len(strategies)
     kept = tuple(failures[:SHOWN])
-    return Evidence(request.name, np.dtype(dtype).name, total, skipped, tuple(worst), kept, len(failures), share)
+    return Evidence(asked.name, np.dtype(dtype).name, total, skipped, tuple(worst), kept, len(failures), share)
 
 
-def verify_all(kernels: Iterable[tuple[Request, Function]], **options: Any) -> Iterator[Evidence]:
+def verify_all(kernels: Iterable[tuple[Specification, Function]], **options: Any) -> Iterator[Evidence]:
     """The evidence on each kernel, one at a time; `options` are those of `verify`."""
-    for request, function in kernels:
-        yield verify(request, function, **options)
+    for asked, function in kernels:
+        yield verify(asked, function, **options)
 
 
 def _results(
-    request: Request, function: Function, inputs: list[Sample], dtype: type[np.floating], batched: bool
+    asked: Specification, function: Function, inputs: list[Sample], dtype: type[np.floating], batched: bool
 ) -> list[list[NDArray[Any]]]:
     """The function's outputs for each input, flat."""
-    columns = [[given.gathered(sample.arrays) for sample in inputs] for given in request.inputs]
+    columns = [[given.gathered(sample.arrays) for sample in inputs] for given in asked.inputs]
     with np.errstate(all="ignore"):
         if batched:
-            together = _outputs(request, function(*map(np.stack, columns)), dtype, (len(inputs),))
+            together = _outputs(asked, function(*map(np.stack, columns)), dtype, (len(inputs),))
             return [[output[k] for output in together] for k in range(len(inputs))]
         return [
-            _outputs(request, function(*(x[()] for x in arguments)), dtype, ())
+            _outputs(asked, function(*(x[()] for x in arguments)), dtype, ())
             for arguments in zip(*columns, strict=True)
         ]
 
 
-def _outputs(request: Request, returned: Any, dtype: type[np.floating], batch: tuple[int, ...]) -> list[NDArray[Any]]:
+def _outputs(
+    asked: Specification, returned: Any, dtype: type[np.floating], batch: tuple[int, ...]
+) -> list[NDArray[Any]]:
     parts = returned if isinstance(returned, tuple) else (returned,)
-    if len(parts) != len(request.outputs):
-        raise TypeError(f"{request.name} returned {len(parts)} results, and {len(request.outputs)} are expected")
+    if len(parts) != len(asked.outputs):
+        raise TypeError(f"{asked.name} returned {len(parts)} results, and {len(asked.outputs)} are expected")
     flat = []
-    for output, part in zip(request.outputs, map(np.asarray, parts), strict=True):
+    for output, part in zip(asked.outputs, map(np.asarray, parts), strict=True):
         if part.shape != (*batch, *output.shape) or part.dtype != dtype:
             raise TypeError(
-                f"{request.name} returned {output.name} as {part.dtype} of shape {part.shape}: "
+                f"{asked.name} returned {output.name} as {part.dtype} of shape {part.shape}: "
                 f"{np.dtype(dtype)} of shape {(*batch, *output.shape)} is expected"
             )
         flat.append(part.reshape(*batch, -1))
@@ -179,11 +181,11 @@ def _outputs(request: Request, returned: Any, dtype: type[np.floating], batch: t
 class _Comparison:
     """Results beside the reference at one input."""
 
-    def __init__(self, request: Request, strategy: str, sample: Sample, dtype: type[np.floating]) -> None:
-        self.request = request
+    def __init__(self, asked: Specification, strategy: str, sample: Sample, dtype: type[np.floating]) -> None:
+        self.asked = asked
         self.strategy = strategy
         self.arrays = sample.arrays
-        self.values: dict[Node, Any] = dict(sample.exact if request.exact_inputs else sample.arrays)
+        self.values: dict[Node, Any] = dict(sample.exact if asked.exact_inputs else sample.arrays)
         self.limits = np.finfo(dtype)
         self.unit = exactly(float(self.limits.eps) / 2, CONTEXT)
         self._conditions: list[list[Any]] | None = None
@@ -199,18 +201,18 @@ class _Comparison:
             return
         if any(abs(x) > float(self.limits.max) for entries in self.expected for x in entries):
             return
-        for k, (output, result) in enumerate(zip(self.request.outputs, results, strict=True)):
+        for k, (output, result) in enumerate(zip(self.asked.outputs, results, strict=True)):
             for g, places in enumerate(output.alike):
                 error = self._error(k, places, [float(result[place]) for place in places])
-                allowed = float(self.request.roundings)
+                allowed = float(self.asked.roundings)
                 if error > allowed:
                     allowed *= 1 + float(self._condition(k, g))
-                if self.request.exact_inputs and allowed * float(self.unit) >= 1:
+                if self.asked.exact_inputs and allowed * float(self.unit) >= 1:
                     continue
                 yield Finding(self.strategy, output.name, error, allowed, self._at())
 
     def _exact(self, values: dict[Node, Any], digits: int) -> list[list[Any]]:
-        return [[x for row in matrix for x in row] for matrix in self.request.reference(values, digits)]
+        return [[x for row in matrix for x in row] for matrix in self.asked.reference(values, digits)]
 
     def _size(self, k: int, places: tuple[int, ...]) -> Any:
         """The size of a group of entries; below the smallest normal number, floats have no digits to lose."""
@@ -225,9 +227,9 @@ class _Comparison:
     def _condition(self, k: int, g: int) -> Any:
         """How far the exact group moves, in units, if every input entry moves by one unit in its last place."""
         if self._conditions is None:
-            self._conditions = [[CONTEXT.mpf(0) for _ in output.alike] for output in self.request.outputs]
+            self._conditions = [[CONTEXT.mpf(0) for _ in output.alike] for output in self.asked.outputs]
             for node, value in self.arrays.items():
-                for moved in moves(self.request, node, value, self.values[node]):
+                for moved in moves(self.asked, node, value, self.values[node]):
                     self._add_moves(node, moved)
         return self._conditions[k][g]
 
@@ -235,7 +237,7 @@ class _Comparison:
         """Add the larger of the two changes that a move of one input, forth or back, causes."""
         assert self._conditions is not None
         moved = [exact for value in neighbours if (exact := self._beside(node, value)) is not None]
-        for k, output in enumerate(self.request.outputs):
+        for k, output in enumerate(self.asked.outputs):
             for g, places in enumerate(output.alike):
                 changes = [max(abs(exact[k][p] - self.expected[k][p]) for p in places) for exact in moved]
                 self._conditions[k][g] += max(changes, default=0) / self._size(k, places) / self.unit
@@ -247,4 +249,4 @@ class _Comparison:
             return None
 
     def _at(self) -> dict[str, Any]:
-        return {given.argument.name: given.gathered(self.arrays).tolist() for given in self.request.inputs}
+        return {given.name: given.gathered(self.arrays).tolist() for given in self.asked.inputs}

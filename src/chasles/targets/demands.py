@@ -11,8 +11,9 @@ from chasles.lowering.lower import program_of
 from chasles.lowering.program import Program
 from chasles.lowering.reach import Reach
 from chasles.lowering.refusal import LoweringError
-from chasles.lowering.request import Output, Request, argument_name, composed
+from chasles.lowering.request import Output, Request, composed
 from chasles.statements import Hypothesis, Packed
+from chasles.statements.arrays import argument_name
 from chasles.statements.kernel import nodes_of
 from chasles.targets.kernel import Demand
 from chasles.vocabulary import Node

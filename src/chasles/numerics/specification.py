@@ -1,32 +1,28 @@
-"""What is a kernel asked for? Its inputs as symbols, its outputs, its hypotheses, its value to any number of digits."""
+"""What must a kernel compute? Its inputs as symbols, its outputs, its hypotheses, its value to any number of digits."""
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from chasles.lowering.program import Argument, Op, Program
-from chasles.lowering.request import argument_name, core_shape, meaning_of
 from chasles.numerics.reference import NoValue, Singular, evaluate
 from chasles.numerics.small_matrices import Matrix
 from chasles.statements import Hypothesis, Kernel, Packed, Statement, problem_of, symmetric
-from chasles.statements.kernel import Argument as Holding
-from chasles.statements.kernel import nodes_of, places_of
+from chasles.statements.arrays import argument_name, core_shape
+from chasles.statements.kernel import Argument, nodes_of, places_of
 from chasles.statements.problem import Standing, default_sides
 from chasles.statements.statement import bare
 from chasles.vocabulary import Block, Call, Node, Symbol, children, plain
 from chasles.vocabulary.nodes import measured
 
-__all__ = ["Input", "Output", "Request", "inputs_of", "longest_chain", "output_of", "request_of"]
+__all__ = ["ExpectedOutput", "Input", "Specification", "expected_output", "inputs_of", "specification_of"]
 
 ROUNDINGS = 16
 """How many roundings in a row a kernel may do where its program is not at hand."""
-ROUNDED = (Op.ADD, Op.SUBTRACT, Op.MULTIPLY, Op.DIVIDE, Op.SQUARE_ROOT)
 
 Values = Mapping[Node, Any]
 Reference = Callable[[Values, int], tuple[Matrix, ...]]
@@ -36,8 +32,17 @@ Reference = Callable[[Values, int], tuple[Matrix, ...]]
 class Input:
     """An argument of the kernel, and the symbol, or rate of a symbol, or several, whose values it holds."""
 
-    argument: Argument
-    holds: Holding
+    holds: Argument
+
+    @property
+    def name(self) -> str:
+        """The argument's name in every language."""
+        return argument_name(self.holds)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The shape of the array."""
+        return core_shape(self.holds)
 
     @property
     def nodes(self) -> tuple[Node, ...]:
@@ -47,12 +52,12 @@ class Input:
     def gathered(self, values: Mapping[Node, NDArray[Any]]) -> NDArray[Any]:
         """The argument as an array, from those of the symbols."""
         if isinstance(self.holds, Node):
-            return values[self.holds].reshape(self.argument.shape)
+            return values[self.holds].reshape(self.shape)
         return np.array([values[node].reshape(node.shape)[i, j] for node, i, j in places_of(self.holds)])
 
 
 @dataclass(frozen=True, slots=True)
-class Output:
+class ExpectedOutput:
     """A result; `alike` groups its entries (flat, row-major): those of one physical dimension are compared together."""
 
     name: str
@@ -61,7 +66,7 @@ class Output:
 
 
 @dataclass(frozen=True, slots=True)
-class Request:
+class Specification:
     """What a kernel must compute.
 
     `reference(values, digits)` gives every output as a matrix whose entries have so many right digits; it may raise
@@ -72,7 +77,7 @@ class Request:
 
     name: str
     inputs: tuple[Input, ...]
-    outputs: tuple[Output, ...]
+    outputs: tuple[ExpectedOutput, ...]
     reference: Reference
     hypotheses: tuple[Hypothesis, ...] = ()
     rules: Mapping[Node, Node] = field(default_factory=dict)
@@ -99,17 +104,18 @@ class Request:
         return True
 
 
-def request_of(
+def specification_of(
     name: str,
     statement: Statement,
     kernel: Kernel | None = None,
-    program: Program | None = None,
+    results: Sequence[str] = (),
+    roundings: int = ROUNDINGS,
     standing: Standing = default_sides,
-) -> Request:
-    """The request of a statement's kernel: the right side of the form that stands, as a function of the inputs.
+) -> Specification:
+    """What a statement's kernel must compute: the right side of the accepted form, as a function of the inputs.
 
-    The reference applies what is given to the statement; an input comes before any rule. With a program, names and
-    roundings are the program's. Raises TypeError if the statement asks for no kernel, or if the results are not as
+    The reference applies what is given to the statement; an input comes before any rule. `results` are the
+    names of the kernel's results. Raises TypeError if the statement asks for no kernel, or if the results are not as
     many as the blocks of the right side.
     """
     kernel = kernel or (statement.kernel and statement.kernel.variants(name)[0])
@@ -119,35 +125,23 @@ def request_of(
     problem = problem_of(statement.saying(left, right), "printed", standing)
     rules = dict(problem.rules)
     parts = _parts(statement, kernel, right)
-    names = [result.name for result in program.results] if program else kernel.results or (plain(statement.left),)
+    names = results or kernel.results or (plain(statement.left),)
     packed = bare(statement.left) in kernel.symmetric
 
     def reference(values: Values, digits: int) -> tuple[Matrix, ...]:
         exact = (evaluate(part, values, rules, digits) for part in parts)
         return tuple([[value[i][j]] for _, i, j in Packed(parts[0]).places] if packed else value for value in exact)
 
-    return Request(
+    return Specification(
         name,
-        inputs_of(kernel, program),
-        tuple(output_of(word, part, packed) for word, part in zip(names, parts, strict=True)),
+        inputs_of(kernel),
+        tuple(expected_output(word, part, packed) for word, part in zip(names, parts, strict=True)),
         reference,
         (*problem.hypotheses, *(symmetric(of.matrix) for of in kernel.of if isinstance(of, Packed))),
         rules,
         frozenset(angle for part in parts for angle in _angles(part, _symbols(kernel), rules)),
-        longest_chain(program) if program else ROUNDINGS,
+        roundings,
     )
-
-
-def longest_chain(program: Program) -> int:
-    """The most roundings in a row: to first order, so many units in the last place, times the condition, can go wrong.
-
-    A sine, a cosine or an arctangent counts as two: libraries round it to within one unit rather than half of one.
-    """
-    weight = Counter(dict.fromkeys(ROUNDED, 1) | dict.fromkeys((Op.SINE, Op.COSINE, Op.ARCTANGENT2), 2))
-    chains: list[int] = []
-    for step in program.steps:
-        chains.append(weight[step.op] + max((chains[operand] for operand in step.operands), default=0))
-    return max((chains[entry] for result in program.results for entry in result.entries), default=0)
 
 
 def _parts(statement: Statement, kernel: Kernel, right: Node) -> tuple[Node, ...]:
@@ -163,28 +157,23 @@ def _parts(statement: Statement, kernel: Kernel, right: Node) -> tuple[Node, ...
     return blocks
 
 
-def inputs_of(kernel: Kernel, program: Program | None = None) -> tuple[Input, ...]:
-    """The kernel's inputs, named as the program's arguments if there is one."""
-    return tuple(map(Input, program.arguments if program else map(_argument, kernel.of), kernel.of))
-
-
-def _argument(holds: Holding) -> Argument:
-    name = plain(holds) if isinstance(holds, Node) else argument_name(holds)
-    return Argument(name, core_shape(holds), meaning_of(holds))
+def inputs_of(kernel: Kernel) -> tuple[Input, ...]:
+    """The kernel's inputs, named as in its program."""
+    return tuple(map(Input, kernel.of))
 
 
 def _symbols(kernel: Kernel) -> frozenset[Node]:
     return frozenset(node for argument in kernel.of for node in nodes_of(argument))
 
 
-def output_of(name: str, node: Node, packed: bool = False) -> Output:
+def expected_output(name: str, node: Node, packed: bool = False) -> ExpectedOutput:
     """The result that the expression is; entries of one dimension are alike, and so are zeros by construction."""
     alike: dict[object, list[int]] = {}
     holds = Packed(node) if packed else node
     grid = measured(node).grid
     for place, (_, row, column) in enumerate(places_of(holds)):
         alike.setdefault(grid[row][column], []).append(place)
-    return Output(name, core_shape(holds), tuple(map(tuple, alike.values())))
+    return ExpectedOutput(name, core_shape(holds), tuple(map(tuple, alike.values())))
 
 
 def _angles(node: Node, inputs: frozenset[Node], rules: Mapping[Node, Node], inside: bool = False) -> Iterator[Node]:

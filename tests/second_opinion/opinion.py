@@ -10,13 +10,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
-from chasles.numerics.instants import DIGITS, World
 from chasles.numerics.small_matrices import Matrix
 from chasles.statements import Claim, Condition, Goal, Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import problems_of_inverse
 from chasles.statements.problem import Standing, default_sides
 from chasles.statements.statement import bare
 from chasles.vocabulary import Node, Rate
+
+from .instants import DIGITS, World
 
 __all__ = ["AGREEMENT", "DISAGREEMENT", "NoMotion", "Opinion", "opinion_on", "rooted", "second_opinion"]
 

@@ -13,13 +13,14 @@ from fractions import Fraction
 from functools import reduce
 from typing import Any
 
-from chasles.numerics.combinations import combined, scaled
 from chasles.numerics.enclosures import plain_context
-from chasles.numerics.linear_systems import solved
-from chasles.numerics.motions import Motion
 from chasles.numerics.small_matrices import Matrix, flipped, plus
 from chasles.statements import Problem
 from chasles.vocabulary import PI, At, Group, Integral, Node, Rate, Symbol
+
+from .combinations import combined, scaled
+from .linear_systems import solved
+from .motions import Motion
 
 __all__ = ["DIGITS", "Instant", "World"]
 

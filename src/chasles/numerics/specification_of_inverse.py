@@ -1,22 +1,21 @@
-"""The request of a kernel that inverts a formula, branch by branch."""
+"""What must a kernel compute that inverts a formula, branch by branch?"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from chasles.lowering.program import Program
 from chasles.numerics.enclosures import plain_context
 from chasles.numerics.reference import Singular, evaluate
-from chasles.numerics.request import ROUNDINGS, Request, Values, inputs_of, longest_chain, output_of
 from chasles.numerics.small_matrices import Matrix
+from chasles.numerics.specification import ROUNDINGS, Specification, Values, expected_output, inputs_of
 from chasles.proof.variables import angle_multiples
 from chasles.statements import Branch, Inverse, Kernel, Statement
 from chasles.statements.problem import Standing, default_sides
 from chasles.statements.statement import bare, is_rule
 from chasles.vocabulary import Call, Negative, Node, Sum, plain
 
-__all__ = ["request_of_inverse"]
+__all__ = ["specification_of_inverse"]
 
 DIGITS_OF_INPUTS = 40
 """To how many digits inputs satisfy what a branch assumes, if they do: they are made with 50."""
@@ -24,14 +23,15 @@ MORE_DIGITS = 20
 """What the values of a branch are known to beyond the digits asked for: results are computed from them."""
 
 
-def request_of_inverse(
+def specification_of_inverse(
     name: str,
     sentence: Inverse,
     kernel: Kernel | None = None,
-    program: Program | None = None,
+    results: Sequence[str] = (),
+    roundings: int = ROUNDINGS,
     standing: Standing = default_sides,
-) -> Request:
-    """The request of an inverse's kernel: what it gives, with the values of the first branch that applies.
+) -> Specification:
+    """What an inverse's kernel must compute: what it gives, with the values of the first branch that applies.
 
     Off its hypotheses an inverse depends on how it is written, so its reference is taken at the exact point of which
     the inputs are the rounding. Raises TypeError if the inverse asks for no kernel.
@@ -40,20 +40,20 @@ def request_of_inverse(
     if kernel is None:
         raise TypeError(f"({sentence.number}) asks for no kernel: give it one, or leave it out")
     rules = dict(_rule(given, standing) for given in sentence.given if is_rule(given))
-    names = [result.name for result in program.results] if program else kernel.results or map(plain, sentence.gives)
+    names = results or kernel.results or map(plain, sentence.gives)
 
     def reference(values: Values, digits: int) -> tuple[Matrix, ...]:
         known = {**values, **_arguments(sentence, values, rules, digits + MORE_DIGITS)}
         return tuple(evaluate(part, known, rules, digits) for part in sentence.gives)
 
-    return Request(
+    return Specification(
         name,
-        inputs_of(kernel, program),
-        tuple(map(output_of, names, sentence.gives)),
+        inputs_of(kernel),
+        tuple(map(expected_output, names, sentence.gives)),
         reference,
         sentence.assuming,
         rules,
-        roundings=longest_chain(program) if program else ROUNDINGS,
+        roundings=roundings,
         exact_inputs=True,
     )
 
