@@ -10,6 +10,8 @@
 PYTHON ?= python3
 ARGS ?=
 export CC
+# Tests and the manual start some hundred processes: what they import is compiled for all of them.
+unexport PYTHONDONTWRITEBYTECODE
 
 VENV := .venv
 BIN := $(VENV)/bin

@@ -18,6 +18,10 @@ from .sampling import kept_and_left_out
 settings.register_profile("untimed", deadline=None)
 settings.load_profile("untimed")
 
+# Some hundred processes are started here: what they import is compiled once for all of them.
+sys.dont_write_bytecode = False
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+
 # No test sees what another run has decided, nor leaves anything behind.
 os.environ["CHASLES_CACHE"] = ""
 
