@@ -33,8 +33,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from tests.mutation import mutants_of
 from tests.sympy_words import in_sympy
 
-from chasles.proof.decide import decide_problem
-from chasles.proof.judge import Judge
+from chasles.decisions.session import Judge
+from chasles.prover.decide import decide_problem
 from chasles.statements import Claim, Hypothesis, Problem, load, problem_of
 from chasles.vocabulary import Call, Integral, Misfit, Node, Symbol, walk
 

@@ -26,11 +26,11 @@ from benchmarks.timing import interleaved
 
 from chasles import kernels as shipped
 from chasles.compiling.kernel import CompiledKernel, kernel_of
+from chasles.decisions.session import Judge
 from chasles.lowering.builder import Builder
 from chasles.lowering.cost import ANGLE, LATENCIES, WEIGHTS, cost, latency
 from chasles.lowering.lower import lower
 from chasles.lowering.program import Argument, Op, Program, Result
-from chasles.proof.judge import Judge
 from chasles.statements import load
 
 EVIDENCE = Path(__file__).resolve().parent / "evidence" / "cost.json"

@@ -10,11 +10,11 @@ from collections.abc import Iterator
 from dataclasses import replace
 from itertools import chain, islice
 
-from chasles.proof import points
-from chasles.proof.context import build
-from chasles.proof.decide import decide_problem
-from chasles.proof.verdict import Counterexample, Holds, HoldsUnder
+from chasles.points import sampling as points
+from chasles.problems.context import build
+from chasles.prover.decide import decide_problem
 from chasles.statements import Goal, Problem
+from chasles.verdict import Counterexample, Holds, HoldsUnder
 from chasles.vocabulary import Negative, Node, Sum
 
 from .exact_words import Broken, Words

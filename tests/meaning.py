@@ -13,10 +13,10 @@ from fractions import Fraction
 from itertools import chain, islice
 from random import Random
 
-from chasles.proof import points
-from chasles.proof.context import build
-from chasles.proof.unfold import UndeclaredDivisor
-from chasles.proof.variables import Untreatable
+from chasles.points import sampling as points
+from chasles.problems.context import build
+from chasles.problems.unfold import UndeclaredDivisor
+from chasles.problems.variables import Untreatable
 from chasles.statements import Goal, Problem
 from chasles.vocabulary import Integral, Node, Symbol, symbols_of, walk
 

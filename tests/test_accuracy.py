@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 from chasles import generated, kernels
+from chasles.decisions.session import Judge
 from chasles.lowering.lower import lower
 from chasles.lowering.program import Op, Program
 from chasles.numerics import Specification, specification_of
@@ -22,7 +23,6 @@ from chasles.numerics.draws import CONTEXT
 from chasles.numerics.enclosures import exactly
 from chasles.numerics.reference import Singular
 from chasles.numerics.sampling import moves
-from chasles.proof.judge import Judge
 from chasles.statements import Chapter, load
 
 # Additions, subtractions, multiplications, divisions and roots, with the halving of an angle; cosine and sine apart.

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 import chasles
-from chasles.proof.decision import Decision, Decisions
-from chasles.proof.verdict import Assumed, Defined, HoldsUnder, IllFormed, Undecided
+from chasles.decisions.decision import Decision, Decisions
 from chasles.several import Several
+from chasles.verdict import Assumed, Defined, HoldsUnder, IllFormed, Undecided
 
 PLANAR = Path(__file__).resolve().parents[1] / "examples" / "planar"
 

@@ -8,8 +8,8 @@ import pytest
 import sympy as sp
 from sympy import Abs, Eq, Matrix, Rational, sqrt
 
-from chasles.proof.verdict import Fails, Holds, HoldsUnder, Undecided
 from chasles.prove import prove
+from chasles.verdict import Fails, Holds, HoldsUnder, Undecided
 
 x, y, z = sp.symbols("x y z")
 p, q, W = sp.symbols("p q W", positive=True)

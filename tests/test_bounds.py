@@ -29,12 +29,12 @@ from chasles.bounds.pieces import NEAR, face_values
 from chasles.bounds.termwise import shares
 from chasles.cli import emission
 from chasles.cli.failures import Failure
+from chasles.decisions.session import Judge
 from chasles.lowering.builder import Builder
 from chasles.lowering.declaration import requested
 from chasles.lowering.lower import program_of
 from chasles.lowering.program import Argument, Op, Program, Result, Step
 from chasles.lowering.request import Request
-from chasles.proof.judge import Judge
 from chasles.statements import load
 
 MANIFEST = (Path(generated.__file__).parent / "MANIFEST.toml").read_text("utf-8")

@@ -14,8 +14,8 @@ from scipy.spatial.transform import Rotation
 
 from chasles import checked, kernels
 from chasles.checked.hypotheses import TESTS
+from chasles.decisions.session import Judge
 from chasles.kernels import written_out
-from chasles.proof.judge import Judge
 from chasles.statements import load
 from chasles.targets.commission import kernel_of
 from chasles.targets.kernel import TESTED, Demand

@@ -8,8 +8,8 @@ import pytest
 import sympy as sp
 from sympy import Abs, Eq, I, Matrix, conjugate, cos, exp, im, re, sin, sqrt, tan
 
-from chasles.proof.verdict import Fails, Holds, HoldsUnder
 from chasles.prove import Rejected, Untreatable, prove, recheck
+from chasles.verdict import Fails, Holds, HoldsUnder
 
 x, y, u, v = sp.symbols("x y u v")
 p = sp.Symbol("p", positive=True)

@@ -7,12 +7,11 @@ from typing import Any
 
 import pytest
 
-from chasles.proof.certificate import Rejected
-from chasles.proof.contradiction import check_contradiction
-from chasles.proof.decide import decide_problem
-from chasles.proof.judge import Judge
-from chasles.proof.plain_data import from_data, to_data
-from chasles.proof.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided
+from chasles.checker.certificate import Rejected
+from chasles.checker.contradiction import check_contradiction
+from chasles.decisions.plain_data import from_data, to_data
+from chasles.decisions.session import Judge
+from chasles.prover.decide import decide_problem
 from chasles.statements import (
     Always,
     Claim,
@@ -34,6 +33,7 @@ from chasles.statements import (
     unit,
     unit_column,
 )
+from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided
 from chasles.vocabulary import (
     CPM,
     FREQUENCY,

@@ -8,8 +8,8 @@ import pytest
 import sympy as sp
 from sympy import Eq, Matrix, cos, pi, sin, sqrt
 
-from chasles.proof.verdict import Contradictory, Fails, Holds, HoldsUnder
 from chasles.prove import prove
+from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder
 
 x, y, z, a, t = sp.symbols("x y z a t")
 p, q = sp.symbols("p q", positive=True)

@@ -6,11 +6,11 @@ from itertools import islice
 
 import pytest
 
-from chasles.proof.decide import decide_problem
-from chasles.proof.judge import Judge
-from chasles.proof.refutation import check_counterexample
-from chasles.proof.verdict import Counterexample, Fails
+from chasles.checker.refutation import check_counterexample
+from chasles.decisions.session import Judge
+from chasles.prover.decide import decide_problem
 from chasles.statements import Claim, Theorem, load, nonzero, problem_of, symmetric, unit
+from chasles.verdict import Counterexample, Fails
 from chasles.vocabulary import (
     CPM,
     Identity,

@@ -12,11 +12,10 @@ from chasles.derivations.notation import A_screw, E, N_tilde, Omega, Q, a, alpha
 from click.testing import CliRunner, Result
 
 from chasles.cli import main
-from chasles.proof.judge import Judge
-from chasles.proof.memory import Memory
-from chasles.proof.road import Passage, Road, state, steps, walk
-from chasles.proof.shipped import shipped
-from chasles.proof.verdict import Fails, Undecided
+from chasles.decisions.memory import Memory
+from chasles.decisions.session import Judge
+from chasles.decisions.shipped import shipped
+from chasles.deriving import Passage, Road, state, steps, walk
 from chasles.statements import Claim, DeclarationError, Statement, load
 from chasles.statements.derivation import (
     Ansatz,
@@ -32,6 +31,7 @@ from chasles.statements.derivation import (
 )
 from chasles.statements.packages import BOOK
 from chasles.statements.roads import roads
+from chasles.verdict import Fails, Undecided
 from chasles.vocabulary import Negative, Node, Number, Scale, cos, inverse, plain, rate, sin
 
 from .sampling import WHOLE, sample
@@ -189,7 +189,7 @@ def test_a_wrong_substitution_stops_the_road(judge: Judge, monkeypatch: pytest.M
 
 
 def test_a_wrong_solution_stops_the_road(judge: Judge, monkeypatch: pytest.MonkeyPatch) -> None:
-    from chasles.proof.road import solving
+    from chasles.deriving import solving
 
     right = solving.alone
     monkeypatch.setattr(solving, "alone", lambda *given: (_wrong(right(*given)[0]), right(*given)[1]))

@@ -7,10 +7,9 @@ from itertools import product
 
 import pytest
 
-from chasles.proof.certificate import Rejected, check
-from chasles.proof.decide import decide_problem
-from chasles.proof.refutation import check_counterexample
-from chasles.proof.verdict import Counterexample, Fails, Holds, HoldsUnder, Undecided
+from chasles.checker.certificate import Rejected, check
+from chasles.checker.refutation import check_counterexample
+from chasles.prover.decide import decide_problem
 from chasles.statements import (
     Claim,
     Condition,
@@ -29,6 +28,7 @@ from chasles.statements import (
     unit,
     unit_column,
 )
+from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, Undecided
 from chasles.vocabulary import (
     CPM,
     FREQUENCY,

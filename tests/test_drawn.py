@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from markupsafe import Markup
 
-from chasles.exact.picture import Curve, Picture, Point
+from chasles.exercises.picture import Curve, Picture, Point
 from chasles.report.html import drawn as room
 from chasles.report.html.drawn import are_kept, drawn
 

@@ -39,8 +39,8 @@ from sympy import (
     tanh,
 )  # fmt: skip
 
-from chasles.proof.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided
 from chasles.prove import Rejected, Untreatable, prove, recheck
+from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided
 
 x, y, z, t, a, b = sp.symbols("x y z t a b")
 p, q = sp.symbols("p q", positive=True)

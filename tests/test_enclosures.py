@@ -9,9 +9,9 @@ import pytest
 import sympy as sp
 from sympy import Abs, Eq, Rational, acos, asin, atan, atan2, cos, cosh, exp, log, pi, sin, sinh, sqrt
 
-from chasles.proof.from_sympy.enclosures import Enclosures, Unbounded, apart
-from chasles.proof.from_sympy.opening import opened
-from chasles.proof.from_sympy.sampling import Sampling
+from chasles.from_sympy.enclosures import Enclosures, Unbounded, apart
+from chasles.from_sympy.opening import opened
+from chasles.from_sympy.sampling import Sampling
 
 x, y, z = sp.symbols("x y z")
 third = Rational(1, 3)

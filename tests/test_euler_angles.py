@@ -13,9 +13,9 @@ from chasles.derivations.x3_10_euler_angles import SEQUENCES, angles
 from scipy.spatial.transform import Rotation
 
 from chasles import kernels
+from chasles.decisions.session import Judge
 from chasles.lowering.lower import lower
 from chasles.lowering.program import Op, Program
-from chasles.proof.judge import Judge
 from chasles.statements import Kernel, load
 
 PROPER = tuple(s for s in SEQUENCES if s[0] == s[2])

@@ -10,8 +10,8 @@ import pytest
 import sympy as sp
 from sympy import Eq, Function, cos, exp, sin, sqrt, symbols
 
-from chasles.proof.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUnder
 from chasles.statements import Claim, Definition, Minimum, Theorem, rotation, unit
+from chasles.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUnder
 from chasles.vocabulary import dot, norm, number, rate
 
 from .fuzzing import judging, statement_judging

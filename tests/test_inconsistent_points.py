@@ -7,11 +7,11 @@ from fractions import Fraction
 
 import pytest
 
-from chasles.proof.certificate import Rejected, check
-from chasles.proof.decide import decide_problem
-from chasles.proof.refutation import check_counterexample
-from chasles.proof.verdict import Counterexample, Fails, Holds, HoldsUnder
+from chasles.checker.certificate import Rejected, check
+from chasles.checker.refutation import check_counterexample
+from chasles.prover.decide import decide_problem
 from chasles.statements import Claim, Condition, Definition, Problem, positive, problem_of, symmetric, unit
+from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder
 from chasles.vocabulary import FREQUENCY, cross, dot, rate, scalar, square, vector
 
 e, u, x = (vector(name, name, "") for name in "eux")

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from chasles.proof.certificate import Rejected, check
-from chasles.proof.judge import Judge
-from chasles.proof.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
+from chasles.checker.certificate import Rejected, check
+from chasles.decisions.session import Judge
 from chasles.statements import (
     Claim,
     Definite,
@@ -18,6 +17,7 @@ from chasles.statements import (
     nonzero,
     positive,
 )
+from chasles.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
 from chasles.vocabulary import (
     CPM,
     LENGTH,

@@ -21,7 +21,7 @@ import pytest
 from scipy.spatial.transform import RigidTransform, Rotation
 
 from chasles import checked, kernels, load
-from chasles.proof.judge import Judge
+from chasles.decisions.session import Judge
 from chasles.report.records import record
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "interoperation.md"
@@ -250,7 +250,7 @@ def decisions() -> Callable[[str], list[dict[str, Any]]]:
 
     def decided(number: str) -> list[dict[str, Any]]:
         from chasles import load
-        from chasles.proof.judge import Judge
+        from chasles.decisions.session import Judge
         from chasles.report.records import record
 
         book = load()

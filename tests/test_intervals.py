@@ -8,7 +8,7 @@ from random import Random
 import mpmath
 import pytest
 
-from chasles.proof.recheck.questions.intervals import Enclosing, Enclosure, Unbounded
+from chasles.checker.expressions.intervals import Enclosing, Enclosure, Unbounded
 
 BITS = 100
 FINE = Enclosing(BITS)

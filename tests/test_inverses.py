@@ -6,10 +6,9 @@ from typing import Any
 
 import pytest
 
-from chasles.proof.certificate import Rejected, check
-from chasles.proof.judge import Judge
-from chasles.proof.refutation import check_counterexample
-from chasles.proof.verdict import Contradictory, Fails, Holds, HoldsUnder, IllFormed, Verdict
+from chasles.checker.certificate import Rejected, check
+from chasles.checker.refutation import check_counterexample
+from chasles.decisions.session import Judge
 from chasles.statements import (
     Always,
     Claim,
@@ -25,6 +24,7 @@ from chasles.statements import (
     symmetric,
 )
 from chasles.statements.statement import Statement
+from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, IllFormed, Verdict
 from chasles.vocabulary import (
     CPM,
     Identity,

@@ -8,9 +8,8 @@ from typing import Any
 
 import pytest
 
-from chasles.proof.certificate import check
-from chasles.proof.judge import Judge
-from chasles.proof.verdict import Fails, HoldsUnder, Verdict
+from chasles.checker.certificate import check
+from chasles.decisions.session import Judge
 from chasles.statements import (
     Branch,
     Chapter,
@@ -26,6 +25,7 @@ from chasles.statements import (
     unit,
 )
 from chasles.statements.inversion import problems_of_inverse
+from chasles.verdict import Fails, HoldsUnder, Verdict
 from chasles.vocabulary import (
     CPM,
     Identity,

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from chasles.proof.certificate import Rejected, check
-from chasles.proof.judge import Judge
-from chasles.proof.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided
+from chasles.checker.certificate import Rejected, check
+from chasles.decisions.session import Judge
 from chasles.statements import Branch, Chapter, Claim, Definition, Entry, Inverse, Section, Statement, nonzero
+from chasles.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided
 from chasles.vocabulary import LENGTH, Node, column, cross, dot, number, plain, scalar, vector
 
 x, y, z, w = (vector(name, name, name) for name in "xyzw")

@@ -6,10 +6,9 @@ from typing import Any
 
 import pytest
 
-from chasles.proof.certificate import check
-from chasles.proof.judge import Judge
-from chasles.proof.refutation import check_counterexample
-from chasles.proof.verdict import Fails, Holds, HoldsUnder, Undecided, Verdict
+from chasles.checker.certificate import check
+from chasles.checker.refutation import check_counterexample
+from chasles.decisions.session import Judge
 from chasles.statements import (
     Claim,
     Condition,
@@ -20,6 +19,7 @@ from chasles.statements import (
     rotation,
     unit,
 )
+from chasles.verdict import Fails, Holds, HoldsUnder, Undecided, Verdict
 from chasles.vocabulary import PI, Node, cos, cross, dot, norm, number, scalar, sin, square, vector
 
 a, b, e = (vector(name, name, "") for name in "abe")

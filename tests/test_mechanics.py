@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from chasles.proof.verdict import Fails, Holds, HoldsUnder
 from chasles.prove import prove, recheck
+from chasles.verdict import Fails, Holds, HoldsUnder
 
 COUNT = 148
 

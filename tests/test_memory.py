@@ -13,18 +13,19 @@ from typing import Any
 
 import pytest
 
+from chasles.algebra.values import InPi
+from chasles.checker.certificate import check
 from chasles.cli.outcome import decide
-from chasles.proof import recalled, spreading
-from chasles.proof.certificate import check
-from chasles.proof.decision import Decision
-from chasles.proof.foresight import foresee
-from chasles.proof.judge import Judge
-from chasles.proof.memory import Memory
-from chasles.proof.plain_data import from_data, to_data
-from chasles.proof.spreading import spread
-from chasles.proof.values import InPi
-from chasles.proof.verdict import Fails, Holds, HoldsUnder, Undecided, Verdict
+from chasles.decisions import processes as spreading
+from chasles.decisions import recalled
+from chasles.decisions.decision import Decision
+from chasles.decisions.memory import Memory
+from chasles.decisions.plain_data import from_data, to_data
+from chasles.decisions.prediction import foresee
+from chasles.decisions.processes import spread
+from chasles.decisions.session import Judge
 from chasles.statements import Claim, Hypothesis, Inverse, Statement, load, rotation
+from chasles.verdict import Fails, Holds, HoldsUnder, Undecided, Verdict
 from chasles.vocabulary import PI, Node, cos, cross, rate, scalar, square, vector, walk
 
 from .sampling import WHOLE
@@ -81,7 +82,7 @@ def remembered(left: Node, right: Node, *assuming: Hypothesis) -> Verdict:
     verdict = judge.decide(claim).verdict
     again = Judge(memory=Memory(as_text(judge.memory.as_data(10))))
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("chasles.proof.judge.decide_problem", forbidden)
+        patch.setattr("chasles.decisions.session.decide_problem", forbidden)
         assert again.decide(claim).verdict == verdict
     return again.decide(claim).verdict
 
@@ -119,8 +120,8 @@ def test_what_is_remembered_is_what_was_decided(decisions: tuple[Judge, list[Dec
     kept = as_text(once.memory.as_data(10_000))
     again = Judge(book=BOOK, memory=Memory(kept))
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("chasles.proof.judge.decide_problem", forbidden)
-        patch.setattr("chasles.proof.judge.repair", forbidden)
+        patch.setattr("chasles.decisions.session.decide_problem", forbidden)
+        patch.setattr("chasles.decisions.session.repair", forbidden)
         for entry, decision in zip(SOME, found, strict=True):
             assert as_text_of(again.decide(entry.statement)) == as_text_of(decision)
     assert not again.memory.has_learned
@@ -184,7 +185,7 @@ def test_inverses_are_foreseen(decisions: tuple[Judge, list[Decision]], monkeypa
         for given in statement.relied_on:
             judge.decide(given)
     foresee(judge, [statement for statement, _ in inverses])
-    monkeypatch.setattr("chasles.proof.judge.decide_problem", forbidden)
+    monkeypatch.setattr("chasles.decisions.session.decide_problem", forbidden)
     assert len(inverses) >= 3
     for statement, decision in inverses:
         assert outcome(judge.decide(statement)) == outcome(decision)
@@ -279,7 +280,7 @@ def test_a_second_run_only_checks_again(folder: Path, monkeypatch: pytest.Monkey
     first, _ = decide(section("3.3"), BOOK)
     (kept,) = folder.iterdir()
     before = kept.read_bytes()
-    monkeypatch.setattr("chasles.proof.judge.decide_problem", forbidden)
+    monkeypatch.setattr("chasles.decisions.session.decide_problem", forbidden)
     second, _ = decide(section("3.3"), BOOK)
     assert [outcome(d) for _, d in second.decided] == [outcome(d) for _, d in first.decided]
     assert second.rechecked is not None

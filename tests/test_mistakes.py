@@ -17,7 +17,7 @@ from click.testing import CliRunner
 import chasles.statements.derivation as steps
 from chasles import statements, vocabulary
 from chasles.cli import main
-from chasles.proof.judge import Judge
+from chasles.decisions.session import Judge
 from chasles.statements import (
     Always,
     Branch,

@@ -7,12 +7,12 @@ from itertools import product
 
 import pytest
 
-from chasles.proof.certificate import Rejected, check
-from chasles.proof.decide import decide_problem
-from chasles.proof.refutation import check_counterexample
-from chasles.proof.verdict import Fails, HoldsUnder, Verdict
+from chasles.checker.certificate import Rejected, check
+from chasles.checker.refutation import check_counterexample
+from chasles.prover.decide import decide_problem
 from chasles.statements import Claim, Definition, Hypothesis, Problem, problem_of, rotation
 from chasles.statements.spins import with_spins
+from chasles.verdict import Fails, HoldsUnder, Verdict
 from chasles.vocabulary import (
     CPM,
     FREQUENCY,

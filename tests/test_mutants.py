@@ -11,11 +11,11 @@ from itertools import islice
 
 import pytest
 
-from chasles.proof.decide import decide_problem
-from chasles.proof.judge import Judge
-from chasles.proof.refutation import check_counterexample
-from chasles.proof.verdict import Counterexample, Fails, Holds, HoldsUnder, Verdict
+from chasles.checker.refutation import check_counterexample
+from chasles.decisions.session import Judge
+from chasles.prover.decide import decide_problem
 from chasles.statements import Chapter, Claim, Problem, Statement, Theorem, load, nonzero, problem_of, unit
+from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, Verdict
 from chasles.vocabulary import Misfit, Symbol, cos, dot, scalar, symbols_of, vector
 
 from .exact_words import number_of

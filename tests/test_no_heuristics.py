@@ -10,7 +10,10 @@ import pytest
 
 import chasles
 
-ROOMS = ("vocabulary", "statements", "proof")
+ROOMS = (
+    *("vocabulary", "statements", "rewriting", "algebra", "checker", "problems", "points", "prover"),
+    *("repairs", "decisions", "deriving", "from_sympy"),
+)
 PACKAGE = Path(chasles.__file__).parent
 MODULES = sorted([path for room in ROOMS for path in (PACKAGE / room).rglob("*.py")] + [PACKAGE / "prove.py"])
 GUESSES = {

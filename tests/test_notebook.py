@@ -18,14 +18,14 @@ from latex2mathml.converter import convert
 import chasles
 from chasles import prove
 from chasles.compiling.kernel import CompiledKernel
+from chasles.decisions.decision import Certificate
+from chasles.decisions.session import Judge
+from chasles.deriving import walk
 from chasles.display import Displayed
-from chasles.proof.decision import Certificate
-from chasles.proof.judge import Judge
-from chasles.proof.road import walk
-from chasles.proof.verdict import Counterexample, Fails, Undecided
 from chasles.report.records import certificate_hash
 from chasles.statements import Claim, Inverse, Statement, load
 from chasles.statements.roads import roads_in
+from chasles.verdict import Counterexample, Fails, Undecided
 
 from .parsed_page import Parsed
 
@@ -194,8 +194,7 @@ def called(work: Callable[[], object]) -> dict[str, int]:
 
 DECIDING = re.compile(
     r"sympy/(simplify|solvers|polys|matrices|core|integrals|series)/|chasles/prove|chasles/lowering|"
-    r"chasles/proof/(decide|judge|trial|repair|single|ansatz|nearest|normal_form|refutation|certifying|search|"
-    r"recheck|from_sympy)"
+    r"chasles/(prover|problems|points|algebra|checker|repairs|from_sympy|decisions/session)"
 )
 CALLS = 400_000
 """A tenth of a second or less."""
@@ -230,7 +229,9 @@ def test_solutions_are_displayed_as_they_were_worked() -> None:
     for formula in formulas(bundle["text/latex"]):
         assert "<math" in convert(formula)
     names = {Path(file).as_posix() for file in called(solution._repr_mimebundle_)}
-    assert not [file for file in names if re.search(r"sympy/(simplify|solvers)/|chasles/proof/(decide|judge)", file)]
+    assert not [
+        file for file in names if re.search(r"sympy/(simplify|solvers)/|chasles/(prover|decisions/session)", file)
+    ]
 
 
 def test_ipython_shows_them(shown: dict[str, Any]) -> None:
@@ -260,7 +261,7 @@ CELLS = {
 }
 OPENING = """
 import chasles, sympy
-from chasles.proof.judge import Judge
+from chasles.decisions.session import Judge
 from chasles.statements import load
 from chasles.statements.roads import roads_in
 book = load()

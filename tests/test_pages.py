@@ -10,9 +10,8 @@ from fractions import Fraction
 
 import pytest
 
-from chasles.proof.judge import Decision, Judge
-from chasles.proof.plain_data import from_data, to_data
-from chasles.proof.verdict import Contradictory, Counterexample, Fails, Undecided
+from chasles.decisions.plain_data import from_data, to_data
+from chasles.decisions.session import Decision, Judge
 from chasles.report.errata_page import errata_page
 from chasles.report.lost_marks import lost_marks
 from chasles.report.markdown import code, escaped
@@ -21,6 +20,7 @@ from chasles.report.summary import HEADERS
 from chasles.report.verdict_page import WORST_FIRST, verdict_page
 from chasles.report.words import VERDICTS, counted, reason, said
 from chasles.statements import Chapter, Claim, Definition, Entry, Section, Statement, load, nonzero
+from chasles.verdict import Contradictory, Counterexample, Fails, Undecided
 from chasles.vocabulary import column, norm, scalar, vector
 
 from .sampling import sample
@@ -211,7 +211,7 @@ def test_every_slip_of_the_chapter_is_there(whole: dict[str, str], judge: Judge)
 @pytest.mark.slow
 def test_the_pages_are_the_same_for_every_hash_seed(whole: dict[str, str]) -> None:
     program = (
-        "import sys; from chasles.proof.judge import Judge; from chasles.report.pages import pages\n"
+        "import sys; from chasles.decisions.session import Judge; from chasles.report.pages import pages\n"
         "from chasles.statements import load; texts = pages(load(), Judge(book=load())).values()\n"
         "sys.stdout.buffer.write(''.join(texts).encode())"
     )

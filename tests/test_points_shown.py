@@ -7,12 +7,12 @@ from fractions import Fraction
 
 import pytest
 
-from chasles.proof.decide import decide_problem
-from chasles.proof.refutation import check_counterexample
-from chasles.proof.values import InPi
-from chasles.proof.verdict import Counterexample, Fails, Holds
+from chasles.algebra.values import InPi
+from chasles.checker.refutation import check_counterexample
+from chasles.prover.decide import decide_problem
 from chasles.report.words import point_in_words
 from chasles.statements import Claim, problem_of, unit
+from chasles.verdict import Counterexample, Fails, Holds
 from chasles.vocabulary import CPM, PI, Node, column, cos, norm, rate, scalar, sin, vector
 
 a, b, e = (vector(name, name, "") for name in "abe")

@@ -21,9 +21,9 @@ from hypothesis import strategies as st
 from sympy import Abs, Eq, Matrix, Rational, cos, cot, csc, eye, pi, sec, sin, sqrt, tan, zeros
 from sympy.core.function import AppliedUndef
 
-from chasles.proof.surds import Exact, root_of
-from chasles.proof.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided
+from chasles.algebra.surds import Exact, root_of
 from chasles.prove import Rejected, Untreatable, prove, recheck
+from chasles.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided
 
 from .sampling import sample
 
@@ -368,7 +368,7 @@ def test_the_clock_decides_nothing_unless_it_is_asked(monkeypatch: pytest.Monkey
     """A clock that runs a million times as fast is a machine that is a million times as busy."""
     questions = [(sin(x) ** 2 + cos(x) ** 2, 1), (sqrt(x**2), x), ((x + y) ** 9, (x - y) ** 9)]
     calm = [prove(*sides) for sides in questions]
-    monkeypatch.setattr("chasles.proof.deadline.monotonic", lambda: perf_counter() * 1e6)
+    monkeypatch.setattr("chasles.algebra.work_limit.monotonic", lambda: perf_counter() * 1e6)
     assert [prove(*sides) for sides in questions] == calm
     assert isinstance(prove(*questions[-1], budget=1), Undecided)
 

@@ -9,8 +9,8 @@ import pytest
 import sympy as sp
 from sympy import Eq, Matrix, cos, sin, sqrt
 
-from chasles.proof.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided
 from chasles.prove import Untreatable, prove, recheck
+from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided
 
 t, s, x, k, c, omega = sp.symbols("t s x k c omega")
 m, length, grav = sp.symbols("m l g", positive=True)

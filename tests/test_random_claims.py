@@ -10,8 +10,7 @@ from random import Random
 
 import pytest
 
-from chasles.proof.decide import decide_problem
-from chasles.proof.verdict import Fails, Holds, HoldsUnder, IllFormed
+from chasles.prover.decide import decide_problem
 from chasles.statements import (
     Claim,
     Hypothesis,
@@ -23,6 +22,7 @@ from chasles.statements import (
     rotation,
     unit,
 )
+from chasles.verdict import Fails, Holds, HoldsUnder, IllFormed
 from chasles.vocabulary import (
     CPM,
     Identity,

@@ -25,8 +25,8 @@ from sympy import (
     tan,
 )
 
-from chasles.proof.verdict import Fails, Holds, HoldsUnder
 from chasles.prove import Rejected, Untreatable, prove, recheck
+from chasles.verdict import Fails, Holds, HoldsUnder
 
 x, y, z, a, b, t = sp.symbols("x y z a b t", real=True)
 p = sp.Symbol("p")

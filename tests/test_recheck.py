@@ -13,15 +13,15 @@ import pytest
 import sympy as sp
 from sympy import Abs, Eq, Matrix, cos, eye, pi, sign, sin, sqrt, tan
 
-from chasles.proof.from_sympy import given as given_equations
-from chasles.proof.from_sympy import reader as readers
-from chasles.proof.from_sympy import roots
-from chasles.proof.from_sympy.divisors import Divisor
-from chasles.proof.from_sympy.given import Equations, Given
-from chasles.proof.recheck.questions.reals import Reals
-from chasles.proof.recheck.sparse import number
-from chasles.proof.verdict import Counterexample, Fails, Holds, HoldsUnder
+from chasles.checker.expressions.reals import Reals
+from chasles.checker.sparse import number
+from chasles.from_sympy import given as given_equations
+from chasles.from_sympy import reader as readers
+from chasles.from_sympy import roots
+from chasles.from_sympy.divisors import Divisor
+from chasles.from_sympy.given import Equations, Given
 from chasles.prove import Rejected, prove, recheck
+from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder
 
 a, b, c, x, y, z, t = sp.symbols("a b c x y z t")
 p = sp.Symbol("p", positive=True)

@@ -6,12 +6,12 @@ from fractions import Fraction
 
 import pytest
 
-from chasles.proof.decide import decide_problem
-from chasles.proof.recheck.relations import independent
-from chasles.proof.recheck.sparse import Polynomial, number, variable
-from chasles.proof.refutation import check_counterexample
-from chasles.proof.verdict import Fails
+from chasles.checker.refutation import check_counterexample
+from chasles.checker.relations import independent
+from chasles.checker.sparse import Polynomial, number, variable
+from chasles.prover.decide import decide_problem
 from chasles.statements import Claim, Condition, Statement, nonzero, problem_of, unit
+from chasles.verdict import Fails
 from chasles.vocabulary import CPM, FREQUENCY, Node, cross, dot, norm, rate, vector
 from chasles.vocabulary import number as numeral
 

@@ -8,12 +8,12 @@ from functools import cache
 
 import pytest
 
-from chasles.proof.ansatz import fit
-from chasles.proof.decide import decide_problem
-from chasles.proof.judge import Judge
-from chasles.proof.repair import Repair, repair
-from chasles.proof.verdict import Holds, HoldsUnder
+from chasles.decisions.session import Judge
+from chasles.prover.decide import decide_problem
+from chasles.repairs.repair import Repair, repair
+from chasles.rewriting.term_basis import fit
 from chasles.statements import Claim, Definition, Statement, load, problem_of
+from chasles.verdict import Holds, HoldsUnder
 from chasles.vocabulary import Misfit, Negative, Node, Number, Sum, Transpose, children, latex, plain, rebuilt
 
 from .sampling import sample

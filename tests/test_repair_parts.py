@@ -7,12 +7,12 @@ from itertools import product
 
 import pytest
 
-from chasles.proof.ansatz import palette_of
-from chasles.proof.coefficients import Function, scaled, spelled, split
-from chasles.proof.context import build
-from chasles.proof.linear import MODULUS, Span, combination, multiple, rational
-from chasles.proof.places import linear_places, put, separate_sums
-from chasles.proof.residues import Sampled, generic_points
+from chasles.algebra.modular import MODULUS, Span, combination, multiple, rational
+from chasles.problems.context import build
+from chasles.repairs.residues import Sampled, generic_points
+from chasles.rewriting.coefficients import Function, scaled, spelled, split
+from chasles.rewriting.places import linear_places, put, separate_sums
+from chasles.rewriting.term_basis import palette_of
 from chasles.statements import Goal, Problem
 from chasles.vocabulary import (
     CPM,

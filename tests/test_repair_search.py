@@ -7,12 +7,11 @@ from dataclasses import replace
 
 import pytest
 
-from chasles.proof import repair as searching
-from chasles.proof import rings
-from chasles.proof.decide import decide_problem
-from chasles.proof.repair import repair
-from chasles.proof.trial import Trial
-from chasles.proof.verdict import Holds, HoldsUnder, Undecided, Verdict
+from chasles.algebra import rings
+from chasles.prover.decide import decide_problem
+from chasles.repairs import repair as searching
+from chasles.repairs.modular_test import Trial
+from chasles.repairs.repair import repair
 from chasles.statements import (
     Claim,
     Condition,
@@ -26,6 +25,7 @@ from chasles.statements import (
     unit,
 )
 from chasles.statements.statement import Equation
+from chasles.verdict import Holds, HoldsUnder, Undecided, Verdict
 from chasles.vocabulary import (
     CPM,
     FREQUENCY,

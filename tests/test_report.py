@@ -9,7 +9,7 @@ from xml.etree.ElementTree import fromstring
 
 import pytest
 
-from chasles.proof.judge import Judge
+from chasles.decisions.session import Judge
 from chasles.report.html.citing import place_of_number
 from chasles.report.html.page import Sources, page
 from chasles.report.html.palette import DARK, LIGHT, TEXT_ON, contrast

@@ -11,9 +11,9 @@ import pytest
 
 import chasles
 from chasles.cli import reporting
-from chasles.exact.solution import Solution
-from chasles.exact.solving import solve_with
-from chasles.proof.judge import Judge
+from chasles.decisions.session import Judge
+from chasles.exercises.solution import Solution
+from chasles.exercises.solving import solve_with
 from chasles.report.html.certificates import proof_in_words
 from chasles.report.html.citing import Book
 from chasles.report.html.error_plots import plotted

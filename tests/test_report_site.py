@@ -9,7 +9,7 @@ from struct import unpack
 import pytest
 
 import chasles
-from chasles.proof.judge import Judge
+from chasles.decisions.session import Judge
 from chasles.report.html.page import Sources
 from chasles.report.html.site import site
 from chasles.report.html.trusted import checked_again

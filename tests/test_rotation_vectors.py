@@ -6,11 +6,11 @@ from typing import Any
 
 import pytest
 
-from chasles.proof.certificate import Rejected, check
-from chasles.proof.judge import Judge
-from chasles.proof.refutation import check_counterexample
-from chasles.proof.verdict import Counterexample, Fails, Holds, HoldsUnder, Undecided
+from chasles.checker.certificate import Rejected, check
+from chasles.checker.refutation import check_counterexample
+from chasles.decisions.session import Judge
 from chasles.statements import Claim, Condition, Definition, nonzero, perpendicular, problem_of, unit
+from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, Undecided
 from chasles.vocabulary import (
     CPM,
     FREQUENCY,

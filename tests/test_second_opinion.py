@@ -13,9 +13,8 @@ from typing import Any
 import pytest
 import sympy
 
+from chasles.decisions.session import Judge
 from chasles.numerics.enclosures import plain_context
-from chasles.proof.judge import Judge
-from chasles.proof.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed, Verdict
 from chasles.statements import (
     Claim,
     Condition,
@@ -31,6 +30,7 @@ from chasles.statements import (
     problem_of,
     unit,
 )
+from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed, Verdict
 from chasles.vocabulary import (
     CPM,
     FREQUENCY,

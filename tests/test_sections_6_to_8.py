@@ -8,13 +8,13 @@ from dataclasses import replace as with_fields
 import pytest
 
 from chasles import derivations
+from chasles.checker.certificate import check
+from chasles.checker.refutation import check_counterexample
+from chasles.decisions.session import Judge
 from chasles.lowering.declaration import requested
-from chasles.proof.certificate import check
-from chasles.proof.judge import Judge
-from chasles.proof.refutation import check_counterexample
-from chasles.proof.verdict import Fails, Holds, HoldsUnder
 from chasles.statements import Chapter, Entry, load, problem_of
 from chasles.statements.arrays import argument_name
+from chasles.verdict import Fails, Holds, HoldsUnder
 from chasles.vocabulary import Negative, number, replace
 
 MODULES = (

@@ -11,8 +11,7 @@ from typing import Any
 
 import pytest
 
-from chasles.proof.decide import decide_problem
-from chasles.proof.verdict import Fails, Holds, HoldsUnder
+from chasles.prover.decide import decide_problem
 from chasles.statements import (
     Always,
     Chapter,
@@ -43,6 +42,7 @@ from chasles.statements import (
     symmetric,
     unit,
 )
+from chasles.verdict import Fails, Holds, HoldsUnder
 from chasles.vocabulary import (
     CPM,
     FREQUENCY,

@@ -6,10 +6,9 @@ from typing import Any
 
 import pytest
 
-from chasles.proof.certificate import check
-from chasles.proof.judge import Judge
-from chasles.proof.refutation import check_counterexample
-from chasles.proof.verdict import Fails, Holds, HoldsUnder
+from chasles.checker.certificate import check
+from chasles.checker.refutation import check_counterexample
+from chasles.decisions.session import Judge
 from chasles.statements import (
     Claim,
     Hypothesis,
@@ -25,6 +24,7 @@ from chasles.statements import (
     unit,
     unit_column,
 )
+from chasles.verdict import Fails, Holds, HoldsUnder
 from chasles.vocabulary import (
     CPM,
     Identity,

@@ -18,25 +18,29 @@ from click.testing import CliRunner
 
 from chasles.cli import main
 from chasles.cli.answers import answers
-from chasles.exact.solving import solve_with
-from chasles.proof.judge import Judge
-from chasles.proof.kept_answers import repairs_stand, verdict_stands
-from chasles.proof.memory import Memory
-from chasles.proof.plain_data import from_data, to_data
-from chasles.proof.road import walk
-from chasles.proof.shipped import ANSWERS, shipped
-from chasles.proof.verdict import Contradictory, Fails, Holds, IllFormed, Posed
+from chasles.decisions.kept_answers import repairs_stand, verdict_stands
+from chasles.decisions.memory import Memory
+from chasles.decisions.plain_data import from_data, to_data
+from chasles.decisions.session import Judge
+from chasles.decisions.shipped import ANSWERS, shipped
+from chasles.deriving import walk
+from chasles.exercises.solving import solve_with
 from chasles.statements import Chapter, Claim, Definition, Entry, Section, Statement, load, problem_of, unit
 from chasles.statements.exercises import exercise_numbers
 from chasles.statements.packages import BOOK
 from chasles.statements.roads import roads
+from chasles.verdict import Contradictory, Fails, Holds, IllFormed, Posed
 from chasles.vocabulary import Node, Sum, cross, dot, number, vector
 
 from .sampling import WHOLE, sample
 
 ROOT = Path(__file__).resolve().parents[1]
 CHAPTER, ROADS, SHIPPED = load(), roads(), shipped(BOOK)
-SEARCHES = ("chasles.proof.judge.decide_problem", "chasles.proof.judge.repair", "chasles.proof.road.state.combined")
+SEARCHES = (
+    "chasles.decisions.session.decide_problem",
+    "chasles.decisions.session.repair",
+    "chasles.deriving.state.combined",
+)
 x, y, z, w = (vector(name, name, name) for name in "xyzw")
 right = Claim("9.1", dot(x, cross(y, z)), dot(cross(x, y), z))
 wrong = Claim("9.2", cross(x, y), cross(y, x))
@@ -66,7 +70,7 @@ def searched(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 def new_judge(monkeypatch: pytest.MonkeyPatch) -> None:
     """Exercises are solved with a judge of their own, who knows what is shipped and nothing else."""
     judge = Judge(book=CHAPTER, memory=Memory(shipped=SHIPPED))
-    monkeypatch.setattr("chasles.exact.decided._judge", lambda: judge)
+    monkeypatch.setattr("chasles.exercises.decided._judge", lambda: judge)
 
 
 def book_of(*statements: Statement) -> Chapter:
@@ -261,7 +265,7 @@ if {hidden!r}:
     sys.modules["flint"] = None
 from click.testing import CliRunner
 from chasles.cli import main
-from chasles.proof.rings import backend
+from chasles.algebra.rings import backend
 
 assert backend() == ("sympy" if {hidden!r} else "flint")
 said = {{}}

@@ -9,8 +9,8 @@ import pytest
 import sympy as sp
 from sympy import Eq, Matrix, Ne, Or, sqrt
 
-from chasles.proof.verdict import Contradictory, Fails, Holds, HoldsUnder
 from chasles.prove import Untreatable, prove, recheck
+from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder
 
 x, y, z = sp.symbols("x y z")
 p = sp.Symbol("p", positive=True)

@@ -15,9 +15,9 @@ from chasles.exact.fields import Case, Field
 from chasles.exact.grammar import read_number
 from chasles.exact.moments import Moments
 from chasles.exact.numbers import NotDecided, is_zero
-from chasles.exact.outlines import prism_edges, section_of
 from chasles.exact.polygons import twice_the_area
 from chasles.exact.solids import Plane, Solid, prism
+from chasles.exercises.outlines import prism_edges, section_of
 
 s, h, k = sp.symbols("s h k", positive=True)
 

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 from chasles import kernels
+from chasles.decisions.session import Judge
 from chasles.lowering.declaration import requested
 from chasles.lowering.equality import differences
 from chasles.lowering.lower import program_of
 from chasles.lowering.program import Op
 from chasles.numerics import specification_of
 from chasles.numerics.sampling import draw, moves
-from chasles.proof.judge import Judge
 from chasles.statements import Definition, Entry, Kernel, Packed, Section, Stack, load
 from chasles.statements.kernel import SIX
 from chasles.targets.commission import kernel_of

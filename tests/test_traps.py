@@ -7,8 +7,7 @@ from __future__ import annotations
 
 import pytest
 
-from chasles.proof.judge import Judge
-from chasles.proof.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided
+from chasles.decisions.session import Judge
 from chasles.statements import (
     Claim,
     Condition,
@@ -25,6 +24,7 @@ from chasles.statements import (
     symmetric,
     unit,
 )
+from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided
 from chasles.vocabulary import (
     CPM,
     FREQUENCY,

@@ -16,7 +16,7 @@ from typing import Any
 
 import pytest
 
-from chasles.proof.rings import _SympyRing
+from chasles.algebra.rings import _SympyRing
 
 from .sampling import WHOLE
 
@@ -32,9 +32,9 @@ sys.path.insert(0, {root!r})
 if {hidden!r}:
     sys.modules["flint"] = None
 from dataclasses import asdict
-from chasles.proof.decide import decide_problem
-from chasles.proof.judge import Judge
-from chasles.proof.rings import backend
+from chasles.prover.decide import decide_problem
+from chasles.decisions.session import Judge
+from chasles.algebra.rings import backend
 from chasles.statements import Claim, Theorem, load, problem_of
 from chasles.vocabulary import Misfit
 from tests.mutation import mutants_of

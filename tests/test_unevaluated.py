@@ -30,8 +30,8 @@ from sympy import (
     zeros,
 )
 
-from chasles.proof.verdict import Fails, Holds, HoldsUnder
 from chasles.prove import Untreatable, prove, recheck
+from chasles.verdict import Fails, Holds, HoldsUnder
 
 A, B = MatrixSymbol("A", 2, 2), MatrixSymbol("B", 2, 2)
 C, D, u = MatrixSymbol("C", 3, 3), MatrixSymbol("D", 3, 3), MatrixSymbol("u", 3, 1)

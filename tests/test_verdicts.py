@@ -12,9 +12,9 @@ from pathlib import Path
 
 import pytest
 
-from chasles.proof.judge import Decision, Judge
-from chasles.proof.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
+from chasles.decisions.session import Decision, Judge
 from chasles.statements import Entry, load
+from chasles.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
 
 GOLDEN = Path(__file__).parent / "golden" / "verdicts.toml"
 HEAD = "# The verdict on every statement; `pytest tests/test_verdicts.py --update-golden` writes this file.\n\n"

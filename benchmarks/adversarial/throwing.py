@@ -17,9 +17,9 @@ from benchmarks.adversarial.verdicts import Judge
 
 from chasles import generated
 from chasles.cli.emission import commissioned
+from chasles.decisions.session import Judge as Prover
 from chasles.lowering.declaration import requested
 from chasles.lowering.request import Request
-from chasles.proof.judge import Judge as Prover
 from chasles.statements import load
 from chasles.targets import Kernel
 from chasles.vocabulary.nodes import measured

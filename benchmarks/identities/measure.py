@@ -21,8 +21,8 @@ from benchmarks.identities.numbers import changed
 from benchmarks.identities.pairs import built, load
 from benchmarks.identities.textbook import identities
 
-from chasles.proof.verdict import Fails, Holds, HoldsUnder
 from chasles.prove import Rejected, Untreatable, prove, recheck
+from chasles.verdict import Fails, Holds, HoldsUnder
 
 HERE = Path(__file__).parent
 BUDGET = 10.0

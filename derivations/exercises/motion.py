@@ -15,7 +15,7 @@ from chasles.derivations.s02_screw import (
 from chasles.derivations.s04_twist import natural_invariants
 
 from chasles.exact.numbers import angle
-from chasles.exact.sheet import Sheet, equal
+from chasles.exercises.worksheet import Sheet, equal
 from chasles.statements import rotation
 from chasles.statements.exercise import Answer, Else, Scalar, matrix_shape, vector_shape
 from chasles.vocabulary import cos, det, number, sin

@@ -4,7 +4,7 @@ from chasles.derivations.notation import p
 
 from chasles.exact.evaluate import Value
 from chasles.exact.numbers import sign
-from chasles.exact.sheet import Sheet
+from chasles.exercises.worksheet import Sheet
 from chasles.statements import Claim, Definition
 from chasles.statements.exercise import Answer, Else, Record, Scalar, Truth, Word, matrix_shape, vector_shape
 from chasles.vocabulary import (

@@ -9,13 +9,13 @@ from chasles.derivations.s02_screw import (
     triad_as_columns,
 )
 
-from chasles.exact.data import DataError
-from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
 from chasles.exact.lines import meets_plane
 from chasles.exact.numbers import is_zero
-from chasles.exact.picture import Arrow, Body, Line, Picture, Point
-from chasles.exact.sheet import Sheet
+from chasles.exercises.data import DataError
+from chasles.exercises.draw import Draw
+from chasles.exercises.picture import Arrow, Body, Line, Picture, Point
+from chasles.exercises.worksheet import Sheet
 from chasles.statements.exercise import Answer, Datum, Else, Exercise, Record, vector_shape
 from chasles.vocabulary import det, inverse
 

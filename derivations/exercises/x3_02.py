@@ -13,12 +13,12 @@ from chasles.derivations.s07_statics import (
     wrench_point_is_on_axis,
 )
 
-from chasles.exact.data import DataError
-from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
 from chasles.exact.numbers import sign
-from chasles.exact.picture import Arrow, Body, Line, Picture, Point
-from chasles.exact.sheet import Sheet, equal
+from chasles.exercises.data import DataError
+from chasles.exercises.draw import Draw
+from chasles.exercises.picture import Arrow, Body, Line, Picture, Point
+from chasles.exercises.worksheet import Sheet, equal
 from chasles.statements.exercise import Answer, Datum, Exercise, ListOf, Record, Scalar, Tuple, Word, vector_shape
 from chasles.vocabulary import norm, vector
 

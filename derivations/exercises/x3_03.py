@@ -32,13 +32,13 @@ from chasles.derivations.exercises.three_lines import (
 )
 from chasles.derivations.notation import p
 
-from chasles.exact.data import DataError
-from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
 from chasles.exact.numbers import is_zero, sign
-from chasles.exact.picture import Curve, Line, Picture, Point
 from chasles.exact.quadrics import PARAMETER, kind_of, signature_of, transversal
-from chasles.exact.sheet import Sheet
+from chasles.exercises.data import DataError
+from chasles.exercises.draw import Draw
+from chasles.exercises.picture import Curve, Line, Picture, Point
+from chasles.exercises.worksheet import Sheet
 from chasles.statements.exercise import Datum, Exercise, ListOf, Tuple, vector_shape
 from chasles.vocabulary import (
     det,

@@ -4,12 +4,12 @@ from chasles.derivations.notation import Q, e, one, phi, q, q_0
 from chasles.derivations.s02_screw import rotation_from_axis_angle
 from chasles.derivations.s04_twist import natural_invariants, rotation_from_linear_invariants
 
-from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value, matrix_of
 from chasles.exact.lines import direction_of, normal_to
 from chasles.exact.numbers import angle, is_zero
-from chasles.exact.picture import Arrow, Picture
-from chasles.exact.sheet import Sheet, equal
+from chasles.exercises.draw import Draw
+from chasles.exercises.picture import Arrow, Picture
+from chasles.exercises.worksheet import Sheet, equal
 from chasles.statements import Claim, Condition, rotation
 from chasles.statements.exercise import (
     Answer,

@@ -8,10 +8,10 @@ from chasles.derivations.s02_screw import (
     screw_axis_point_is_nearest,
 )
 
-from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
-from chasles.exact.picture import Arrow, Curve, Line, Picture, Point
-from chasles.exact.sheet import Sheet
+from chasles.exercises.draw import Draw
+from chasles.exercises.picture import Arrow, Curve, Line, Picture, Point
+from chasles.exercises.worksheet import Sheet
 from chasles.statements import Claim, Condition, unit
 from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, vector_shape
 from chasles.vocabulary import cross, dot, norm

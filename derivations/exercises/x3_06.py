@@ -4,10 +4,10 @@ from chasles.derivations.exercises.motion import SCREW_ANSWERS, SCREW_SIGNS, SCR
 from chasles.derivations.notation import Q, a, a_, e_1, e_1_, e_2, e_2_, e_3, e_3_, unit_columns
 from chasles.derivations.s02_screw import displaced_triad_as_columns, rotation_in_triad_axes, triad_as_columns
 
-from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
-from chasles.exact.picture import Arrow, Line, Picture, Point
-from chasles.exact.sheet import Sheet
+from chasles.exercises.draw import Draw
+from chasles.exercises.picture import Arrow, Line, Picture, Point
+from chasles.exercises.worksheet import Sheet
 from chasles.statements.exercise import Datum, Exercise, vector_shape
 
 DERIVED = (

@@ -11,11 +11,11 @@ from chasles.derivations.s02_screw import (
     plucker_array_moved,
 )
 
-from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
 from chasles.exact.lines import unit_vectors_of
-from chasles.exact.picture import Arrow, Line, Picture, Point
-from chasles.exact.sheet import Sheet, equal
+from chasles.exercises.draw import Draw
+from chasles.exercises.picture import Arrow, Line, Picture, Point
+from chasles.exercises.worksheet import Sheet, equal
 from chasles.statements import Condition
 from chasles.statements.exercise import Answer, Datum, Else, Exercise, ListOf, Scalar, Word, vector_shape
 from chasles.vocabulary import dot, norm, number

@@ -2,9 +2,9 @@
 
 from chasles.derivations.notation import omega, one, p
 
-from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
-from chasles.exact.sheet import Sheet
+from chasles.exercises.draw import Draw
+from chasles.exercises.worksheet import Sheet
 from chasles.statements import Claim, Theorem
 from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, Word, vector_shape
 from chasles.statements.induction import ForAllK

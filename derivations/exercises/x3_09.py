@@ -4,9 +4,9 @@ from chasles.derivations.notation import e, omega, phi
 from chasles.derivations.s02_screw import rotation_from_axis_angle
 from chasles.derivations.s03_fixed_point import angular_velocity, angular_velocity_matrix
 
-from chasles.exact.picture import Graph, Picture
-from chasles.exact.series import FUNCTIONS, PHI, leading_term
-from chasles.exact.sheet import Sheet
+from chasles.exercises.picture import Graph, Picture
+from chasles.exercises.series import FUNCTIONS, PHI, leading_term
+from chasles.exercises.worksheet import Sheet
 from chasles.statements import Claim, unit
 from chasles.statements.exercise import Exercise
 from chasles.vocabulary import cos, cross, paren, rate, sin

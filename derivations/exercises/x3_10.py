@@ -2,14 +2,14 @@
 
 from chasles.derivations.notation import Q, omega
 
-from chasles.exact.data import DataError
-from chasles.exact.draw import Draw
-from chasles.exact.euler import conditioning, definitions_of, singular_set, symbolic, symbols_by_name
 from chasles.exact.evaluate import Value
 from chasles.exact.linear import kernel_of, rank_of
 from chasles.exact.numbers import is_zero
-from chasles.exact.picture import Picture
-from chasles.exact.sheet import Sheet
+from chasles.exercises.data import DataError
+from chasles.exercises.draw import Draw
+from chasles.exercises.euler import conditioning, definitions_of, singular_set, symbolic, symbols_by_name
+from chasles.exercises.picture import Picture
+from chasles.exercises.worksheet import Sheet
 from chasles.statements.exercise import Answer, Datum, Else, Exercise, Scalar, Truth, Word, matrix_shape, vector_shape
 from chasles.statements.roads import roads_in
 from chasles.vocabulary import FREQUENCY, inverse, number, vector

@@ -10,14 +10,14 @@ from chasles.derivations.s08_dynamics import (
 )
 
 from chasles.exact.bodies import Body, regular_hexagon, whole_prism
-from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value, matrix_of
-from chasles.exact.outlines import prism_edges
-from chasles.exact.picture import Arrow, Picture, Point
-from chasles.exact.picture import Body as Drawn
 from chasles.exact.principal_axes import CHOICE_OF_AXES, columns_of, principal_axes, product
-from chasles.exact.sheet import Sheet
 from chasles.exact.spectra import diagonal, each_eigenvalue, eigenvalues
+from chasles.exercises.draw import Draw
+from chasles.exercises.outlines import prism_edges
+from chasles.exercises.picture import Arrow, Picture, Point
+from chasles.exercises.picture import Body as Drawn
+from chasles.exercises.worksheet import Sheet
 from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, matrix_shape, vector_shape
 
 UNIT_DENSITY = "The density is one: a mass stands for a volume, and a moment of inertia is per unit of density."

@@ -20,15 +20,15 @@ from chasles.exact.bodies import (
     tangent_of_double_angle,
     whole_prism,
 )
-from chasles.exact.data import DataError
-from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value, column_of
 from chasles.exact.numbers import compare, normal
-from chasles.exact.outlines import prism_edges, section_of
-from chasles.exact.picture import Arrow, Curve, Picture, Point
-from chasles.exact.picture import Body as Drawn
 from chasles.exact.principal_axes import CHOICE_OF_AXES
-from chasles.exact.sheet import Sheet
+from chasles.exercises.data import DataError
+from chasles.exercises.draw import Draw
+from chasles.exercises.outlines import prism_edges, section_of
+from chasles.exercises.picture import Arrow, Curve, Picture, Point
+from chasles.exercises.picture import Body as Drawn
+from chasles.exercises.worksheet import Sheet
 from chasles.statements.exercise import Answer, Datum, Else, Exercise, Scalar, matrix_shape, vector_shape
 
 PARTS = ("wedge", "rest")

@@ -5,10 +5,10 @@ from chasles.derivations.notation import I_A, I_C, O, a, c, m, one, over_body, p
 from chasles.derivations.s08_dynamics import inertia_with_respect_to_point
 
 from chasles.exact.bodies import point_masses
-from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
-from chasles.exact.picture import Picture, Point
-from chasles.exact.sheet import Sheet
+from chasles.exercises.draw import Draw
+from chasles.exercises.picture import Picture, Point
+from chasles.exercises.worksheet import Sheet
 from chasles.statements import Claim, Definition
 from chasles.statements.exercise import Answer, Datum, Exercise, ListOf, Scalar, matrix_shape, vector_shape
 from chasles.vocabulary import LENGTH, norm, square, tr

@@ -3,14 +3,14 @@
 from chasles.derivations.notation import I_C, Q, half, one, over_body, r_C, rho, unit_columns, x_any
 from chasles.derivations.s08_dynamics import density_is_positive, inertia
 
-from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
-from chasles.exact.inertia_data import require_symmetric
-from chasles.exact.outlines import axes_to_draw
-from chasles.exact.picture import Arrow, Curve, Picture, Point
 from chasles.exact.principal_axes import in_axes, principal_axes, product
-from chasles.exact.sheet import Sheet, equal
 from chasles.exact.spectra import diagonal, each_eigenvalue, residues_of, signature
+from chasles.exercises.draw import Draw
+from chasles.exercises.inertia_data import require_symmetric
+from chasles.exercises.outlines import axes_to_draw
+from chasles.exercises.picture import Arrow, Curve, Picture, Point
+from chasles.exercises.worksheet import Sheet, equal
 from chasles.statements import Claim, Definite, Theorem, rotation
 from chasles.statements.exercise import Answer, Datum, Exercise, Truth, matrix_shape, vector_shape
 from chasles.vocabulary import column, det, dot, number, paren, tr

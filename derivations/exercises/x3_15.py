@@ -3,15 +3,15 @@
 from chasles.derivations.notation import I_A, I_C, a, c, e, m, r_C, x_any, zero
 from chasles.derivations.s08_dynamics import inertia_about_point
 
-from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
-from chasles.exact.inertia_data import require_inertia
 from chasles.exact.numbers import is_zero
-from chasles.exact.outlines import axes_to_draw
-from chasles.exact.picture import Arrow, Curve, Picture, Point
 from chasles.exact.principal_axes import in_axes
-from chasles.exact.sheet import Sheet
 from chasles.exact.spectra import diagonal, each_eigenvalue, residues_of
+from chasles.exercises.draw import Draw
+from chasles.exercises.inertia_data import require_inertia
+from chasles.exercises.outlines import axes_to_draw
+from chasles.exercises.picture import Arrow, Curve, Picture, Point
+from chasles.exercises.worksheet import Sheet
 from chasles.statements import Claim, Definition, perpendicular, symmetric
 from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, Truth, matrix_shape, vector_shape
 from chasles.vocabulary import CPM, cross, det, dot, norm, paren, row

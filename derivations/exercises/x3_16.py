@@ -4,15 +4,15 @@ from chasles.derivations.exercises.x3_15 import point
 from chasles.derivations.notation import I_A, I_C, a, arc, c, e, m, r_C, x_any, zero
 from chasles.derivations.s08_dynamics import inertia_about_point, mass_is_positive
 
-from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
-from chasles.exact.inertia_data import require_inertia
-from chasles.exact.outlines import axes_to_draw
-from chasles.exact.picture import Arrow, Picture, Point
 from chasles.exact.principal_axes import in_axes
 from chasles.exact.roots import same_number
-from chasles.exact.sheet import Refuted, Sheet
 from chasles.exact.spectra import diagonal, each_eigenvalue, residues_of, signature, smallest_belongs_to
+from chasles.exercises.draw import Draw
+from chasles.exercises.inertia_data import require_inertia
+from chasles.exercises.outlines import axes_to_draw
+from chasles.exercises.picture import Arrow, Picture, Point
+from chasles.exercises.worksheet import Refuted, Sheet
 from chasles.statements import Claim, Definite, Definition, Minimum, Theorem
 from chasles.statements.exercise import Answer, Datum, Exercise, ListOf, Scalar, Truth, matrix_shape, vector_shape
 from chasles.vocabulary import cross, norm, paren

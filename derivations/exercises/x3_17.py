@@ -9,10 +9,10 @@ from chasles.derivations.s08_dynamics import (
     twist_is_in_null_space,
 )
 
-from chasles.exact.formulas import Proofs
-from chasles.exact.picture import Picture
-from chasles.exact.sheet import Sheet
-from chasles.exact.turning import graph_of_rate
+from chasles.exercises.formulas import Proofs
+from chasles.exercises.picture import Picture
+from chasles.exercises.turning import graph_of_rate
+from chasles.exercises.worksheet import Sheet
 from chasles.statements import Claim, Statement
 from chasles.statements.exercise import Exercise
 from chasles.vocabulary import rate

@@ -11,9 +11,9 @@ from chasles.derivations.s08_dynamics import (
     rate_of_inertia_dyad,
 )
 
-from chasles.exact.picture import Picture
-from chasles.exact.sheet import Sheet
-from chasles.exact.turning import graph_of_difference
+from chasles.exercises.picture import Picture
+from chasles.exercises.turning import graph_of_difference
+from chasles.exercises.worksheet import Sheet
 from chasles.statements import Claim, symmetric
 from chasles.statements.exercise import Exercise
 from chasles.vocabulary import number, paren, rate

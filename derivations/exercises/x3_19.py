@@ -3,11 +3,11 @@
 from chasles.derivations.notation import Q, a, force, moment_A, moment_P, p
 from chasles.derivations.s07_statics import moment_about_point, wrench_transfer_inverse
 
-from chasles.exact.data import DataError
-from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
-from chasles.exact.picture import Arrow, Picture, Point
-from chasles.exact.sheet import Sheet
+from chasles.exercises.data import DataError
+from chasles.exercises.draw import Draw
+from chasles.exercises.picture import Arrow, Picture, Point
+from chasles.exercises.worksheet import Sheet
 from chasles.statements import rotation
 from chasles.statements.exercise import Answer, Datum, Exercise, matrix_shape, vector_shape
 

@@ -15,13 +15,8 @@ from chasles.derivations.s08_dynamics import (
     twist_at_center_of_mass_from_A,
 )
 
-from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
-from chasles.exact.inertia_data import require_inertia
-from chasles.exact.outlines import axes_to_draw
-from chasles.exact.picture import Arrow, Picture, Point
 from chasles.exact.principal_axes import in_axes, product
-from chasles.exact.sheet import Sheet, equal
 from chasles.exact.spectra import (
     diagonal,
     each_eigenvalue,
@@ -30,6 +25,11 @@ from chasles.exact.spectra import (
     residues_of,
     signature,
 )
+from chasles.exercises.draw import Draw
+from chasles.exercises.inertia_data import require_inertia
+from chasles.exercises.outlines import axes_to_draw
+from chasles.exercises.picture import Arrow, Picture, Point
+from chasles.exercises.worksheet import Sheet, equal
 from chasles.statements import Claim
 from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, Truth, matrix_shape, vector_shape
 from chasles.vocabulary import column, det, matrix, paren

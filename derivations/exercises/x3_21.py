@@ -14,11 +14,11 @@ from chasles.derivations.notation import Omega, e_1, e_2, e_3, omega, r_C, unit_
 from chasles.derivations.s03_fixed_point import angular_velocity_matrix_of_vector
 from chasles.derivations.s05_acceleration import acceleration_by_matrices, angular_acceleration_matrix
 
-from chasles.exact.draw import Draw
 from chasles.exact.evaluate import Value
 from chasles.exact.numbers import is_zero, root, sign
-from chasles.exact.picture import Arrow, Picture
-from chasles.exact.sheet import Sheet
+from chasles.exercises.draw import Draw
+from chasles.exercises.picture import Arrow, Picture
+from chasles.exercises.worksheet import Sheet
 from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, Truth, Word, vector_shape
 from chasles.vocabulary import dot, rate
 

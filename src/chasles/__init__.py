@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from chasles.asking import repair as repair
     from chasles.compiling import compile as compile
     from chasles.emitted import kernel as kernel
-    from chasles.exact.practice import practice as practice
-    from chasles.exact.solving import solve as solve
+    from chasles.exercises.practice import practice as practice
+    from chasles.exercises.solving import solve as solve
     from chasles.prove import prove as prove
     from chasles.statements import Chapter
     from chasles.statements import load as load
@@ -58,8 +58,8 @@ _HELD = {
     "derive": "chasles.asking",
     "chapter": "chasles.asking",
     "load": "chasles.statements",
-    "practice": "chasles.exact.practice",
-    "solve": "chasles.exact.solving",
+    "practice": "chasles.exercises.practice",
+    "solve": "chasles.exercises.solving",
     "compile": "chasles.compiling",
     "kernel": "chasles.emitted",
 }

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from functools import cache
 
-from chasles.proof.decision import Decisions
-from chasles.proof.judge import Judge
-from chasles.proof.recalled import judge_of, retained
-from chasles.proof.repair import Repair
-from chasles.proof.road import Road, walk
+from chasles.decisions.decision import Decisions
+from chasles.decisions.recalled import judge_of, retained
+from chasles.decisions.session import Judge
+from chasles.deriving import Road, walk
+from chasles.repairs.repair import Repair
 from chasles.several import Several
 from chasles.statements import Chapter, load
 from chasles.statements.citing import Unknown, derivations_cited, statements_cited

@@ -7,19 +7,19 @@ from dataclasses import dataclass, replace
 from math import inf
 from typing import Any
 
-from chasles.proof.context import build
-from chasles.proof.deadline import OutOfTime, remaining, within
-from chasles.proof.decide import decide_problem
-from chasles.proof.from_sympy import Question, ask
-from chasles.proof.from_sympy.contradiction import contradiction
-from chasles.proof.from_sympy.decimals import as_decimals
-from chasles.proof.from_sympy.splitting import Splitting
-from chasles.proof.recheck.questions.counterexample import check_refutation
-from chasles.proof.recheck.questions.proof import check_proof
-from chasles.proof.recheck.sparse import Rejected
-from chasles.proof.variables import Untreatable
-from chasles.proof.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided, Verdict
+from chasles.algebra.work_limit import OutOfTime, remaining, within
+from chasles.checker.expressions.counterexample import check_refutation
+from chasles.checker.expressions.proof import check_proof
+from chasles.checker.sparse import Rejected
+from chasles.from_sympy import Question, ask
+from chasles.from_sympy.contradiction import contradiction
+from chasles.from_sympy.decimals import as_decimals
+from chasles.from_sympy.splitting import Splitting
+from chasles.problems.context import build
+from chasles.problems.variables import Untreatable
+from chasles.prover.decide import decide_problem
 from chasles.statements import Goal
+from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided, Verdict
 
 __all__ = ["Rejected", "Untreatable", "prove", "recheck"]
 

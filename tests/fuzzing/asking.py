@@ -6,12 +6,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from chasles.proof.certificate import check
-from chasles.proof.judge import Judge
-from chasles.proof.refutation import check_counterexample
-from chasles.proof.verdict import Fails
+from chasles.checker.certificate import check
+from chasles.checker.refutation import check_counterexample
+from chasles.decisions.session import Judge
 from chasles.prove import Rejected, Untreatable, prove, recheck
 from chasles.statements import Statement, Theorem, problem_of
+from chasles.verdict import Fails
 
 from .equations import Equation
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import sympy as sp
 
-from chasles.proof.verdict import Holds
+from chasles.verdict import Holds
 
 from .asking import rejection
 from .equations import Equation

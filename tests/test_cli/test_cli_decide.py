@@ -11,9 +11,9 @@ from fractions import Fraction
 
 import pytest
 
-from chasles.proof import judge
-from chasles.proof.verdict import Undecided
+from chasles.decisions import session as judge
 from chasles.statements import Claim, Definition, load, unit
+from chasles.verdict import Undecided
 from chasles.vocabulary import cross, dot, scalar, vector
 
 VERDICTS = {"defined", "posed", "assumed", "holds", "holds-under", "fails", "ill-formed", "contradictory", "undecided"}

@@ -16,7 +16,7 @@ from click.testing import CliRunner, Result
 from chasles import derivations
 from chasles.cli import answers, book, main
 from chasles.cli.roads import all_roads
-from chasles.proof import spreading
+from chasles.decisions import processes as spreading
 from chasles.statements import Chapter, load
 from chasles.targets import commission
 

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from chasles.exact.grading import new_data
-from chasles.exact.solving import solve_with
+from chasles.exercises.grading import new_data
+from chasles.exercises.solving import solve_with
 from chasles.statements.exercises import exercise
 
 DATA = new_data(exercise("3.5"), 4)

@@ -158,7 +158,7 @@ def test_the_summary_adds_up(installed) -> None:
 
 
 def test_the_summary_has_a_row_for_each_section_and_a_total(monkeypatch: pytest.MonkeyPatch) -> None:
-    from chasles.proof.judge import Judge
+    from chasles.decisions.session import Judge
     from chasles.report.screen import Screen
     from chasles.report.summary import summary_table, tallies
 

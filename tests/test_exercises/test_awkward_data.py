@@ -10,10 +10,10 @@ from typing import Any
 
 import pytest
 
-from chasles.exact.data import DataError
-from chasles.exact.grading import new_data
-from chasles.exact.solving import solve_with
-from chasles.proof.decision import DoesNotStand
+from chasles.decisions.decision import DoesNotStand
+from chasles.exercises.data import DataError
+from chasles.exercises.grading import new_data
+from chasles.exercises.solving import solve_with
 from chasles.statements.exercises import exercise, exercise_numbers
 
 from ..sampling import sample

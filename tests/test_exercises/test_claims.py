@@ -7,10 +7,10 @@ from importlib import import_module
 
 import pytest
 
-from chasles.exact.solving import solve
-from chasles.proof.judge import Judge
-from chasles.proof.verdict import Fails
+from chasles.decisions.session import Judge
+from chasles.exercises.solving import solve
 from chasles.statements import Claim, Theorem
+from chasles.verdict import Fails
 from chasles.vocabulary import Negative
 
 MODULES = ("x3_13", "x3_14", "x3_15", "x3_16", "x3_17", "x3_18", "x3_20", "relative_acceleration")

@@ -8,8 +8,8 @@ import pytest
 import sympy as sp
 from chasles.derivations.exercises.x3_10 import SEQUENCES
 
-from chasles.exact.data import DataError
-from chasles.exact.solving import solve
+from chasles.exercises.data import DataError
+from chasles.exercises.solving import solve
 
 from .known import plain, same, vector
 

@@ -10,10 +10,10 @@ from typing import Any
 import mpmath
 import pytest
 
-from chasles.exact.answers import asked_for, template_of
-from chasles.exact.data import DataError
-from chasles.exact.grading import grade, graded, new_data
-from chasles.exact.solving import solved_on_sheet
+from chasles.exercises.answers import asked_for, template_of
+from chasles.exercises.data import DataError
+from chasles.exercises.grading import grade, graded, new_data
+from chasles.exercises.solving import solved_on_sheet
 from chasles.statements.exercises import exercise, exercise_numbers
 
 from ..sampling import WHOLE, sample

@@ -6,9 +6,9 @@ import json
 
 import pytest
 
-from chasles.exact.data import DataError
-from chasles.exact.grading import grade, new_data
-from chasles.exact.solving import solve_with
+from chasles.exercises.data import DataError
+from chasles.exercises.grading import grade, new_data
+from chasles.exercises.solving import solve_with
 from chasles.statements.exercises import exercise
 
 TWO_LINES = {"a": [2, 0, 0], "b": [0, 0, 0], "nA": [0, 0, 1], "nB": [0, 0, 2]}

@@ -13,10 +13,10 @@ from typing import Any
 import pytest
 import sympy as sp
 
-from chasles.exact import agreement, grading
-from chasles.exact.data import DataError
 from chasles.exact.roots import Root
-from chasles.exact.sheet import Sheet
+from chasles.exercises import agreement, grading
+from chasles.exercises.data import DataError
+from chasles.exercises.worksheet import Sheet
 from chasles.statements.exercise import Answer, Exercise, ListOf, Record, Scalar, Shape, Truth, Word, matrix_shape
 
 NUMBERS = {
@@ -185,7 +185,7 @@ def written(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> 
     for name, source in zip(names, sources, strict=True):
         slipped = ModuleType(name)
         monkeypatch.setitem(sys.modules, name, slipped)
-        whole = source.replace(before, after).replace("from chasles.exact.agreement", f"from {names[0]}")
+        whole = source.replace(before, after).replace("from chasles.exercises.agreement", f"from {names[0]}")
         exec(compile(whole, name, "exec"), slipped.__dict__)
     return sys.modules[names[1]]
 

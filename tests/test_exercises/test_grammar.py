@@ -8,11 +8,11 @@ from random import Random
 import pytest
 import sympy as sp
 
-from chasles.exact.data import DataError, read_json
 from chasles.exact.grammar import NotANumber, read_number
 from chasles.exact.numbers import is_zero, normal
-from chasles.exact.solving import solve
 from chasles.exact.spelling import text_of
+from chasles.exercises.data import DataError, read_json
+from chasles.exercises.solving import solve
 
 from .test_numbers import nested
 

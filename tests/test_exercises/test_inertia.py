@@ -8,10 +8,10 @@ from typing import Any
 import pytest
 import sympy as sp
 
-from chasles.exact.data import DataError
 from chasles.exact.numbers import is_zero
 from chasles.exact.roots import Root
-from chasles.exact.solving import solve
+from chasles.exercises.data import DataError
+from chasles.exercises.solving import solve
 
 from .known import plain, quaternion, rational, rotation, same, vector
 

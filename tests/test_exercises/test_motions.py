@@ -7,8 +7,8 @@ from random import Random
 import pytest
 import sympy as sp
 
-from chasles.exact.data import DataError
-from chasles.exact.solving import solve
+from chasles.exercises.data import DataError
+from chasles.exercises.solving import solve
 
 from .known import Motion, motion, plain, rational, same, vector
 

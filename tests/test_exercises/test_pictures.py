@@ -9,11 +9,11 @@ from sympy import Rational, simplify
 
 pytest.importorskip("matplotlib")
 
-from chasles.exact.drawing import drawn
 from chasles.exact.evaluate import column_of
-from chasles.exact.picture import Arrow, Picture, Point
-from chasles.exact.sheet_html import as_html
-from chasles.exact.solving import solve_with
+from chasles.exercises.drawing import drawn
+from chasles.exercises.picture import Arrow, Picture, Point
+from chasles.exercises.solving import solve_with
+from chasles.exercises.worksheet_html import as_html
 from chasles.statements.exercises import exercise_numbers
 
 WITHOUT = ("3.8", "3.13")

@@ -7,9 +7,9 @@ import os
 
 import pytest
 
-from chasles.exact.data import DataError
-from chasles.exact.grading import grade, new_data
-from chasles.exact.solving import solve_with
+from chasles.exercises.data import DataError
+from chasles.exercises.grading import grade, new_data
+from chasles.exercises.solving import solve_with
 from chasles.statements.exercises import exercise, exercise_numbers
 
 from ..sampling import WHOLE

@@ -8,10 +8,10 @@ from typing import Any
 import pytest
 
 import chasles
-from chasles.exact.data import DataError
-from chasles.exact.grading import new_data
-from chasles.exact.practice import grade_lines, practice
-from chasles.exact.solving import solve_with
+from chasles.exercises.data import DataError
+from chasles.exercises.grading import new_data
+from chasles.exercises.practice import grade_lines, practice
+from chasles.exercises.solving import solve_with
 from chasles.statements.exercises import UnknownExercise, exercise, exercise_numbers
 
 from ..sampling import WHOLE

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from chasles.exact.grading import grade, new_data
-from chasles.exact.solving import solve_with
+from chasles.exercises.grading import grade, new_data
+from chasles.exercises.solving import solve_with
 from chasles.statements.exercises import exercise
 
 

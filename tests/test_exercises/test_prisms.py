@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chasles.exact.data import DataError
 from chasles.exact.numbers import decimals, is_zero
-from chasles.exact.solving import solve
+from chasles.exercises.data import DataError
+from chasles.exercises.solving import solve
 
 from .known import number, same
 

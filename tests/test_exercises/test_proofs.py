@@ -9,10 +9,10 @@ import sympy as sp
 from chasles.derivations.exercises.x3_08 import even, formula_of_even, power, sign, squared, twice
 from chasles.derivations.notation import p
 
-from chasles.exact.data import DataError
-from chasles.exact.sheet_html import as_html
-from chasles.exact.solving import solve
-from chasles.proof.judge import Judge
+from chasles.decisions.session import Judge
+from chasles.exercises.data import DataError
+from chasles.exercises.solving import solve
+from chasles.exercises.worksheet_html import as_html
 from chasles.statements import Theorem
 from chasles.statements.exercises import exercise_numbers
 from chasles.statements.induction import ForAllK

@@ -18,16 +18,16 @@ from click.testing import CliRunner
 from sympy.polys.polyerrors import PolynomialError
 
 from chasles.cli import main
-from chasles.exact.data import DataError
+from chasles.decisions.session import Judge
 from chasles.exact.evaluate import DividesByZero, NoValue, column_of, evaluate, matrix_of
 from chasles.exact.linear import kernel_of, rank_of, solve_linear
-from chasles.exact.sheet import HypothesisFails, Refuted, Sheet, equal
-from chasles.exact.solving import solve_with
-from chasles.proof.judge import Judge
-from chasles.proof.verdict import Undecided
+from chasles.exercises.data import DataError
+from chasles.exercises.solving import solve_with
+from chasles.exercises.worksheet import HypothesisFails, Refuted, Sheet, equal
 from chasles.report.html.exercises import worked_view
 from chasles.statements import Claim, Condition, load, rotation
 from chasles.statements.exercises import exercise_numbers
+from chasles.verdict import Undecided
 from chasles.vocabulary import CPM, cos, cross, det, dot, inverse, norm, number, over, rate, row, sin, tr, vect
 
 from .known import same
@@ -177,7 +177,7 @@ def test_polynomials_that_are_not_known_are_refused_in_one_line(monkeypatch: pyt
     def fail(*_: object) -> None:
         raise PolynomialError("no generators")
 
-    monkeypatch.setattr("chasles.exact.solving.read_data", fail)
+    monkeypatch.setattr("chasles.exercises.solving.read_data", fail)
     with pytest.raises(DataError, match="give numbers that square roots express"):
         solve_with("3.5", {})
 
@@ -185,10 +185,10 @@ def test_polynomials_that_are_not_known_are_refused_in_one_line(monkeypatch: pyt
 @pytest.fixture
 def undecided(monkeypatch: pytest.MonkeyPatch) -> None:
     """Nothing can be decided."""
-    monkeypatch.setattr("chasles.proof.judge.decide_problem", lambda *_: Undecided("it is beyond the prover"))
-    monkeypatch.setattr("chasles.proof.judge.repair", lambda *_, **__: ())
+    monkeypatch.setattr("chasles.decisions.session.decide_problem", lambda *_: Undecided("it is beyond the prover"))
+    monkeypatch.setattr("chasles.decisions.session.repair", lambda *_, **__: ())
     judge = Judge(book=load())
-    monkeypatch.setattr("chasles.exact.decided._judge", lambda: judge)
+    monkeypatch.setattr("chasles.exercises.decided._judge", lambda: judge)
 
 
 @pytest.mark.usefixtures("undecided")

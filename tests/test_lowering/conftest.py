@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import pytest
 
+from chasles.decisions.session import Judge
 from chasles.lowering.declaration import requested
 from chasles.lowering.lower import program_of
-from chasles.proof.judge import Judge
 from chasles.statements import (
     Branch,
     Claim,

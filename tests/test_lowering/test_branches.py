@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from chasles.decisions.session import Decision
 from chasles.lowering.branches import choices_of
 from chasles.lowering.cases import largest_of, oriented
 from chasles.lowering.declaration import requested
@@ -20,9 +21,8 @@ from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Output, composed
 from chasles.lowering.rewriting import Angle
 from chasles.lowering.scales import is_scale
-from chasles.proof.judge import Decision
-from chasles.proof.verdict import Defined, Undecided
 from chasles.statements import Branch, Definition, Inverse, Kernel, half_turn, symmetric, unit
+from chasles.verdict import Defined, Undecided
 from chasles.vocabulary import Symbol, column, cos, dot, norm, number, scalar, sin, square, tr, uniform, vect, vector
 
 e, phi, Q = vector("e", "e", "axis"), scalar("phi", r"\phi", "angle"), square("Q", "Q", "rotation")

@@ -226,7 +226,7 @@ def test_without_flint(backend, tmp_path):
     import sys
 
     script = (
-        "from chasles.proof.rings import backend; from chasles.vocabulary import *; assert backend() == 'sympy'\n"
+        "from chasles.algebra.rings import backend; from chasles.vocabulary import *; assert backend() == 'sympy'\n"
         "from chasles.lowering.request import Output, composed; from chasles.lowering.lower import program_of\n"
         "from chasles.lowering.equality import differences\n"
         "v = vector('v', 'v', 'v'); r = composed('f', (v,), (Output('z', '', CPM(v) @ CPM(v) @ v / norm(v)),))\n"

@@ -9,15 +9,15 @@ from pathlib import Path
 
 import pytest
 
+from chasles.decisions.session import Decision
 from chasles.lowering.declaration import requested
 from chasles.lowering.equality import differences
 from chasles.lowering.lower import lower, program_of
 from chasles.lowering.program import Op
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Output, composed
-from chasles.proof.judge import Decision
-from chasles.proof.verdict import Undecided
 from chasles.statements import Claim, Definition, Entry, Kernel, Section, Theorem, unit
+from chasles.verdict import Undecided
 from chasles.vocabulary import (
     CPM,
     FREQUENCY,

@@ -15,7 +15,7 @@ from chasles.lowering.program import Argument, Program, Result
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Output, composed
 from chasles.lowering.rewriting import flipped
-from chasles.proof.decide import decide_problem
+from chasles.prover.decide import decide_problem
 from chasles.statements import Claim, nonzero, problem_of
 from chasles.vocabulary import (
     CPM,

@@ -10,6 +10,7 @@ import pytest
 
 from chasles import kernels
 from chasles.bounds import bound_of
+from chasles.decisions.session import Judge
 from chasles.lowering.builder import Builder
 from chasles.lowering.declaration import requested
 from chasles.lowering.equality import differences
@@ -19,7 +20,6 @@ from chasles.lowering.passes import scale
 from chasles.lowering.passes.scale import scaled
 from chasles.lowering.program import Argument, Op, Program, Result
 from chasles.lowering.scales import is_scale, scale_of
-from chasles.proof.judge import Judge
 from chasles.statements import load
 
 SCALED = ["plucker_line", "instant_screw_point", "instant_screw", "wrench_axis", "newton_euler_twist_rate"]

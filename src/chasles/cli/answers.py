@@ -7,10 +7,10 @@ from functools import partial
 from typing import Any
 
 from chasles.cli.roads import all_roads
-from chasles.proof.judge import Judge
-from chasles.proof.memory import Memory
-from chasles.proof.road import walk
-from chasles.proof.shipped import ANSWERS, as_text
+from chasles.decisions.memory import Memory
+from chasles.decisions.session import Judge
+from chasles.decisions.shipped import ANSWERS, as_text
+from chasles.deriving import walk
 from chasles.report.waiting import watched
 from chasles.statements import Chapter
 from chasles.statements.exercises import sentences_of_exercises

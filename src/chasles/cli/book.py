@@ -21,7 +21,7 @@ from chasles.statements.packages import BOOK, folder_of
 from chasles.vocabulary.arguments import WrongArgument
 
 if TYPE_CHECKING:
-    from chasles.proof.judge import Decision, Judge
+    from chasles.decisions.session import Decision, Judge
 
 __all__ = ["BOOK", "as_data", "chapter", "chosen", "decisions", "of_numbers", "of_sections", "only_of_the_book"]
 

@@ -10,8 +10,8 @@ from pathlib import Path
 __all__ = ["CHECKERS", "closure", "lines"]
 
 CHECKERS = {
-    "declared": ("chasles.proof.certificate", "chasles.proof.refutation"),
-    "prove": ("chasles.proof.recheck.questions.proof", "chasles.proof.recheck.questions.counterexample"),
+    "declared": ("chasles.checker.certificate", "chasles.checker.refutation"),
+    "prove": ("chasles.checker.expressions.proof", "chasles.checker.expressions.counterexample"),
 }
 """The entrances of the checker: for declared statements, and for questions on SymPy expressions."""
 

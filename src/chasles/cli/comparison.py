@@ -13,12 +13,12 @@ import numpy as np
 
 from chasles.cli.book import BOOK
 from chasles.cli.failures import BAD_INPUT, Failure, complain
+from chasles.decisions.session import Judge
 from chasles.lowering.cost import roundings
 from chasles.lowering.lower import lower
 from chasles.lowering.refusal import LoweringError
 from chasles.nearest import nearest
 from chasles.numerics import Evidence, Specification, Unsatisfiable, specification_of, specification_of_inverse, verify
-from chasles.proof.judge import Judge
 from chasles.report.waiting import watched
 from chasles.statements import Chapter, Entry, Inverse, Kernel, Theorem
 from chasles.statements.packages import generated_package

@@ -17,7 +17,7 @@ from importlib import import_module, metadata
 from pathlib import Path
 from typing import Any
 
-from chasles import __version__, keeping
+from chasles import __version__, cache
 from chasles.cli.closure import CHECKERS, lines
 
 __all__ = ["examined", "problems"]
@@ -204,7 +204,7 @@ def _declared() -> dict[str, str]:
 
 def _cache() -> Data:
     """The folder of verdicts and compiled expressions, and what lies there."""
-    folder = keeping.folder()
+    folder = cache.folder()
     if folder is None:
         return {"folder": None, "files": 0, "bytes": 0}
     sizes = []

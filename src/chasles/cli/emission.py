@@ -7,11 +7,11 @@ from pathlib import Path
 
 from chasles.bounds import Bound, bound_of, key_of, remembered
 from chasles.cli.failures import Failure
+from chasles.decisions.prediction import foresee
+from chasles.decisions.processes import spread
+from chasles.decisions.session import Judge
 from chasles.lowering.program import Program
 from chasles.lowering.request import Request
-from chasles.proof.foresight import foresee
-from chasles.proof.judge import Judge
-from chasles.proof.spreading import spread
 from chasles.report.waiting import watched
 from chasles.statements import Entry
 from chasles.statements import Kernel as Asked

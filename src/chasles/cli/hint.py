@@ -7,7 +7,7 @@ from importlib.util import find_spec
 
 import click
 
-from chasles import keeping
+from chasles import cache
 from chasles.cli.quiet import is_quiet
 
 __all__ = ["say_once_what_is_faster"]
@@ -18,7 +18,7 @@ _SAID = "said-fast"
 
 def say_once_what_is_faster() -> None:
     """One line on standard error where python-flint is not installed; where nothing can be kept, nothing is said."""
-    folder = keeping.folder()
+    folder = cache.folder()
     if find_spec("flint") is not None or folder is None or is_quiet() or (folder / _SAID).exists():
         return
     with suppress(OSError):

@@ -8,8 +8,8 @@ from time import perf_counter
 from typing import TYPE_CHECKING
 
 from chasles.cli.book import decisions
-from chasles.proof.foresight import foresee
-from chasles.proof.judge import Decision, Judge
+from chasles.decisions.prediction import foresee
+from chasles.decisions.session import Decision, Judge
 from chasles.report.decisions import Decided
 from chasles.report.details import number_in_words
 from chasles.report.findings import slips_in_words
@@ -69,7 +69,7 @@ def decide(entries: Sequence[Entry], book: Chapter, recheck: bool = True, anew: 
     What the chapter brings along, and what was decided in an earlier run, is only checked. Where all is to be decided
     `anew`, that is not asked for, or something is rejected, everything is decided.
     """
-    from chasles.proof.recalled import forget, judge_of, retained
+    from chasles.decisions.recalled import forget, judge_of, retained
 
     started = perf_counter()
     judge = judge_of(book, anew or not recheck)

@@ -6,15 +6,15 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from time import perf_counter
 
-from chasles.proof.certificate import Rejected, check
-from chasles.proof.contradiction import check_contradiction
-from chasles.proof.judge import Decision
-from chasles.proof.memory import Memory
-from chasles.proof.refutation import check_counterexample
-from chasles.proof.spreading import spread
-from chasles.proof.verdict import Contradictory, Fails, Verdict
+from chasles.checker.certificate import Rejected, check
+from chasles.checker.contradiction import check_contradiction
+from chasles.checker.refutation import check_counterexample
+from chasles.decisions.memory import Memory
+from chasles.decisions.processes import spread
+from chasles.decisions.session import Decision
 from chasles.report.decisions import Decided
 from chasles.statements import Entry, Inverse, problem_of
+from chasles.verdict import Contradictory, Fails, Verdict
 
 __all__ = ["Rechecked", "recheck"]
 

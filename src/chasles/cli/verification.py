@@ -9,8 +9,8 @@ from types import ModuleType
 from typing import Any
 
 from chasles.cli.comparison import Asked, backend_of, compared
+from chasles.decisions.session import Judge
 from chasles.numerics import Evidence
-from chasles.proof.judge import Judge
 from chasles.report.evidence import is_wrong, worst_of
 from chasles.report.words import seconds
 

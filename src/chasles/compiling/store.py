@@ -15,7 +15,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import time
 
-from chasles import keeping
+from chasles import cache
 
 __all__ = ["MOST", "loaded"]
 
@@ -46,7 +46,7 @@ def _from_cache(key: str) -> ctypes.CDLL | None:
         digest = (folder / f"{key}.index").read_text(encoding="ascii")
         path = folder / f"{digest}.so"
         if sha256(path.read_bytes()).hexdigest() == digest:
-            keeping.used(path)
+            cache.used(path)
             return ctypes.CDLL(str(path))
     return None
 
@@ -61,8 +61,8 @@ def _made(key: str, make: Make) -> ctypes.CDLL:
                 content = made.read_bytes()
                 digest = sha256(content).hexdigest()
                 folder.mkdir(parents=True, exist_ok=True)
-                keeping.keep(folder / f"{digest}.so", content)
-                keeping.keep(folder / f"{key}.index", digest.encode("ascii"))
+                cache.keep(folder / f"{digest}.so", content)
+                cache.keep(folder / f"{key}.index", digest.encode("ascii"))
                 _sweep(folder)
                 return ctypes.CDLL(str(folder / f"{digest}.so"))
         return ctypes.CDLL(str(made))
@@ -70,7 +70,7 @@ def _made(key: str, make: Make) -> ctypes.CDLL:
 
 def _sweep(folder: Path) -> None:
     """Remove what is too much, and what was left by those who were killed while writing."""
-    keeping.trim(folder.glob("*.so"), MOST)
+    cache.trim(folder.glob("*.so"), MOST)
     for index in folder.glob("*.index"):
         with suppress(OSError, UnicodeDecodeError):
             if not (folder / f"{index.read_text(encoding='ascii')}.so").exists():
@@ -82,5 +82,5 @@ def _sweep(folder: Path) -> None:
 
 
 def _folder() -> Path | None:
-    root = keeping.folder()
+    root = cache.folder()
     return None if root is None else root / "compiled"

@@ -1,1 +1,1 @@
-"""GEOMETRY: exact numbers, lines, screws and frames, and the sheet on which an exercise is solved step by step."""
+"""Exact numbers and geometry: fields with roots and angles, lines, bodies, principal axes."""

@@ -16,8 +16,8 @@ from typing import Any
 
 import sympy as sp
 
+from chasles.algebra.squarefree import squarefree
 from chasles.exact.enclosures import enclosed, intervals
-from chasles.proof.squarefree import squarefree
 
 __all__ = ["NotDecided", "RationalFunctions", "RationalNumbers", "reduced"]
 

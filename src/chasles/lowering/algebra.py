@@ -10,13 +10,13 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from itertools import zip_longest
 
+from chasles.algebra.groebner import Basis, completed, stated
+from chasles.algebra.localization import Ratio
+from chasles.algebra.rings import Polynomial
 from chasles.lowering.atoms import Atoms
 from chasles.lowering.divisors import divisors_of
 from chasles.lowering.request import Request
-from chasles.proof.completion import Basis, completed, stated
-from chasles.proof.context import Context, build
-from chasles.proof.ratios import Ratio
-from chasles.proof.rings import Polynomial
+from chasles.problems.context import Context, build
 from chasles.statements import Goal, Problem, nonzero
 from chasles.vocabulary import Node, Norm, Symbol
 

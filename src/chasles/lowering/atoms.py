@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 from itertools import combinations_with_replacement
 
-from chasles.proof.context import Context
-from chasles.proof.rings import Polynomial
+from chasles.algebra.rings import Polynomial
+from chasles.problems.context import Context
 
 __all__ = ["Atoms", "Product"]
 

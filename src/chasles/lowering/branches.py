@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from chasles.lowering.cases import Case, Choice, Comparison, largest_of, oriented, vanishes
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.rewriting import Angle
-from chasles.proof.variables import angle_multiples
+from chasles.problems.variables import angle_multiples
 from chasles.statements import Branch, Hypothesis, Inverse
 from chasles.vocabulary import Call, Dot, Node, Norm, Scale, Symbol, Trace, column, number, plain, uniform
 

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
+from chasles.decisions.session import Decision
 from chasles.lowering.branches import choices_of
 from chasles.lowering.cases import Choice
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Output, Request, composed
 from chasles.lowering.rewriting import Angle
-from chasles.proof.judge import Decision
-from chasles.proof.verdict import Contradictory, IllFormed, Undecided, Verdict
 from chasles.statements import Condition, Entry, Hypothesis, Inverse, Kernel, Packed, Statement, Theorem
 from chasles.statements.arrays import argument_name, meaning_of
 from chasles.statements.statement import bare, is_rule
+from chasles.verdict import Contradictory, IllFormed, Undecided, Verdict
 from chasles.vocabulary import Block, Group, Node, Rate, Symbol, members_of
 from chasles.vocabulary.families import indices_of
 

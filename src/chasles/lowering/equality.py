@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import product
 
+from chasles.algebra.localization import Ratio
 from chasles.lowering.algebra import Algebra
 from chasles.lowering.cases import Choice
 from chasles.lowering.program import Program
 from chasles.lowering.reading import Reading, Settled, Unreadable, angles_of, scale_symbols
 from chasles.lowering.request import Output, Request
 from chasles.lowering.signs import Differences, Fork, Impossible, Signs
-from chasles.proof.ratios import Ratio
-from chasles.proof.unfold import UndeclaredDivisor
-from chasles.proof.variables import Untreatable
+from chasles.problems.unfold import UndeclaredDivisor
+from chasles.problems.variables import Untreatable
 from chasles.statements.arrays import argument_name
 from chasles.statements.kernel import places_of
 from chasles.vocabulary import Node, Symbol

@@ -6,9 +6,9 @@ from itertools import product
 
 from chasles.lowering.divisors import divisors_of
 from chasles.lowering.request import Request
-from chasles.proof.decide import decide_problem
-from chasles.proof.verdict import Counterexample, Fails
+from chasles.prover.decide import decide_problem
 from chasles.statements import Goal, Problem, nonzero
+from chasles.verdict import Counterexample, Fails
 from chasles.vocabulary import Node
 
 __all__ = ["BUDGET", "counterexample", "in_words"]

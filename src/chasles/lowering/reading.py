@@ -11,12 +11,12 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from types import MappingProxyType
 
+from chasles.algebra.localization import Ratio
 from chasles.lowering.algebra import Algebra
 from chasles.lowering.program import Op, Program
 from chasles.lowering.request import Request
 from chasles.lowering.scales import is_scale
 from chasles.lowering.signs import Signs
-from chasles.proof.ratios import Ratio
 from chasles.vocabulary import Call, Node, Number, Scale, Sum, Symbol, uniform
 
 __all__ = ["Reading", "Settled", "Unreadable", "angles_of", "scale_symbols"]

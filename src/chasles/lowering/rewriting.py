@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from chasles.lowering.refusal import LoweringError
-from chasles.proof.variables import Untreatable, angle_multiples
+from chasles.problems.variables import Untreatable, angle_multiples
 from chasles.vocabulary import (
     At,
     Block,

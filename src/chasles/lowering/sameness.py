@@ -12,12 +12,12 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from math import gcd
 
+from chasles.algebra.normal_form import reduce_by
+from chasles.algebra.rings import Polynomial, Ring, make_ring
 from chasles.lowering.circular import Polynomial as Turned
 from chasles.lowering.circular import multiple_of_angle
 from chasles.lowering.passes.angles import angle_of
 from chasles.lowering.program import Op, Program, Step
-from chasles.proof.normal_form import reduce_by
-from chasles.proof.rings import Polynomial, Ring, make_ring
 
 __all__ = ["same"]
 

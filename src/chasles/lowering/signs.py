@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
 
+from chasles.algebra.localization import Ratio
+from chasles.algebra.rings import Polynomial
 from chasles.lowering.algebra import Algebra
 from chasles.lowering.cases import Case, Comparison
-from chasles.proof.ratios import Ratio
-from chasles.proof.rings import Polynomial
 
 __all__ = ["Differences", "Fork", "Impossible", "Signs"]
 

@@ -9,7 +9,7 @@ from chasles.numerics.enclosures import plain_context
 from chasles.numerics.reference import Singular, evaluate
 from chasles.numerics.small_matrices import Matrix
 from chasles.numerics.specification import ROUNDINGS, Specification, Values, expected_output, inputs_of
-from chasles.proof.variables import angle_multiples
+from chasles.problems.variables import angle_multiples
 from chasles.statements import Branch, Inverse, Kernel, Statement
 from chasles.statements.problem import Standing, default_sides
 from chasles.statements.statement import bare, is_rule

@@ -6,16 +6,16 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from chasles.proof.context import Context, build
-from chasles.proof.counterexample import transcendental_name
-from chasles.proof.judge import Decision
-from chasles.proof.points import ratio_at
-from chasles.proof.unfold import UndeclaredDivisor
-from chasles.proof.values import shown
-from chasles.proof.variables import Untreatable, entry_name
-from chasles.proof.verdict import Counterexample
+from chasles.algebra.values import shown
+from chasles.decisions.session import Decision
+from chasles.points.sampling import ratio_at
+from chasles.problems.context import Context, build
+from chasles.problems.unfold import UndeclaredDivisor
+from chasles.problems.variables import Untreatable, entry_name
+from chasles.prover.counterexample import transcendental_name
 from chasles.report.entry_parts import Part, parts_of_entry
 from chasles.statements import Statement, problem_of
+from chasles.verdict import Counterexample
 from chasles.vocabulary import PI, Node, Rate, Symbol
 
 __all__ = ["ByHand", "worked_out"]

@@ -9,7 +9,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from chasles.proof.judge import Decision
+from chasles.decisions.session import Decision
 from chasles.report.details import indented, number_in_words, objections, printed
 from chasles.report.screen import Screen
 from chasles.report.words import labelled

@@ -9,12 +9,12 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from chasles.proof.decision import HOW, Correction, Decision
-from chasles.proof.verdict import Counterexample, Fails, Verdict
+from chasles.decisions.decision import HOW, Correction, Decision
 from chasles.report.equations import in_latex, in_words, signature_in_words, standing_in
 from chasles.report.records import certificate_hash
 from chasles.report.words import point_in_words, reason, said
 from chasles.statements import Entry, Inverse, Statement
+from chasles.verdict import Counterexample, Fails, Verdict
 
 __all__ = [
     "Lines",

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from chasles.proof.judge import Decision
-from chasles.proof.verdict import Counterexample, Fails, IllFormed
+from chasles.decisions.session import Decision
 from chasles.report.by_hand import worked_out
 from chasles.report.details import number_in_words
 from chasles.report.equations import in_latex, in_words
@@ -22,6 +21,7 @@ from chasles.report.findings import (
 from chasles.report.markdown import code, displayed, escaped
 from chasles.report.words import point_in_words, said
 from chasles.statements import Chapter, Entry, Statement
+from chasles.verdict import Counterexample, Fails, IllFormed
 from chasles.vocabulary import latex, plain
 
 __all__ = ["errata_page"]

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from chasles.proof.judge import Decision
-from chasles.proof.verdict import Verdict
+from chasles.decisions.session import Decision
 from chasles.report.lost_marks import lost_marks
 from chasles.statements import Chapter, Entry, Statement
+from chasles.verdict import Verdict
 from chasles.vocabulary import Node, latex
 
 __all__ = [

@@ -8,8 +8,7 @@ from itertools import groupby
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from chasles.proof.judge import Decision
-from chasles.proof.verdict import Verdict
+from chasles.decisions.session import Decision
 from chasles.report.details import number_in_words, objections_to_print
 from chasles.report.equations import hypotheses_in_latex, in_latex
 from chasles.report.findings import DecisionsByName, Pairs, Standing, likely_slip, ordered, slips_in_words, stands_in
@@ -18,6 +17,7 @@ from chasles.report.latex_text import escaped
 from chasles.report.words import VERDICTS, counted
 from chasles.report.worked_latex import exercises_in_latex
 from chasles.statements import Chapter, Entry
+from chasles.verdict import Verdict
 from chasles.vocabulary import latex
 
 __all__ = ["Item", "item_of", "latex_page"]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from chasles.proof.judge import Judge
+from chasles.decisions.session import Judge
 from chasles.report.errata_page import errata_page
 from chasles.report.verdict_page import verdict_page
 from chasles.report.waiting import watched

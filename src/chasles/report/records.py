@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from hashlib import sha256
 from typing import Any
 
-from chasles.proof.judge import Decision
-from chasles.proof.verdict import Counterexample
+from chasles.decisions.session import Decision
 from chasles.report.equations import in_latex, in_words, signature_in_words, standing_in
 from chasles.statements import Entry, Statement
+from chasles.verdict import Counterexample
 
 __all__ = ["as_json", "certificate_hash", "described", "record"]
 

@@ -9,8 +9,8 @@ from typing import Any
 from rich.console import RenderableType
 from rich.text import Text
 
-from chasles.proof.judge import Decision
-from chasles.proof.repair import Repair
+from chasles.decisions.session import Decision
+from chasles.repairs.repair import Repair
 from chasles.report.details import Lines, indented, number_in_words, objections_to_print, printed
 from chasles.report.equations import standing_in
 from chasles.report.screen import Screen

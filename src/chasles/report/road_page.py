@@ -10,11 +10,11 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from chasles.proof.road import Passage, Road
-from chasles.proof.verdict import Fails
+from chasles.deriving import Passage, Road
 from chasles.report.details import number_in_words
 from chasles.report.screen import Screen
 from chasles.report.words import labelled, point_in_words, reason, said
+from chasles.verdict import Fails
 from chasles.vocabulary import Node, plain
 from chasles.vocabulary import latex as in_latex
 

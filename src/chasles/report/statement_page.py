@@ -9,7 +9,7 @@ from typing import Any
 from rich.console import RenderableType
 from rich.text import Text
 
-from chasles.proof.judge import Decision
+from chasles.decisions.session import Decision
 from chasles.report.details import evidence, indented, number_in_words, objections, printed, rests_on
 from chasles.report.emitted import recorded
 from chasles.report.screen import Screen

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from chasles.proof.judge import Decision
+from chasles.decisions.session import Decision
 from chasles.report.details import number_in_words
 from chasles.report.findings import DecisionsByName, Pairs, Standing, numbers_of, ordered, slips_in_words, stands_in
 from chasles.report.markdown import escaped, table

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Mapping
 
 from rich.text import Text
 
-from chasles.proof.values import InPi
-from chasles.proof.verdict import Verdict
+from chasles.algebra.values import InPi
+from chasles.verdict import Verdict
 from chasles.vocabulary import PI
 
 __all__ = ["VERDICTS", "counted", "labelled", "point_in_words", "reason", "said", "seconds"]

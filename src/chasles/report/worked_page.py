@@ -9,8 +9,8 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from chasles.exact.solution import Check, Line, Solution, Step, cited
 from chasles.exact.spelling import decimal_text, text_of
+from chasles.exercises.solution import Check, Line, Solution, Step, cited
 
 __all__ = ["hints_page", "worked_page"]
 

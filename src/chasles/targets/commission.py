@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from chasles.bounds import Bound
+from chasles.decisions.decision import HOW, Decision
 from chasles.lowering.declaration import Decide, requested
 from chasles.lowering.equality import differences
 from chasles.lowering.lower import program_of
@@ -12,14 +13,13 @@ from chasles.lowering.offered import counterexample, in_words
 from chasles.lowering.program import Program
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Request
-from chasles.proof.decision import HOW, Decision
-from chasles.proof.verdict import HoldsUnder, Verdict
 from chasles.statements import Entry
 from chasles.statements import Kernel as Asked
 from chasles.statements.fingerprint import fingerprint
 from chasles.targets.demands import demands_of
 from chasles.targets.kernel import EmissionError, Heading, Kernel
 from chasles.targets.self_checks import checks_of
+from chasles.verdict import HoldsUnder, Verdict
 
 __all__ = ["Prove", "kernel_of"]
 

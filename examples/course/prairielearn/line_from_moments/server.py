@@ -7,7 +7,7 @@ from base64 import b64decode
 from typing import Any
 
 import chasles
-from chasles.exact.data import DataError, read_json
+from chasles.exercises.data import DataError, read_json
 
 EXERCISE, DIGITS, VARIANTS = "3.7", 4, 10**6
 

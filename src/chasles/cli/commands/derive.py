@@ -11,7 +11,7 @@ from chasles.cli.book import as_data, chapter, of_numbers
 from chasles.cli.failures import complain
 
 if TYPE_CHECKING:
-    from chasles.proof.road import Road
+    from chasles.deriving import Road
 
 __all__ = ["command"]
 
@@ -26,8 +26,8 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> int:
     Without a number, all roads are walked and named, a line each. The exit status is 1 if a step does not hold.
     """
     from chasles.cli.roads import chosen_roads
-    from chasles.proof.recalled import judge_of, retained
-    from chasles.proof.road import walk
+    from chasles.decisions.recalled import judge_of, retained
+    from chasles.deriving import walk
     from chasles.report.records import as_json
     from chasles.report.road_page import road_line, road_page, road_record
     from chasles.report.screen import Screen

@@ -35,7 +35,7 @@ def command(check: bool, anew: bool, out: Path | None, json: bool) -> int:
     """
     from chasles.cli.answers import answers
     from chasles.cli.emission import commissioned, emitted
-    from chasles.proof.recalled import judge_of
+    from chasles.decisions.recalled import judge_of
     from chasles.report.pages import pages
     from chasles.report.words import seconds
     from chasles.targets import EmissionError

@@ -15,8 +15,8 @@ from chasles.cli.failures import BAD_INPUT, FAILED, Failure
 from chasles.cli.files import text_of_file
 
 if TYPE_CHECKING:
-    from chasles.exact.grading import Grade
-    from chasles.exact.practice import Practice
+    from chasles.exercises.grading import Grade
+    from chasles.exercises.practice import Practice
 
 __all__ = ["command"]
 
@@ -44,9 +44,9 @@ def command(
     "seed": 4, "answers": {...}}; a line with the grade is printed for each, or with its error, and then the status is
     2.
     """
-    from chasles.exact.data import DataError, read_json
-    from chasles.exact.practice import grade_lines, practice
-    from chasles.proof.decision import DoesNotStand
+    from chasles.decisions.decision import DoesNotStand
+    from chasles.exercises.data import DataError, read_json
+    from chasles.exercises.practice import grade_lines, practice
     from chasles.report.records import as_json
     from chasles.statements.exercises import UnknownExercise
 

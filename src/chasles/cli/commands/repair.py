@@ -23,7 +23,7 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:
     Without a number, all prints that do not stand are repaired. What stands as printed has nothing to repair, and
     nothing may be found: both are said, and neither is a failure.
     """
-    from chasles.proof.recalled import judge_of, retained
+    from chasles.decisions.recalled import judge_of, retained
     from chasles.report.records import as_json
     from chasles.report.repair_page import repair_page, repair_record
     from chasles.report.screen import Screen

@@ -20,7 +20,7 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:
     Of its kernels what they are made of, and the error bound that is proved of them, with the rounding model.
     """
     from chasles.cli.recorded import manifest
-    from chasles.proof.recalled import judge_of
+    from chasles.decisions.recalled import judge_of
     from chasles.report.emitted import emitted_kernels
     from chasles.report.records import as_json, described, record
     from chasles.report.screen import Screen

@@ -26,9 +26,9 @@ def command(exercise: str, data: Path | None, html: Path | None, hint: int | Non
 
     Data that contradict themselves are answered as such and are no error. Data that are malformed are: exit status 2.
     """
-    from chasles.exact.data import DataError, read_json
-    from chasles.exact.solving import solve_with
-    from chasles.proof.decision import DoesNotStand
+    from chasles.decisions.decision import DoesNotStand
+    from chasles.exercises.data import DataError, read_json
+    from chasles.exercises.solving import solve_with
     from chasles.report.records import as_json
     from chasles.report.screen import Screen
     from chasles.report.worked_page import hints_page, worked_page
@@ -43,7 +43,7 @@ def command(exercise: str, data: Path | None, html: Path | None, hint: int | Non
     except DoesNotStand as error:
         raise Failure(f"exercise {exercise} is not solved: {error}") from error
     if html is not None:
-        from chasles.exact.sheet_html import as_page
+        from chasles.exercises.worksheet_html import as_page
 
         write_whole(html, as_page(solution))
     if hint is not None and json:

@@ -40,7 +40,7 @@ def command(names: tuple[str, ...], points: tuple[str, ...], samples: int, stric
     from chasles.cli.comparison import asking, installed_kernels
     from chasles.cli.recorded import manifest
     from chasles.cli.verification import verified
-    from chasles.proof.recalled import judge_of
+    from chasles.decisions.recalled import judge_of
     from chasles.report.emitted import emitted_kernels, proved
     from chasles.report.evidence import evidence_table, losses
     from chasles.report.records import as_json

@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from contextlib import suppress
-from functools import cache
 from hashlib import sha256
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from markupsafe import Markup
 
-from chasles import keeping
-from chasles.exact.picture import Picture
+from chasles import cache
+from chasles.exercises.picture import Picture
 
 __all__ = ["are_kept", "drawn"]
 
 MOST = 16 * 2**20
 """Bytes of pictures that are kept: some hundred reports."""
-DRAWING = ("exact", "report")
+DRAWING = ("exact", "exercises", "report")
 """The packages on which a picture depends."""
 
 
@@ -30,26 +30,26 @@ def drawn(picture: Picture, place: str, draw: Callable[[], Markup]) -> Markup:
     with suppress(OSError, ValueError):
         digest, text = path.read_text("utf-8").split("\n", 1)
         if digest == _hash(text):
-            keeping.used(path)
+            cache.used(path)
             return Markup(text)
     made = draw()
     # A cache that cannot be written is none: nothing is said.
     with suppress(OSError):
         path.parent.mkdir(parents=True, exist_ok=True)
-        keeping.keep(path, f"{_hash(made)}\n{made}".encode())
-        keeping.trim(path.parent.glob("*.svg"), MOST)
+        cache.keep(path, f"{_hash(made)}\n{made}".encode())
+        cache.trim(path.parent.glob("*.svg"), MOST)
     return made
 
 
 def are_kept() -> bool:
     """Whether any picture is."""
-    root = keeping.folder()
+    root = cache.folder()
     return root is not None and any((root / "pictures").glob("*.svg"))
 
 
 def _path(picture: Picture, place: str) -> Path | None:
     """Where the picture is kept; None where nothing is, or where it holds what cannot be told by its words."""
-    root, said = keeping.folder(), repr(picture)
+    root, said = cache.folder(), repr(picture)
     if root is None or " at 0x" in said or not _engine():
         return None
     return root / "pictures" / f"{_hash(f'{_engine()} {place} {said}')}.svg"
@@ -59,7 +59,7 @@ def _hash(text: str) -> str:
     return sha256(text.encode()).hexdigest()
 
 
-@cache
+@functools.cache
 def _engine() -> str:
     """The hash of the sources and the version of matplotlib; empty where that is missing."""
     root = Path(__file__).parents[2]

@@ -11,11 +11,11 @@ from typing import Any
 
 from markupsafe import Markup
 
-from chasles.exact.solution import Check, Citation, Line, Solution, Step, cited
-from chasles.exact.solving import solve_with
+from chasles.decisions.decision import DoesNotStand
+from chasles.decisions.processes import spread
 from chasles.exact.spelling import decimal_text, latex_of, text_of
-from chasles.proof.decision import DoesNotStand
-from chasles.proof.spreading import spread
+from chasles.exercises.solution import Check, Citation, Line, Solution, Step, cited
+from chasles.exercises.solving import solve_with
 from chasles.report.html.citing import Link, place_of_number, slug
 from chasles.report.html.drawn import are_kept, drawn
 from chasles.report.html.formulas import displayed

@@ -8,7 +8,7 @@ from itertools import groupby
 from typing import Any
 
 from chasles import __version__
-from chasles.proof.judge import Decision
+from chasles.decisions.session import Decision
 from chasles.report.details import number_in_words
 from chasles.report.findings import DecisionsByName, ordered
 from chasles.report.html.citing import Book, place_of_number, slug

@@ -10,7 +10,7 @@ from xml.etree.ElementTree import Element, SubElement, fromstring, tostring
 
 from markupsafe import Markup
 
-from chasles.exact.picture import Arrow, Body, Curve, Graph, Line, Picture, Point
+from chasles.exercises.picture import Arrow, Body, Curve, Graph, Line, Picture, Point
 
 __all__ = ["inline", "said_of"]
 
@@ -29,7 +29,7 @@ COLOURS = {
     "#009e73": "third",
     "#e69f00": "fourth",
 }
-"""matplotlib's colours, and those of `chasles.exact.drawing`, by the page's names for theirs."""
+"""matplotlib's colours, and those of `chasles.exercises.drawing`, by the page's names for theirs."""
 LEFT_OUT = ("stroke-linejoin: miter", "stroke-linecap: square", "stroke-linecap: butt")
 """How ends and corners are drawn makes no difference at this size."""
 SVG = "{http://www.w3.org/2000/svg}"

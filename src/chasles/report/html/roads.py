@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from chasles.proof.judge import Judge
-from chasles.proof.road import Passage, Road, walk
-from chasles.proof.spreading import spread
+from chasles.decisions.processes import spread
+from chasles.decisions.session import Judge
+from chasles.deriving import Passage, Road, walk
 from chasles.report.details import number_in_words
 from chasles.report.html.formulas import latex_for_mathml, markup, tree_of
 from chasles.report.html.shown import Equation, RoadView, Step, badge_of

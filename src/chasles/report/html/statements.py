@@ -7,8 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from markupsafe import Markup, escape
 
-from chasles.proof.judge import Decision
-from chasles.proof.verdict import Counterexample, Fails, IllFormed
+from chasles.decisions.session import Decision
 from chasles.report.by_hand import worked_out
 from chasles.report.details import number_in_words
 from chasles.report.findings import Standing, likely_slip, stands_in
@@ -21,6 +20,7 @@ from chasles.report.html.words import with_formulas
 from chasles.report.records import certificate_hash
 from chasles.report.words import point_in_words, reason
 from chasles.statements import Entry, Inverse, Statement, Theorem
+from chasles.verdict import Counterexample, Fails, IllFormed
 from chasles.vocabulary import Node, Rate, plain, symbols_of
 
 __all__ = ["as_printed", "equation", "part_of", "place_of_part"]

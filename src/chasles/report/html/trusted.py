@@ -6,10 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib.resources import files
 
-__all__ = ["CHECKER", "Trusted", "checked_again", "source_lines"]
-
-CHECKER = ("certificate.py", "refutation.py", "recheck")
-"""The checker of certificates and of counterexamples, below `chasles.proof`."""
+__all__ = ["Trusted", "checked_again", "source_lines"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,8 +31,6 @@ def source_lines() -> int:
 
 
 def _sources() -> Iterator[str]:
-    folder = files("chasles.proof")
-    for name in CHECKER:
-        place = folder / name
-        found = [place] if place.is_file() else sorted(place.iterdir(), key=lambda each: each.name)
-        yield from (source.read_text("utf-8") for source in found if source.name.endswith(".py"))
+    for source in sorted(files("chasles.checker").iterdir(), key=lambda each: each.name):
+        if source.name.endswith(".py"):
+            yield source.read_text("utf-8")

@@ -6,11 +6,11 @@ from collections.abc import Iterable, Iterator
 from functools import cached_property
 from itertools import groupby
 
-from chasles.proof.decision import Sentence
-from chasles.proof.verdict import Verdict
+from chasles.decisions.decision import Sentence
 from chasles.report.details import number_in_words
 from chasles.report.html.citing import Book
 from chasles.statements import Chapter, Entry, Section, Statement, Theorem
+from chasles.verdict import Verdict
 
 __all__ = ["Alone", "cited", "entry_of", "needs_of", "rests_on", "sections_of"]
 

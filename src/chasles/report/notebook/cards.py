@@ -10,11 +10,10 @@ from typing import Any
 from markupsafe import Markup, escape
 
 from chasles.compiling.kernel import CompiledKernel
+from chasles.decisions.decision import Certificate, Decision
+from chasles.deriving import Road
 from chasles.emitted import EmittedKernel
-from chasles.proof.decision import Certificate, Decision
-from chasles.proof.repair import Repair
-from chasles.proof.road import Road
-from chasles.proof.verdict import Counterexample, Verdict
+from chasles.repairs.repair import Repair
 from chasles.report.details import number_in_words
 from chasles.report.equations import signature_in_words
 from chasles.report.html.formulas import latex_for_mathml, markup, tree_of
@@ -27,6 +26,7 @@ from chasles.report.records import certificate_hash
 from chasles.report.words import point_in_words, reason
 from chasles.statements import Chapter, Entry, Inverse, Statement, Theorem
 from chasles.statements.derivation import Derivation
+from chasles.verdict import Counterexample, Verdict
 from chasles.vocabulary import Node, plain
 
 __all__ = ["card_of"]

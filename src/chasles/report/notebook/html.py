@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 
-from chasles.exact.sheet_html import as_html
-from chasles.exact.solution import Solution
+from chasles.exercises.solution import Solution
+from chasles.exercises.worksheet_html import as_html
 from chasles.report.html.filling import filled
 from chasles.report.html.palette import LIGHT
 from chasles.report.notebook.cards import card_of

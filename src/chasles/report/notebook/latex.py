@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from functools import singledispatch
 
-from chasles.exact.sheet_latex import as_latex
-from chasles.exact.solution import Solution
-from chasles.proof.decision import Decision
-from chasles.proof.repair import Repair
-from chasles.proof.road import Road
-from chasles.proof.verdict import Counterexample, Verdict
+from chasles.decisions.decision import Decision
+from chasles.deriving import Road
+from chasles.exercises.solution import Solution
+from chasles.exercises.worksheet_latex import as_latex
+from chasles.repairs.repair import Repair
 from chasles.report.details import number_in_words, refuted
 from chasles.report.equations import in_latex
 from chasles.report.latex_page import Item, item_of
@@ -20,6 +19,7 @@ from chasles.report.notebook.text import text
 from chasles.report.road_page import equations_of
 from chasles.report.words import VERDICTS, reason
 from chasles.statements import Entry, Inverse, Statement, Theorem
+from chasles.verdict import Counterexample, Verdict
 from chasles.vocabulary import Node
 from chasles.vocabulary import latex as spelled
 

@@ -12,12 +12,11 @@ from rich.console import RenderableType
 from rich.text import Text
 
 from chasles.compiling.kernel import CompiledKernel
+from chasles.decisions.decision import Certificate, Decision
+from chasles.deriving import Road
 from chasles.emitted import EmittedKernel
-from chasles.exact.solution import Solution
-from chasles.proof.decision import Certificate, Decision
-from chasles.proof.repair import Repair
-from chasles.proof.road import Road
-from chasles.proof.verdict import Counterexample, Verdict
+from chasles.exercises.solution import Solution
+from chasles.repairs.repair import Repair
 from chasles.report.details import Lines, evidence, indented, number_in_words, objections, printed, refuted
 from chasles.report.notebook.alone import cited, entry_of, needs_of, sections_of
 from chasles.report.records import certificate_hash
@@ -27,6 +26,7 @@ from chasles.report.words import labelled, point_in_words, reason
 from chasles.report.worked_page import worked_page
 from chasles.statements import Chapter, Entry, Inverse, Statement, Theorem
 from chasles.statements.derivation import Derivation
+from chasles.verdict import Counterexample, Verdict
 from chasles.vocabulary import Node, plain
 
 __all__ = ["text"]

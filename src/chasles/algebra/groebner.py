@@ -1,0 +1,133 @@
+"""Completing hypotheses to a Groebner basis, each new generator remembered as a combination of the stated ones.
+
+Buchberger's algorithm with the coprimality criterion and a budget. The book's hypotheses need it almost never: they are
+chosen to be a basis as they stand.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass, field
+from fractions import Fraction
+from heapq import heapify, heappop, heappush
+from math import inf
+
+from chasles.algebra.explicit import Explicit, explicit, put_in
+from chasles.algebra.normal_form import leads_of, reduce_by
+from chasles.algebra.rings import Exponents, Polynomial, Ring
+from chasles.algebra.work_limit import OutOfTime, spend, within
+
+__all__ = ["Basis", "completed", "stated"]
+
+Combination = dict[int, Polynomial]
+
+
+@dataclass(frozen=True, slots=True)
+class Basis:
+    """Generators, and each of them as a combination of the stated hypotheses.
+
+    Of `explicit` ones, which give a variable as a polynomial in others, the values are put in first.
+    """
+
+    ring: Ring
+    generators: tuple[Polynomial, ...]
+    origins: tuple[Combination, ...]
+    complete: bool
+    explicit: tuple[Explicit, ...] = ()
+    _leads: list[Exponents] = field(default_factory=list, compare=False, repr=False)
+
+    def reduce(self, polynomial: Polynomial) -> tuple[Combination, Polynomial]:
+        """Cofactors on the stated hypotheses, and the remainder."""
+        if self.explicit:
+            known, polynomial = put_in(self.ring, polynomial, self.explicit)
+            others, remainder = self.without({k for k, _, _ in self.explicit}).reduce(polynomial)
+            cofactors = folded(known, self.origins)
+            for k, cofactor in others.items():
+                cofactors[k] = cofactors[k] + cofactor if k in cofactors else cofactor
+            return {k: c for k, c in cofactors.items() if c != 0}, remainder
+        if not self._leads:
+            self._leads.extend(leads_of(self.ring, self.generators))
+        reduction = reduce_by(self.ring, polynomial, self.generators, self._leads)
+        return folded(reduction.cofactors, self.origins), reduction.remainder
+
+    def without(self, places: Collection[int]) -> Basis:
+        """The generators that are not at these places."""
+        kept = [k for k in range(len(self.generators)) if k not in places]
+        chosen = tuple(self.generators[k] for k in kept), tuple(self.origins[k] for k in kept)
+        return Basis(self.ring, *chosen, complete=False)
+
+
+def folded(cofactors: Combination, origins: tuple[Combination, ...]) -> Combination:
+    """Cofactors on generators, as cofactors on the stated hypotheses."""
+    total: Combination = {}
+    for place, cofactor in cofactors.items():
+        for origin, factor in origins[place].items():
+            term = cofactor * factor
+            total[origin] = total[origin] + term if origin in total else term
+    return {k: c for k, c in total.items() if c != 0}
+
+
+def stated(ring: Ring, hypotheses: tuple[Polynomial, ...], *, complete: bool, values: Collection[int] = ()) -> Basis:
+    """The hypotheses themselves as generators; explicit ones among those at the places `values` are put in first."""
+    one = ring.constant(Fraction(1))
+    origins = tuple({k: one} for k in range(len(hypotheses)))
+    return Basis(ring, hypotheses, origins, complete, tuple(explicit(ring, hypotheses, values)))
+
+
+def completed(basis: Basis, products: float = inf) -> Basis:
+    """A Groebner basis of the same ideal, as far as so much work goes; `complete` says whether it is one.
+
+    Raises `OutOfTime` where what surrounds it allows no more.
+    """
+    generators, origins = list(basis.generators), list(basis.origins)
+    complete = True
+    try:
+        with within(products):
+            _complete(basis.ring, generators, origins)
+    except OutOfTime:
+        spend(0)
+        if products == inf:
+            raise
+        complete = False
+    return Basis(basis.ring, tuple(generators), tuple(origins), complete)
+
+
+def _complete(ring: Ring, generators: list[Polynomial], origins: list[Combination]) -> None:
+    """Add to the generators what is missing, until nothing is."""
+    leads = [ring.leading(g) for g in generators]
+    pairs = [(_degree(leads, (i, j)), i, j) for j in range(len(generators)) for i in range(j)]
+    heapify(pairs)
+    while pairs:
+        _, i, j = heappop(pairs)
+        if not any(a and b for a, b in zip(leads[i][0], leads[j][0], strict=True)):
+            continue
+        left, right = _cofactors(ring, leads[i], leads[j])
+        difference = left * generators[i] - right * generators[j]
+        if difference == 0:
+            continue
+        reduction = reduce_by(ring, difference, generators, [lead for lead, _ in leads])
+        if reduction.is_zero:
+            continue
+        combination: Combination = {i: left, j: -right}
+        for place, cofactor in reduction.cofactors.items():
+            combination[place] = combination[place] - cofactor if place in combination else -cofactor
+        origins.append(folded(combination, tuple(origins)))
+        generators.append(reduction.remainder)
+        leads.append(ring.leading(reduction.remainder))
+        last = len(generators) - 1
+        for k in range(last):
+            heappush(pairs, (_degree(leads, (k, last)), k, last))
+
+
+def _degree(leads: list[tuple[tuple[int, ...], Fraction]], pair: tuple[int, int]) -> int:
+    return sum(map(max, leads[pair[0]][0], leads[pair[1]][0]))
+
+
+def _cofactors(
+    ring: Ring, one: tuple[tuple[int, ...], Fraction], other: tuple[tuple[int, ...], Fraction]
+) -> tuple[Polynomial, Polynomial]:
+    """What brings the two leading terms to their least common multiple."""
+    least = tuple(map(max, one[0], other[0]))
+    left = tuple(a - b for a, b in zip(least, one[0], strict=True))
+    right = tuple(a - b for a, b in zip(least, other[0], strict=True))
+    return ring.from_terms({left: 1 / one[1]}), ring.from_terms({right: 1 / other[1]})

@@ -1,0 +1,111 @@
+"""Fractions without greatest common divisors: a numerator over powers of declared, nonvanishing atoms.
+
+Nothing is ever cancelled, because a fraction vanishes exactly when its numerator does; and what is divided by stays in
+sight, as the list of atoms.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from chasles.algebra.rings import Polynomial, Ring
+from chasles.algebra.work_limit import afford, spend
+
+__all__ = ["Field", "Ratio"]
+
+
+@dataclass(slots=True)
+class Field:
+    """A ring together with the atoms that may be divided by, in the order in which they were declared."""
+
+    ring: Ring
+    atoms: list[Polynomial]
+    _products: dict[tuple[int, ...], Polynomial] = field(default_factory=dict)
+
+    def ratio(self, numerator: Polynomial) -> Ratio:
+        """A polynomial as a fraction."""
+        return Ratio(self, numerator, ())
+
+    def constant(self, value: Fraction | int) -> Ratio:
+        return Ratio(self, self.ring.constant(Fraction(value)), ())
+
+    def power_product(self, exponents: tuple[int, ...]) -> Polynomial:
+        """The product of the atoms with the given exponents."""
+        if exponents not in self._products:
+            total = self.ring.constant(Fraction(1))
+            for atom, exponent in zip(self.atoms, exponents, strict=False):
+                for _ in range(exponent):
+                    total = _times(total, atom)
+            self._products[exponents] = total
+        return self._products[exponents]
+
+
+@dataclass(frozen=True, slots=True)
+class Ratio:
+    """numerator / product of atom_k ** denominator[k]; trailing zeros of the exponents are left out."""
+
+    field: Field
+    numerator: Polynomial
+    denominator: tuple[int, ...]
+
+    def __add__(self, other: Ratio) -> Ratio:
+        if self.denominator == other.denominator:
+            return Ratio(self.field, self.numerator + other.numerator, self.denominator)
+        common = _largest(self.denominator, other.denominator)
+        return Ratio(self.field, self.over(common) + other.over(common), common)
+
+    def __neg__(self) -> Ratio:
+        return Ratio(self.field, -self.numerator, self.denominator)
+
+    def __sub__(self, other: Ratio) -> Ratio:
+        return self + (-other)
+
+    def __mul__(self, other: Ratio) -> Ratio:
+        numerator = _times(self.numerator, other.numerator)
+        return Ratio(self.field, numerator, _product(self.denominator, other.denominator))
+
+    def over(self, denominator: tuple[int, ...]) -> Polynomial:
+        """The numerator over a denominator that this one's divides."""
+        missing = tuple(
+            wanted - (self.denominator[k] if k < len(self.denominator) else 0) for k, wanted in enumerate(denominator)
+        )
+        return _times(self.numerator, self.field.power_product(missing)) if any(missing) else self.numerator
+
+    def divided(self, constant: Fraction, exponents: tuple[int, ...]) -> Ratio:
+        """The fraction divided by a constant times a product of powers of atoms.
+
+        An atom that comes to stand above the line stays below it too, so that it is seen to have been divided by.
+        """
+        numerator = self.numerator if constant == 1 else self.numerator * self.field.ring.constant(1 / constant)
+        total = _product(self.denominator, exponents)
+        if any(exponent < 0 for exponent in total):
+            numerator = numerator * self.field.power_product(tuple(1 - e if e < 0 else 0 for e in total))
+            total = tuple(1 if exponent < 0 else exponent for exponent in total)
+        return Ratio(self.field, numerator, total)
+
+    @property
+    def is_zero(self) -> bool:
+        return bool(self.numerator == 0)
+
+
+def _times(one: Polynomial, other: Polynomial) -> Polynomial:
+    afford(len(one) * len(other))
+    spend(len(one) * len(other))
+    return one * other
+
+
+def _largest(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:
+    size = max(len(one), len(other))
+    return tuple(max(a, b) for a, b in zip(_padded(one, size), _padded(other, size), strict=True))
+
+
+def _product(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:
+    if not one or not other:
+        return one or other
+    size = max(len(one), len(other))
+    return tuple(a + b for a, b in zip(_padded(one, size), _padded(other, size), strict=True))
+
+
+def _padded(exponents: tuple[int, ...], size: int) -> tuple[int, ...]:
+    return exponents + (0,) * (size - len(exponents))

@@ -1,0 +1,82 @@
+"""What do the words mean, entry by entry? They are expanded a second time here, for the checker alone."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from functools import reduce
+from itertools import chain
+from operator import add, mul
+
+from chasles import vocabulary as w
+from chasles.checker.determinants import Matrix, cofactor, determinant
+from chasles.checker.sparse import ZERO, Polynomial, Rejected, number
+
+__all__ = ["Matrix", "expanded", "scaled"]
+
+
+def expanded(node: w.Node, of: Callable[[w.Node], Matrix]) -> Matrix:
+    """The entries of a word, made from those `of` its parts; raises `Rejected` for what has no polynomial form."""
+    match node:
+        case w.Number(value):
+            return [[number(value)]]
+        case w.Identity(size):
+            return [[number(int(i == j)) for j in range(size)] for i in range(size)]
+        case w.Zero(rows, columns):
+            return [[ZERO] * columns] * rows
+        case w.Sum(terms):
+            return reduce(_plus, map(of, terms))
+        case w.Negative(term):
+            return [[-entry for entry in row] for row in of(term)]
+        case w.Scale(factor, term):
+            return scaled(of(factor)[0][0], of(term))
+        case w.Contract(factors):
+            return reduce(_times, map(of, factors))
+        case w.Power(w.Norm(x), exponent) if exponent % 2 == 0:
+            return reduce(_times, [of(w.Dot(x, x))] * (exponent // 2))
+        case w.Power(base, exponent):
+            return reduce(_times, [of(base)] * exponent)
+        case w.Transpose(x):
+            return _flipped(of(x))
+        case w.Dot(left, right):
+            return _times(_flipped(of(left)), of(right))
+        case w.Block(rows):
+            return [list(chain(*parts)) for row in rows for parts in zip(*map(of, row), strict=True)]
+        case w.Skew(x):
+            return _skew(of(x))
+        case w.Cross(left, right):
+            return _times(_skew(of(left)), of(right))
+        case w.Vect(x):
+            m, half = of(x), number(Fraction(1, 2))
+            return scaled(half, [[m[2][1] - m[1][2]], [m[0][2] - m[2][0]], [m[1][0] - m[0][1]]])
+        case w.Trace(x):
+            return [[reduce(add, (row[i] for i, row in enumerate(of(x))))]]
+        case w.Determinant(x):
+            return [[determinant(of(x))]]
+        case w.Cofactor(x):
+            m = of(x)
+            return [[cofactor(m, i, j) for j in range(len(m))] for i in range(len(m))]
+        case _:
+            raise Rejected(f"{node} ({type(node).__name__}) has no polynomial form")
+
+
+def _plus(left: Matrix, right: Matrix) -> Matrix:
+    return [[a + b for a, b in zip(one, other, strict=True)] for one, other in zip(left, right, strict=True)]
+
+
+def _times(left: Matrix, right: Matrix) -> Matrix:
+    return [[reduce(add, map(mul, row, column)) for column in zip(*right, strict=True)] for row in left]
+
+
+def scaled(factor: Polynomial, matrix: Matrix) -> Matrix:
+    """A scalar times a matrix."""
+    return [[factor * entry for entry in row] for row in matrix]
+
+
+def _flipped(matrix: Matrix) -> Matrix:
+    return [list(column) for column in zip(*matrix, strict=True)]
+
+
+def _skew(vector: Matrix) -> Matrix:
+    (x,), (y,), (z,) = vector
+    return [[ZERO, -z, y], [z, ZERO, -x], [-y, x, ZERO]]

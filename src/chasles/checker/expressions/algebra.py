@@ -1,0 +1,138 @@
+"""Polynomials of which some variables have known squares and some are inverses: their normal forms, for the checker.
+
+The squares are those of roots, given by earlier variables, and of sines, given by cosines. Their leading terms are
+coprime, so that a polynomial vanishes because of them only if nothing is left of it (Buchberger's first criterion).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from functools import reduce
+from math import gcd
+from operator import mul
+
+from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number, variable
+
+__all__ = ["Algebra", "constant", "primitive"]
+
+Key = frozenset[tuple[int, int]]
+
+
+class Algebra:
+    """Variables by place: `squares` says what the squares of some are, `inverses` of what others are the inverse."""
+
+    def __init__(self) -> None:
+        self.names: list[str] = []
+        self.squares: dict[int, Polynomial] = {}
+        self.inverses: dict[int, Polynomial] = {}
+        self._inverse_of: dict[Key, int] = {}
+        self._twice = self._below = 0
+
+    def fresh(self, name: str, square: Polynomial | None = None) -> int:
+        """The place of a new variable; `square` is what its square is."""
+        self.names.append(name)
+        place = len(self.names) - 1
+        if square is not None:
+            self.squares[place] = square
+            self._twice |= 0xFE << 8 * place
+        return place
+
+    def normal(self, polynomial: Polynomial) -> Polynomial:
+        """The polynomial with known squares put in until none is left."""
+        while any(monomial & self._twice for monomial in polynomial.terms):
+            parts: dict[int, dict[int, int]] = {}
+            for monomial, coefficient in polynomial.terms.items():
+                pairs = exponents(monomial & self._twice)
+                halves = sum(power // 2 << 8 * place for place, power in pairs)
+                parts.setdefault(halves, {})[monomial - 2 * halves] = coefficient
+            total = ZERO
+            for halves, terms in parts.items():
+                total += reduce(mul, self._powers(halves, self.squares), Polynomial(terms, polynomial.below))
+            polynomial = total
+        return polynomial
+
+    def cleared(self, polynomial: Polynomial) -> tuple[Polynomial, dict[int, int]]:
+        """The normal form of the polynomial times the least powers of what is divided by that leave no inverse in it.
+
+        The powers are by the places of the inverses.
+        """
+        if not any(monomial & self._below for monomial in polynomial.terms):
+            return self.normal(polynomial), {}
+        parts: dict[int, dict[int, int]] = {}
+        top: dict[int, int] = {}
+        for monomial, coefficient in polynomial.terms.items():
+            inverse = monomial & self._below
+            parts.setdefault(inverse, {})[monomial - inverse] = coefficient
+            for place, power in exponents(inverse):
+                top[place] = max(power, top.get(place, 0))
+        packed, total = sum(power << 8 * place for place, power in top.items()), ZERO
+        for inverse, terms in parts.items():
+            rest = self._powers(packed - inverse, self.inverses)
+            total += reduce(mul, rest, self.normal(Polynomial(terms, polynomial.below)))
+        return self.normal(total), top
+
+    def vanishes(self, polynomial: Polynomial) -> bool:
+        """Whether nothing is left of the polynomial."""
+        return not self.cleared(polynomial)[0]
+
+    def divisors(self, powers: Mapping[int, int]) -> Polynomial:
+        """The product of what is divided by, to these powers."""
+        return reduce(mul, self._powers(sum(n << 8 * place for place, n in powers.items()), self.inverses), ONE)
+
+    def inverse(self, polynomial: Polynomial) -> Polynomial:
+        """One over the polynomial: a variable of its own, unless it is a number; raises `Rejected` for zero."""
+        numerator, below = self.cleared(polynomial)
+        if not numerator:
+            raise Rejected("what is divided by is zero")
+        above = self.divisors(below)
+        if (value := constant(numerator)) is not None:
+            return above * number(1 / value)
+        scale, base = primitive(numerator)
+        key = frozenset(base.terms.items())
+        if key not in self._inverse_of:
+            place = self._inverse_of[key] = self.fresh(f"inverse {len(self.inverses) + 1}")
+            self.inverses[place] = base
+            self._below |= 0xFF << 8 * place
+        return above * variable(self._inverse_of[key]) * number(1 / scale)
+
+    def inverse_place(self, polynomial: Polynomial) -> int | None:
+        """The place of the inverse of the polynomial, up to a factor, if it has one."""
+        return self._inverse_of.get(frozenset(primitive(self.normal(polynomial))[1].terms.items()))
+
+    def root(self, value: Polynomial) -> Polynomial:
+        """The nonnegative square root; raises `Rejected` where none is known."""
+        raise Rejected("no square root is known")
+
+    def is_near(self, value: Polynomial, other: Fraction, distance: Fraction) -> bool:
+        """Whether a number is known to differ from another by less than a distance."""
+        return False
+
+    def power(self, base: Polynomial, exponent: int) -> Polynomial:
+        """A power with a natural exponent."""
+        if (value := constant(base)) is not None:
+            return number(value**exponent)
+        total = ONE
+        while exponent:
+            total = self.normal(total * base) if exponent % 2 else total
+            exponent //= 2
+            base = self.normal(base * base) if exponent else base
+        return total
+
+    def _powers(self, packed: int, of: Mapping[int, Polynomial]) -> list[Polynomial]:
+        return [of[place] for place, power in exponents(packed) for _ in range(power)]
+
+
+def constant(polynomial: Polynomial) -> Fraction | None:
+    """The number that a polynomial is; None if it is none."""
+    if polynomial.terms.keys() <= {0}:
+        return Fraction(polynomial.terms.get(0, 0), polynomial.below)
+    return None
+
+
+def primitive(polynomial: Polynomial) -> tuple[Fraction, Polynomial]:
+    """A number and a polynomial whose product this is: whole coprime coefficients, that of the top term positive."""
+    content = gcd(*polynomial.terms.values()) or 1
+    if polynomial.terms and polynomial.terms[max(polynomial.terms)] < 0:
+        content = -content
+    return Fraction(content, polynomial.below), Polynomial({m: c // content for m, c in polynomial.terms.items()})

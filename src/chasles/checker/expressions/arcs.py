@@ -1,0 +1,108 @@
+"""Angles of points, for the checker: their cosines and sines, and the bounds between which their sums lie."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from chasles.checker.expressions.algebra import constant
+from chasles.checker.expressions.factoring import Terms
+from chasles.checker.expressions.signs import is_nonnegative, is_positive
+from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number, variable
+
+if TYPE_CHECKING:
+    from chasles.checker.expressions.functions import Functions
+    from chasles.checker.expressions.reading_of_proof import Proven
+
+__all__ = ["Arcs"]
+
+
+class Arcs:
+    """The angles of points in a reading, each a variable; `points` are their coordinates, y first."""
+
+    def __init__(self, reading: Proven, functions: Functions) -> None:
+        self.reading, self.functions = reading, functions
+        self.places: dict[tuple[Terms, ...], int] = {}
+        self.points: dict[int, tuple[Polynomial, Polynomial]] = {}
+
+    def arc(self, y: Polynomial, x: Polynomial) -> Polynomial:
+        """The angle of the point (x, y), which is not the origin."""
+        if self.reading.complete and self.reading.is_number(x) and self.reading.is_number(y):
+            multiple = self.reading.part_of_turn(y, x)
+            if multiple is not None:
+                return self.reading.half_turn() * number(multiple)
+        if constant(x) is None and is_positive(self.reading, x):
+            y, x = self.reading.normal(y * self.reading.inverse(x)), ONE
+        (above, below), (other, another) = self.reading.cleared(y), self.reading.cleared(x)
+        key = tuple(frozenset((*p.terms.items(), (-1, p.below))) for p in (above, other))
+        key = (*key, frozenset(below.items()), frozenset(another.items()))
+        opposite = (frozenset((*(-above).terms.items(), (-1, above.below))), *key[1:])
+        if key not in self.places and opposite in self.places:
+            return -variable(self.places[opposite])
+        if key not in self.places:
+            place = self.places[key] = self.functions.named("arc", y, x)
+            self.points[place] = y, x
+            self.functions.require_nonzero(x * x + y * y)
+        return variable(self.places[key])
+
+    def direction(self, place: int, multiple: Fraction) -> tuple[Polynomial, Polynomial]:
+        """Cosine and sine of a multiple of the angle of a point: half of it has a cosine that is not negative."""
+        read = self.reading
+        y, x = self.points[place]
+        square = read.normal(x * x + y * y)
+        for _ in range(multiple.denominator.bit_length() - 1):
+            inverse = read.normal(read.root(square) * self.functions.inverse(square))
+            cosine, sine = read.normal(x * inverse), read.normal(y * inverse)
+            half = (ONE + cosine) * number(Fraction(1, 2))
+            x = read.root(half)
+            y, square = read.normal(sine * x * self.functions.inverse(half) * number(Fraction(1, 2))), ONE
+        cosine, sine, power = ONE, ZERO, abs(multiple.numerator)
+        for _ in range(power):
+            cosine, sine = read.normal(cosine * x - sine * y), read.normal(cosine * y + sine * x)
+        inverse = read.power(self.functions.inverse(square), (power + 1) // 2) * (
+            read.root(square) if power % 2 else ONE
+        )
+        return read.normal(cosine * inverse), read.normal((sine if multiple > 0 else -sine) * inverse)
+
+    def split(self, angle: Polynomial) -> tuple[list[tuple[int, Fraction]], Polynomial]:
+        """The angles of points in a sum, with their multiples, and the rest."""
+        parts, rest = [], ZERO
+        for monomial, coefficient in angle.terms.items():
+            multiple = Fraction(coefficient, angle.below)
+            below = multiple.denominator
+            match exponents(monomial):
+                case [(place, 1)] if place in self.points and below & (below - 1) == 0:
+                    parts.append((place, multiple))
+                case _:
+                    rest += Polynomial({monomial: coefficient}, angle.below)
+        return parts, rest
+
+    def bounds(self, angle: Polynomial) -> tuple[Fraction, Fraction, bool]:
+        """Between which multiples of pi a sum of angles lies, and whether strictly; raises `Rejected` for others."""
+        low = high = Fraction(0)
+        strict = False
+        for monomial, coefficient in angle.terms.items():
+            multiple = Fraction(coefficient, angle.below)
+            match exponents(monomial):
+                case [(place, 1)] if place in self.points:
+                    y, x = self.points[place]
+                    most = Fraction(1, 2) if is_nonnegative(self.reading, x) else Fraction(1)
+                    ends = (
+                        multiple * (Fraction(0) if is_nonnegative(self.reading, y) else -most),
+                        multiple * (Fraction(0) if is_nonnegative(self.reading, -y) else most),
+                    )
+                    strict = strict or is_positive(self.reading, x)
+                case _ if self.reading.is_half_turn(monomial):
+                    ends = multiple, multiple
+                case _:
+                    raise Rejected("what is said to be a sum of angles is none")
+            low, high = low + min(ends), high + max(ends)
+        return low, high, strict
+
+    def turned(self, difference: Polynomial, halvings: int) -> Polynomial:
+        """What vanishes only where a sum of angles does: one less its cosine, if that is one nowhere else."""
+        low, high, strict = self.bounds(difference)
+        size = Fraction(2) * 2**halvings
+        if max(-low, high) > size or (max(-low, high) == size and not strict):
+            raise Rejected("a sum of angles is not known to be less than a turn")
+        return ONE - self.reading.turn(difference * number(Fraction(1, 2**halvings)))[0]

@@ -1,0 +1,115 @@
+"""What was asked: the entries of both sides, the equations that are given, and what does not vanish."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+from sympy.core.function import AppliedUndef
+from sympy.logic.boolalg import Boolean
+from sympy.matrices import MatrixBase, MatrixExpr
+from sympy.matrices.expressions.matexpr import MatrixElement
+
+from chasles.checker.expressions.quantities import atoms_of, require_real
+from chasles.checker.sparse import Rejected
+
+__all__ = ["Asked", "Given", "entries_of"]
+
+Entries = dict[tuple[int, int], Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """An equation that is given, entry by entry, as the question spells it."""
+
+    text: str
+    pairs: dict[tuple[int, int], tuple[Any, Any]]
+
+    @property
+    def functions(self) -> set[Any]:
+        """The functions of which it speaks."""
+        atoms = {e for pair in self.pairs.values() for side in pair for e in atoms_of(side)}
+        functions = {e.expr if isinstance(e, sympy.Derivative) else e for e in atoms}
+        return {e for e in functions if isinstance(e, AppliedUndef)}
+
+
+class Asked:
+    """A question on SymPy expressions; raises `Rejected` if it is none."""
+
+    def __init__(self, lhs: Any, rhs: Any, given: Any, nonzero: Any) -> None:
+        self.left, self.right = entries_of(lhs), entries_of(rhs)
+        if self.left.keys() != self.right.keys():
+            raise Rejected("the two sides have different shapes")
+        self.given = [_given(item, what) for what, item in _listed(given, "given")]
+        self.nonzero = [_nonzero(item) for _, item in _listed(nonzero, "nonzero") if item is not sympy.true]
+        for atom in {atom for expression in self.expressions for atom in atoms_of(expression)}:
+            require_real(atom)
+
+    @property
+    def expressions(self) -> Iterator[Any]:
+        """Everything of which the question speaks."""
+        yield from (*self.left.values(), *self.right.values(), *self.nonzero)
+        yield from (side for item in self.given for pair in item.pairs.values() for side in pair)
+
+
+def _listed(conditions: Any, name: str) -> Iterator[tuple[str, Any]]:
+    """Conditions that are handed in as one, as a list or as values by symbol, each with its place."""
+    if isinstance(conditions, Mapping | sympy.Dict):
+        items = [(f"{name}[{key}]", sympy.Eq(key, value, evaluate=False)) for key, value in conditions.items()]
+    elif isinstance(conditions, sympy.Basic | MatrixBase) and not isinstance(conditions, sympy.Tuple):
+        items = [(name, conditions)]
+    else:
+        ordered = sorted(conditions, key=str) if isinstance(conditions, set | frozenset) else conditions
+        items = [(f"{name}[{place}]", item) for place, item in enumerate(ordered)]
+    for what, item in items:
+        for part in sorted(item.args, key=str) if isinstance(item, sympy.And) else (item,):
+            yield what, part
+
+
+def entries_of(value: Any) -> Entries:
+    """The entries of a scalar or a matrix, by row and column counted from zero."""
+    value = sympy.sympify(value, strict=True)
+    if isinstance(value, MatrixExpr):
+        return {(i, j): MatrixElement(value, i, j) for i in range(value.rows) for j in range(value.cols)}
+    if isinstance(value, MatrixBase):
+        return {(i, j): _valued(value[i, j]) for i in range(value.rows) for j in range(value.cols)}
+    if not isinstance(value, sympy.Expr):
+        raise Rejected(f"{value} is no scalar and no matrix")
+    return {(0, 0): _valued(value)}
+
+
+def _valued(e: Any) -> Any:
+    """The expression with zero for what SymPy is told to be zero."""
+    zeros = {part: sympy.S.Zero for part in e.atoms(sympy.Symbol, AppliedUndef) if part.is_zero}
+    value = e.xreplace(zeros) if zeros else e
+    met = {part.xreplace(zeros) for part in e.atoms(sympy.Pow, sympy.Function)} if zeros else set()
+    if any(part.args and part.free_symbols for part in met - value.atoms(sympy.Pow, sympy.Function)):
+        raise Rejected(f"{e} is multiplied by zero, and may not be defined")
+    return value
+
+
+def _given(item: Any, what: str) -> Given:
+    """An equation, an expression or a matrix that is zero; what is true on its face says nothing."""
+    if item is sympy.true:
+        return Given("", {})
+    equation = isinstance(item, sympy.Equality)
+    if not equation and isinstance(item, bool | Boolean) and not isinstance(item, sympy.Expr):
+        raise Rejected(f"{what} is no equation")
+    left = entries_of(item.lhs if equation else item)
+    right = entries_of(item.rhs) if equation else dict.fromkeys(left, sympy.S.Zero)
+    if left.keys() != right.keys():
+        raise Rejected(f"{what} sets equal what has different shapes")
+    text = what
+    if equation and isinstance(item.lhs, sympy.Expr):
+        text = f"{item.lhs} = {item.rhs}"
+    elif isinstance(item, sympy.Expr):
+        text = f"{item} = 0"
+    return Given(text, {key: (left[key], right[key]) for key in left})
+
+
+def _nonzero(item: Any) -> Any:
+    value = item.lhs - item.rhs if isinstance(item, sympy.Unequality) else item
+    (entry,) = entries_of(value).values()
+    return entry

@@ -1,0 +1,278 @@
+"""One case of a question: the signs that are known in it, and what everything is there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from itertools import combinations
+from math import prod
+from typing import Any
+
+import sympy
+from sympy.core.function import AppliedUndef
+from sympy.core.relational import Relational
+
+from chasles.checker.expressions.enclosed import HOLDING, sign_of_number
+from chasles.checker.sparse import Rejected
+
+__all__ = ["Case"]
+
+SWITCHES = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign, sympy.Abs)
+KINDS = ("integer", "noninteger", "rational", "irrational", "algebraic", "transcendental", "even", "odd", "prime")
+Pairs = tuple[tuple[Any, Any], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """Both sides, what is given to be equal and not to vanish, and besides: what vanishes here, and known signs.
+
+    `meant` says of each positive symbol what it stands for, `zeros` what was said to vanish, in the symbols of the
+    question; `lost` is what the question needs and does not hold here. `values` are those of symbols in turn, `inside`
+    the powers within conditions, as the question has them.
+    """
+
+    sides: tuple[tuple[Any, ...], ...]
+    pairs: Pairs
+    nonzero: tuple[Any, ...]
+    equations: tuple[Any, ...] = ()
+    facts: tuple[tuple[Any, int], ...] = ()
+    meant: tuple[tuple[Any, Any], ...] = ()
+    zeros: tuple[Any, ...] = ()
+    lost: str = ""
+    values: tuple[tuple[Any, Any], ...] = ()
+    inside: tuple[Any, ...] | None = None
+
+    @property
+    def spoken(self) -> tuple[Any, ...]:
+        """Everything of which is spoken."""
+        return (*self.sides[0], *self.sides[1], *(e for pair in self.pairs for e in pair), *self.nonzero)
+
+    @property
+    def named(self) -> dict[str, Any]:
+        """The symbols by their names."""
+        return {str(s): s for e in (*self.spoken, *self.equations) for s in e.free_symbols}
+
+    @property
+    def names(self) -> set[str]:
+        """The names that are taken."""
+        return {*self.named, *(str(symbol) for symbol, _ in self.meant)}
+
+    @property
+    def undefined(self) -> bool:
+        """Whether something is divided by zero."""
+        return any(e.has(sympy.zoo, sympy.nan, sympy.oo, -sympy.oo) for e in (*self.spoken, *self.equations))
+
+    @property
+    def impossible(self) -> bool:
+        """Whether what is known here visibly contradicts itself, or what is given."""
+        signs = any(_visible(e) not in (None, sign) for e, sign in self.facts)
+        apart = [one - other for one, other in self.pairs] + list(self.equations)
+        return signs or any(self.sign(e) in (1, -1) for e in apart)
+
+    def mapped(self, put: Mapping[Any, Any]) -> Case:
+        """The case with other expressions in the place of some."""
+        sides = tuple(tuple(_with_value(e, put) for e in side) for side in self.sides)
+        pairs = tuple((_with_value(one, put), _with_value(other, put)) for one, other in self.pairs)
+        nonzero, equations = (tuple(_with_value(e, put) for e in part) for part in (self.nonzero, self.equations))
+        facts = tuple((e.xreplace(put), sign) for e, sign in self.facts)
+        return replace(self, sides=sides, pairs=pairs, nonzero=nonzero, equations=equations, facts=facts)
+
+    def settled(self) -> Case:
+        """The case with everything written out whose form is decided by known signs."""
+        case = self
+        while True:
+            for part in case.switches():
+                value = case.written(part)
+                if value is not None:
+                    sides = tuple(tuple(e.xreplace({part: value}) for e in side) for side in case.sides)
+                    pairs = tuple(tuple(e.xreplace({part: value}) for e in pair) for pair in case.pairs)
+                    nonzero = tuple(e.xreplace({part: value}) for e in case.nonzero)
+                    case = replace(case, sides=sides, pairs=pairs, nonzero=nonzero)
+                    break
+            else:
+                return case
+
+    def switches(self) -> list[Any]:
+        """What changes its form with a sign, innermost first."""
+        found = {part for e in self.spoken for part in e.atoms(*SWITCHES)}
+        return sorted(found, key=lambda part: (len(part.atoms(*SWITCHES)), str(part)))
+
+    def written(self, part: Any) -> Any:
+        """What such a part is; None where that is not known."""
+        if isinstance(part, sympy.Piecewise):
+            for value, condition in part.args:
+                truth = self._truth(condition)
+                if truth is None or truth:
+                    return value if truth else None
+            return sympy.nan
+        if isinstance(part, sympy.Max | sympy.Min):
+            for one, other in combinations(sorted(part.args, key=str), 2):
+                sign = self.sign(one - other)
+                if sign is not None:
+                    least = other if (sign >= 0) == isinstance(part, sympy.Max) else one
+                    return part.func(*(e for e in part.args if e != least))
+            return None
+        sign = self.sign(part.args[0])
+        if sign is None:
+            return None
+        if isinstance(part, sympy.Abs):
+            return sign * part.args[0]
+        if isinstance(part, sympy.sign):
+            return sympy.Integer(sign)
+        return sympy.Integer(max(sign, 0)) if sign else part.args[1]
+
+    def _truth(self, condition: Any) -> bool | None:
+        known = {}
+        for relation in condition.atoms(Relational):
+            sign = self.sign(relation.lhs - relation.rhs)
+            if sign is not None:
+                known[relation] = sympy.true if sign in HOLDING[relation.rel_op] else sympy.false
+        found = condition.xreplace(known)
+        return found == sympy.true if found in (sympy.true, sympy.false) else None
+
+    def sign(self, e: Any) -> int | None:
+        """The sign of an expression, if it is known: by itself, as a multiple of a known one, or by its factors."""
+        e = sympy.expand(e)
+        visible = _visible(e)
+        if visible is not None:
+            return visible
+        for known, sign in self.facts:
+            multiple = _multiple(e, known)
+            if multiple is not None:
+                return sign * multiple
+        symbols = sorted(e.free_symbols, key=str)
+        if e.has(*SWITCHES) or not e.is_polynomial(*symbols):
+            return None
+        constant, factors = sympy.factor_list(e)
+        if sympy.expand(constant * sympy.Mul(*(f**n for f, n in factors)) - e) != 0 or sum(n for _, n in factors) < 2:
+            return None
+        signs = [sign_of_number(constant), *(self.sign(factor) for factor, power in factors for _ in range(int(power)))]
+        return None if None in signs else prod(sign for sign in signs if sign is not None)
+
+    def split(self, text: str, size: str) -> dict[str, Case]:
+        """The cases in which a factor of what decides some form is positive, zero and negative."""
+        factor = next((f for f in self._deciding() if str(f) == text), None)
+        if factor is None:
+            raise Rejected(f"the sign of {text} decides nothing")
+        if not isinstance(size, str) or size in self.names:
+            raise Rejected(f"the symbol {size} is not new")
+        positive = sympy.Symbol(size, positive=True)
+        return {name: self._with(factor, sign, positive) for name, sign in (("+", 1), ("0", 0), ("-", -1))}
+
+    def _deciding(self) -> Iterator[Any]:
+        for part in self.switches():
+            if isinstance(part, sympy.Piecewise):
+                differences = [r.lhs - r.rhs for _, condition in part.args for r in condition.atoms(Relational)]
+            elif isinstance(part, sympy.Max | sympy.Min):
+                differences = [one - other for one, other in combinations(sorted(part.args, key=str), 2)]
+            else:
+                differences = [part.args[0]]
+            for e in differences:
+                yield e
+                if e.free_symbols and not e.has(*SWITCHES) and e.is_polynomial(*e.free_symbols):
+                    yield from (factor for factor, _ in sympy.factor_list(e)[1])
+
+    def _with(self, factor: Any, sign: int, positive: Any) -> Case:
+        zeros = self.zeros if sign else (*self.zeros, self.back(factor))
+        atom = self._free(factor)
+        if atom is None:
+            equations = self.equations if sign else (*self.equations, factor)
+            return replace(self, equations=equations, facts=(*self.facts, (factor, sign)), zeros=zeros)
+        value = sympy.expand(atom + (sign * positive - factor) / sympy.diff(factor, atom))
+        put = {atom: value}
+        if sympy.expand(factor.xreplace(put) - sign * positive) != 0:
+            raise Rejected(f"{factor} is not solved for {atom}")
+        case = replace(self.mapped(put), zeros=zeros)
+        if atom.is_positive or atom.is_negative:
+            case = replace(case, facts=(*case.facts, (value, 1 if atom.is_positive else -1)))
+        meant = (*case.meant, (positive, sign * factor)) if sign else case.meant
+        case = replace(case, values=(*self.values, (atom, value)), inside=self.within())
+        return replace(case, meant=meant, lost=self._lost(case, put))
+
+    def _free(self, factor: Any) -> Any:
+        """A symbol in which the factor is linear with a rational coefficient, and which may have any value."""
+        inside = {s for e in (*self.spoken, *self.equations) for f in e.atoms(AppliedUndef, sympy.Derivative)
+                  for s in f.free_symbols}  # fmt: skip
+        for symbol in sorted(factor.free_symbols - inside, key=str):
+            slope = sympy.diff(factor, symbol)
+            if slope.is_Rational and slope != 0 and all(getattr(symbol, f"is_{kind}") is None for kind in KINDS):
+                return symbol
+        return None
+
+    def _lost(self, case: Case, put: Mapping[Any, Any]) -> str:
+        """A divisor that vanishes in a case, or a radicand that is negative, outside of conditions; "" if none does."""
+        for power in self._outside():
+            sign = case.sign(power.base.xreplace(put))
+            if sign == 0 and power.exp < 0:
+                return f"{self.back(power.base)} != 0"
+            if sign == -1 and not power.exp.is_Integer:
+                return f"{self.back(power.base)} >= 0"
+        return ""
+
+    def _outside(self) -> list[Any]:
+        """The powers with rational exponents that are not within conditions."""
+        plain = (e.replace(lambda part: isinstance(part, sympy.Piecewise), lambda _: sympy.S.Zero) for e in self.spoken)
+        return sorted({power for e in plain for power in e.atoms(sympy.Pow) if power.exp.is_Rational}, key=str)
+
+    def within(self) -> tuple[Any, ...]:
+        """The powers with rational exponents within conditions, as the question has them."""
+        if self.inside is not None:
+            return self.inside
+        parts = {part for e in self.spoken for part in e.atoms(sympy.Piecewise)}
+        return tuple(sorted({q for part in parts for q in part.atoms(sympy.Pow) if q.exp.is_Rational}, key=str))
+
+    def required(self) -> list[set[str]]:
+        """What is to be said of divisors and radicands outside of conditions, each in one of some ways."""
+        return [texts for power in self._outside() for texts in _requirements(power, _visible(power.base))]
+
+    def required_inside(self) -> list[set[str]]:
+        """What is to be said of those within, where it is not seen in this case whether it holds."""
+        found = []
+        for power in self.within():
+            base = power.base
+            for atom, value in self.values:
+                base = base.xreplace({atom: value})
+            sign = self.sign(base)
+            unseen = sign is None or (sign < 0 and power.exp.is_Integer) or sign > 0
+            found += _requirements(power, sign) if unseen else []
+        return found
+
+    def back(self, e: Any) -> Any:
+        """An expression in the symbols of the question."""
+        for symbol, meaning in reversed(self.meant):
+            e = e.xreplace({symbol: meaning})
+        return sympy.expand(e)
+
+
+def _with_value(e: Any, put: Mapping[Any, Any]) -> Any:
+    """The expression at the value; undefined where something in it is that SymPy does not compare."""
+    try:
+        return e.xreplace(put)
+    except ValueError:
+        return sympy.zoo
+
+
+def _requirements(power: Any, sign: int | None) -> list[set[str]]:
+    """The ways to say what a power with a rational exponent needs of its base, whose sign may be known."""
+    base, found = power.base, []
+    if power.exp < 0 and sign not in (1, -1):
+        found.append({f"{base} != 0", f"{base} > 0"})
+    if not power.exp.is_Integer and sign not in (0, 1) and not base.is_nonnegative:
+        found.append({f"{base} >= 0", f"{base} > 0"})
+    return found
+
+
+def _visible(e: Any) -> int | None:
+    """The sign that an expression has whatever its symbols are."""
+    if not e.free_symbols:
+        return sign_of_number(e)
+    return 1 if e.is_positive else -1 if e.is_negative else 0 if e.is_zero else None
+
+
+def _multiple(e: Any, known: Any) -> int | None:
+    """The sign of the rational number by which one expression is a multiple of another, if it is one."""
+    (one, rest), (other, same) = (sympy.expand(side).as_content_primitive() for side in (e, known))
+    for sign in (1, -1):
+        if sympy.expand(rest - sign * same) == 0:
+            return int(sympy.sign(sign * one * other))
+    return None

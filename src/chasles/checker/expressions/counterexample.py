@@ -1,0 +1,83 @@
+"""Does a counterexample to an equation of SymPy expressions refute it? It is evaluated again at the point it shows."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from chasles.checker.expressions.asked import Asked
+from chasles.checker.expressions.at_point import AtPoint
+from chasles.checker.expressions.complexes import parts
+from chasles.checker.expressions.given import require_given
+from chasles.checker.expressions.quantities import atoms_of, require_independent
+from chasles.checker.expressions.spoken import Spoken
+from chasles.checker.expressions.symbolic import Symbolic
+from chasles.checker.expressions.valuation import Unknown
+from chasles.checker.expressions.widened import check_enclosed
+from chasles.checker.sparse import Polynomial, Rejected, number, variable
+
+__all__ = ["check_refutation"]
+
+NEAR = Fraction(1, 2**100)
+"""So near to a value with functions of numbers is a text that tells it."""
+
+
+def check_refutation(found: Any, lhs: Any, rhs: Any, given: Any = (), nonzero: Any = ()) -> None:
+    """The point satisfies all that is given, at all times where it moves, and there one entry's two sides differ.
+
+    Raises `Rejected` with the reason if not.
+    """
+    try:
+        asked = Asked(lhs, rhs, given, nonzero)
+        try:
+            _check(found, asked)
+        except Rejected as reason:
+            _check_values(found, asked, reason)
+    except Rejected:
+        raise
+    except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError) as error:
+        raise Rejected(f"the counterexample is malformed: {type(error).__name__}: {error}") from error
+
+
+def _check(found: Any, asked: Asked) -> None:
+    row, column = found.entry
+    place = row - 1, column - 1
+    if place not in asked.left:
+        raise Rejected(f"the equation has no entry {row}, {column}")
+    point = AtPoint(Symbolic({}, {}), found.at)
+    atoms = [atom for expression in asked.expressions for atom in atoms_of(expression)]
+    require_independent(atoms)
+    for e in atoms:
+        point.symbolic.place(e)
+    require_given(asked, point)
+    left, right = (_value(point, side[place]) for side in (asked.left, asked.right))
+    point.require_angles()
+    if not any(point.sign(one - other) for one, other in zip(left, right, strict=True)):
+        raise Rejected("both sides are equal at the point")
+    imaginary = variable(point.fresh("I", number(-1)))
+    spoken = Spoken(point, point.spelled() | {"I": imaginary})
+    for text, (real, rest) in ((found.left, left), (found.right, right)):
+        value = real + rest * imaginary
+        gap = spoken(text) - value
+        if not (point.vanishes(gap) or (not rest and point.is_near(gap, Fraction(0), NEAR))):
+            raise Rejected(f"a side is not {text} at the point")
+
+
+def _check_values(found: Any, asked: Asked, reason: Rejected) -> None:
+    """Where the values are no numbers that the checker knows exactly, what encloses them may tell them apart."""
+    places = sorted(asked.left)
+    place = found.entry[0] - 1, found.entry[1] - 1
+    if place not in places or any(item.functions for item in asked.given):
+        raise reason
+    sides = [[side[k] for k in places] for side in (asked.left, asked.right)]
+    given = [(item.text, list(item.pairs.values())) for item in asked.given]
+    check_enclosed(found.at, places.index(place), (found.left, found.right), sides, given, asked.nonzero)
+
+
+def _value(point: AtPoint, e: Any) -> tuple[Polynomial, Polynomial]:
+    """The real and imaginary part at the point; what cancels by equations between angles needs no value."""
+    try:
+        return parts(point, e)
+    except Unknown:
+        real, imaginary = parts(point.symbolic, e)
+        return point.value_of(real), point.value_of(imaginary)

@@ -1,0 +1,189 @@
+"""Values of SymPy expressions where symbols have exact values, between rational numbers; and numbers that vanish.
+
+Whether an algebraic number vanishes is seen from a bound below which none does (C. Burnikel et al., A separation bound
+for real algebraic expressions, 2009).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from functools import reduce
+from math import lcm, prod
+from typing import Any
+
+import sympy
+
+from chasles.checker.expressions.intervals import Enclosing, Enclosure, Unbounded
+from chasles.checker.sparse import Rejected
+
+__all__ = ["Values", "sign_of_number", "vanishes"]
+
+BITS = 200
+MOST_BITS = 20_000
+HOLDING = {"==": (0,), "!=": (1, -1), ">": (1,), ">=": (0, 1), "<": (-1,), "<=": (0, -1)}
+
+
+class Values:
+    """Encloses expressions at a point: exact values of symbols and of functions."""
+
+    def __init__(self, point: Mapping[Any, Any], bits: int = BITS) -> None:
+        self.point = point
+        self.at = Enclosing(bits)
+        self._known: dict[Any, Enclosure] = {}
+
+    def __call__(self, e: Any) -> Enclosure:
+        """What holds the value; raises `Rejected` where there may be none, or none is known."""
+        if e not in self._known:
+            try:
+                self._known[e] = self._of(e)
+            except Unbounded as reason:
+                raise Rejected(f"{e} may have no value at the point: {reason}") from None
+        return self._known[e]
+
+    def _of(self, e: Any) -> Enclosure:
+        if e in self.point:
+            return self(sympy.sympify(self.point[e]))
+        for kind in type(e).__mro__:
+            if kind in ENCLOSED:
+                return ENCLOSED[kind](self, e)
+        raise Rejected(f"{e} has no value that is known to the checker")
+
+    def sign(self, e: Any) -> int:
+        """The sign; raises `Rejected` where it is not clear."""
+        exact = sympy.expand(e.xreplace(dict(self.point)))
+        sign = 0 if exact == 0 else self(e).sign
+        if sign is None:
+            raise Rejected(f"the sign of {e} is not clear at the point")
+        return sign
+
+    def holds(self, condition: Any) -> bool:
+        """Whether a condition holds; raises `Rejected` where that is not clear."""
+        if condition in (sympy.true, sympy.false):
+            return bool(condition == sympy.true)
+        if isinstance(condition, sympy.And | sympy.Or):
+            parts = map(self.holds, condition.args)
+            return all(parts) if isinstance(condition, sympy.And) else any(parts)
+        if isinstance(condition, sympy.Not):
+            return not self.holds(condition.args[0])
+        return self.sign(condition.lhs - condition.rhs) in HOLDING[condition.rel_op]
+
+    def power(self, e: Any) -> Enclosure:
+        """A power: of a root if the exponent is rational, else by the logarithm."""
+        if not e.exp.is_Rational:
+            return self.at.exp(self.at.times(self(e.exp), self.at.log(self(e.base))))
+        base = self(e.base)
+        return self.at.power(base if e.exp.q == 1 else self.at.root(base, int(e.exp.q)), int(e.exp.p))
+
+
+def _larger(one: Enclosure, other: Enclosure) -> Enclosure:
+    return Enclosure(max(one.low, other.low), max(one.high, other.high))
+
+
+def _reciprocal(function: Any) -> Callable[[Values, Any], Enclosure]:
+    return lambda of, e: of.at.inverse(of(function(*e.args)))
+
+
+def _quotient(above: Any, below: Any) -> Callable[[Values, Any], Enclosure]:
+    return lambda of, e: of.at.times(of(above(*e.args)), of.at.inverse(of(below(*e.args))))
+
+
+def _rewritten(rule: Callable[[Any], Any]) -> Callable[[Values, Any], Enclosure]:
+    """By others, as in Abramowitz and Stegun, Handbook of Mathematical Functions, 4.4, 4.5 and 4.6."""
+    return lambda of, e: of(rule(e.args[0]))
+
+
+def _heaviside(of: Values, e: Any) -> Enclosure:
+    sign = of.sign(e.args[0])
+    return of.at.number(int(sign > 0)) if sign else of(e.args[1])
+
+
+ENCLOSED: dict[type, Callable[[Values, Any], Enclosure]] = {
+    sympy.Rational: lambda of, e: of.at.number(Fraction(int(e.p), int(e.q))),
+    type(sympy.pi): lambda of, _: of.at.pi,
+    sympy.Add: lambda of, e: reduce(Enclosure.__add__, map(of, e.args)),
+    sympy.Mul: lambda of, e: reduce(of.at.times, map(of, e.args)),
+    sympy.Pow: Values.power,
+    sympy.Abs: lambda of, e: _larger(of(e.args[0]), -of(e.args[0])),
+    sympy.sign: lambda of, e: of.at.number(of.sign(e.args[0])),
+    sympy.Heaviside: _heaviside,
+    sympy.Max: lambda of, e: reduce(_larger, map(of, e.args)),
+    sympy.Min: lambda of, e: -reduce(_larger, (-of(part) for part in e.args)),
+    sympy.Piecewise: lambda of, e: of(next(value for value, condition in e.args if of.holds(condition))),
+    sympy.cos: lambda of, e: of.at.cosine_and_sine(of(e.args[0]))[0],
+    sympy.sin: lambda of, e: of.at.cosine_and_sine(of(e.args[0]))[1],
+    sympy.tan: _quotient(sympy.sin, sympy.cos),
+    sympy.cot: _quotient(sympy.cos, sympy.sin),
+    sympy.sec: _reciprocal(sympy.cos),
+    sympy.csc: _reciprocal(sympy.sin),
+    sympy.exp: lambda of, e: of.at.exp(of(e.args[0])),
+    sympy.log: lambda of, e: of.at.log(of(e.args[0])),
+    sympy.atan: lambda of, e: of.at.atan(of(e.args[0])),
+    type(sympy.E): lambda of, _: of.at.exp(of.at.number(1)),
+    **{function: _rewritten(rule) for function, rule in {
+        sympy.sinh: lambda x: (sympy.exp(x) - sympy.exp(-x)) / 2,
+        sympy.cosh: lambda x: (sympy.exp(x) + sympy.exp(-x)) / 2,
+        sympy.tanh: lambda x: 1 - 2 / (sympy.exp(2 * x) + 1),
+        sympy.coth: lambda x: 1 + 2 / (sympy.exp(2 * x) - 1),
+        sympy.sech: lambda x: 2 / (sympy.exp(x) + sympy.exp(-x)),
+        sympy.csch: lambda x: 2 / (sympy.exp(x) - sympy.exp(-x)),
+        sympy.asinh: lambda x: sympy.log(x + sympy.sqrt(x**2 + 1)),
+        sympy.acosh: lambda x: sympy.log(x + sympy.sqrt(x - 1) * sympy.sqrt(x + 1)),
+        sympy.atanh: lambda x: (sympy.log(1 + x) - sympy.log(1 - x)) / 2,
+        sympy.asin: lambda x: 2 * sympy.atan(x / (1 + sympy.sqrt(1 - x**2))),
+        sympy.acos: lambda x: sympy.pi / 2 - 2 * sympy.atan(x / (1 + sympy.sqrt(1 - x**2))),
+        sympy.acot: lambda x: sympy.atan(1 / x),
+        sympy.asec: lambda x: sympy.acos(1 / x),
+        sympy.acsc: lambda x: sympy.asin(1 / x),
+        sympy.acsch: lambda x: sympy.asinh(1 / x),
+        sympy.asech: lambda x: sympy.acosh(1 / x),
+        sympy.acoth: lambda x: sympy.atanh(1 / x),
+    }.items()},
+}  # fmt: skip
+
+
+def sign_of_number(e: Any) -> int | None:
+    """The sign of a number, if it is known."""
+    if e == 0:
+        return 0
+    try:
+        return Values({})(e).sign
+    except Rejected:
+        return None
+
+
+def vanishes(e: Any) -> bool:
+    """Whether an algebraic number is known to be zero."""
+    above, below = _sizes(e)
+    bits = (_degree(e) - 1) * above + below
+    if bits > MOST_BITS:
+        return False
+    precise = Values({}, 2 * bits + BITS)
+    found = precise(e)
+    return max(-found.low, found.high) << bits < precise.at.one
+
+
+def _sizes(e: Any) -> tuple[int, int]:
+    """Binary logarithms of bounds of the conjugates of two algebraic integers of which a number is the quotient."""
+    if isinstance(e, sympy.Rational):
+        return abs(int(e.p)).bit_length(), int(e.q).bit_length()
+    if isinstance(e, sympy.Add | sympy.Mul):
+        parts = [_sizes(part) for part in e.args]
+        below = sum(b for _, b in parts)
+        if isinstance(e, sympy.Mul):
+            return sum(a for a, _ in parts), below
+        return max(a - b for a, b in parts) + below + len(parts).bit_length(), below
+    if isinstance(e, sympy.Pow) and e.exp.is_Rational:
+        (a, b), degree, power = _sizes(e.base), int(e.exp.q), int(e.exp.p)
+        a = (a + (degree - 1) * b + degree - 1) // degree
+        return (a * power, b * power) if power > 0 else (-b * power, -a * power)
+    if isinstance(e, sympy.cos) and (e.args[0] / sympy.pi).is_Rational:
+        return 1, 1
+    raise Rejected(f"{e} is no algebraic number that the checker knows")
+
+
+def _degree(e: Any) -> int:
+    """A bound of the degree of a field in which a number and all of its parts are."""
+    roots = {(part.base, int(part.exp.q)) for part in e.atoms(sympy.Pow)}
+    parts = lcm(1, *(int((call.args[0] / sympy.pi).q) for call in e.atoms(sympy.cos)))
+    return prod(degree for _, degree in roots) * int(sympy.totient(2 * parts))

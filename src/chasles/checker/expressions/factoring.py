@@ -1,0 +1,60 @@
+"""Polynomials by their factors, as far as these are known, for the checker."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from math import isqrt
+
+from chasles.checker.expressions.algebra import constant, primitive
+from chasles.checker.sparse import ZERO, Polynomial, exponents
+
+__all__ = ["Terms", "quotient", "root_of_square", "terms_of"]
+
+Terms = frozenset[tuple[int, int]]
+
+
+def root_of_square(polynomial: Polynomial) -> Polynomial | None:
+    """A polynomial of which this is the square, term by term from the top; None if it is none."""
+    root, rest = ZERO, polynomial
+    lead = 0
+    while rest:
+        top = max(rest.terms)
+        c, pairs = Fraction(rest.terms[top], rest.below), exponents(top)
+        if not root:
+            above, below = isqrt(max(c.numerator, 0)), isqrt(c.denominator)
+            if Fraction(above * above, below * below) != c or any(power % 2 for _, power in pairs):
+                return None
+            term = Polynomial({top // 2: above}, below)
+            lead = top // 2
+        else:
+            own = dict(exponents(lead))
+            if any(dict(pairs).get(place, 0) < power for place, power in own.items()) or top >= 2 * lead:
+                return None
+            c /= 2 * Fraction(root.terms[lead], root.below)
+            term = Polynomial({top - lead: c.numerator}, c.denominator)
+        root, rest = root + term, rest - term * (root + root + term)
+    return root
+
+
+def terms_of(polynomial: Polynomial) -> Terms:
+    """The same for all multiples."""
+    return (
+        frozenset(primitive(polynomial)[1].terms.items())
+        if constant(polynomial) is None
+        else frozenset(polynomial.terms.items())
+    )
+
+
+def quotient(polynomial: Polynomial, divisor: Polynomial) -> Polynomial | None:
+    """The polynomial over another, if that divides it: terms are taken in the order of their packed exponents."""
+    lead = max(divisor.terms)
+    total, rest = ZERO, polynomial
+    while rest:
+        top = max(rest.terms)
+        pairs, own = dict(exponents(top)), dict(exponents(lead))
+        if any(pairs.get(place, 0) < power for place, power in own.items()):
+            return None
+        c = Fraction(rest.terms[top] * divisor.below, divisor.terms[lead] * rest.below)
+        part = Polynomial({top - lead: c.numerator}, c.denominator)
+        total, rest = total + part, rest - part * divisor
+    return total

@@ -1,0 +1,240 @@
+"""Exponentials, logarithms and inverse functions of angles, for the checker: variables that a certificate names.
+
+Of each product of quantities in an exponent, one exponential is a variable; so is the logarithm of the size of each
+factor, and each angle of a point. What else is read is a product of powers, or a sum, of these.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+from functools import reduce
+from operator import and_
+from typing import TYPE_CHECKING
+
+from chasles.checker.expressions.algebra import constant, primitive
+from chasles.checker.expressions.elementary import FUNCTIONS
+from chasles.checker.expressions.factoring import Terms, quotient, terms_of
+from chasles.checker.expressions.signs import is_positive
+from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number, variable
+
+if TYPE_CHECKING:
+    from chasles.checker.expressions.reading_of_proof import Proven
+
+__all__ = ["Functions", "Positive"]
+
+LARGEST_FACTOR = 100
+Positive = tuple[Polynomial, frozenset[Terms], int]
+"""What has to be positive, its factors with odd powers, and its sign where these are positive."""
+
+
+class Functions:
+    """The functions in a reading; `positives` are what logarithms are taken of, `pending` is the name to be given."""
+
+    def __init__(self, reading: Proven) -> None:
+        self.reading = reading
+        self.pending: str | None = None
+        self.exponentials: dict[int, tuple[Fraction, int]] = {}
+        self.exponents: dict[int, Polynomial] = {}
+        self.logarithms: dict[Terms, int] = {}
+        self.bases: dict[int, Polynomial] = {}
+        self.positives: list[Positive] = []
+
+    def named(self, function: str, *arguments: Polynomial) -> int:
+        """The place of a new variable, by the name that is to be given to it."""
+        name, self.pending = self.pending, None
+        place = self.reading.named(name) if name else self.reading.fresh(f"{function} {len(self.reading.calls) + 1}")
+        self.reading.calls[place] = function, arguments
+        return place
+
+    def exp(self, value: Polynomial) -> Polynomial:
+        """The exponential of a sum."""
+        total = ONE
+        for monomial, coefficient in self.reading.normal(value).terms.items():
+            factor = self._exponential(monomial, Fraction(coefficient, value.below))
+            total = self.reading.normal(total * factor)
+        return total
+
+    def _exponential(self, monomial: int, multiple: Fraction) -> Polynomial:
+        match exponents(monomial):
+            case [(place, 1)] if place in self.bases:
+                return self._raised(self.bases[place], multiple)
+        if monomial not in self.exponentials:
+            exponent = Polynomial({monomial: multiple.numerator}, multiple.denominator)
+            place = self.named("exp", exponent)
+            self.exponentials[monomial] = multiple, place
+            self.exponents[place] = exponent
+            self.reading.positive.add(place)
+        unit, place = self.exponentials[monomial]
+        if (multiple / unit).denominator != 1:
+            raise Rejected("an exponential is no power of one that the certificate names")
+        return self._power(variable(place), int(multiple / unit))
+
+    def _power(self, base: Polynomial, exponent: int) -> Polynomial:
+        base = base if exponent > 0 else self.reading.inverse(base)
+        return self.reading.power(base, abs(exponent))
+
+    def _raised(self, base: Polynomial, exponent: Fraction) -> Polynomial:
+        """A power of the size of a factor."""
+        size = self.reading.absolute(base)
+        below = exponent.denominator
+        if below & (below - 1):
+            if (root := self.radical(size, exponent)) is None:
+                raise Rejected("the certificate does not say what a root is")
+            return root
+        while below > 1:
+            size, below = self.reading.root(size), below // 2
+        return self._power(size, exponent.numerator)
+
+    def state(self, name: str, function: str, arguments: list[Polynomial]) -> None:
+        """Name a value: an exponential, the logarithm of a size, a power, or the angle of a point."""
+        self.pending = name
+        try:
+            match function, arguments:
+                case "log" | "size", [value]:
+                    self.log(value, evident=True)
+                case "power", [base, exponent] if (known := constant(exponent)) is not None:
+                    self._state_root(base, known)
+                case "power", [base, exponent]:
+                    self.pending = None
+                    value = self.reading.normal(exponent * self.log(base))
+                    self.pending = name
+                    self.exp(value)
+                case (("exp" | "atan" | "asin" | "atan2"), _):
+                    FUNCTIONS[function](self.reading, *arguments)
+            if self.pending:
+                raise Rejected(f"{name} names what has another name")
+        finally:
+            self.pending = None
+
+    def _state_root(self, base: Polynomial, exponent: Fraction) -> None:
+        """A positive quantity is a power of a new variable."""
+        place = next((place for place in base.places if place in self.reading.atoms), -1)
+        if exponent.numerator != 1 or place < 0 or base.terms != {1 << 8 * place: 1} or base.below != 1:
+            raise Rejected("the certificate names a root of what is no quantity")
+        e = self.reading.atoms[place]
+        self.require_positive(base)
+        root = self.named("root", base)
+        self.reading.calls[root] = "root", (base, number(exponent))
+        self.reading.positive.add(root)
+        self.reading.values[e] = variable(root, exponent.denominator)
+        self.reading.rooted.add(e)
+
+    def radical(self, value: Polynomial, exponent: Fraction) -> Polynomial | None:
+        """A power of a product of powers that this makes whole again."""
+        pairs = exponents(next(iter(value.terms))) if len(value.terms) == 1 else []
+        powers = [(place, power * exponent) for place, power in pairs]
+        whole = all(p.denominator == 1 and place in self.reading.positive for place, p in powers)
+        if not pairs or value.below != 1 or set(value.terms.values()) != {1} or not whole:
+            return None
+        return reduce(lambda one, pair: one * self._power(variable(pair[0]), int(pair[1])), powers, ONE)
+
+    def log(self, value: Polynomial, evident: bool = False, size: bool = False) -> Polynomial:
+        """The logarithm of a product, as a sum; what it is taken of has to be positive, if that is not `evident`.
+
+        Of its `size`, it only must not vanish.
+        """
+        total, sign, odd = ZERO, 1, frozenset[Terms]()
+        for base, power in self.factors(value):
+            if (known := constant(base)) is not None:
+                sign *= -1 if known < 0 and power % 2 else 1
+                total += self._of_number(abs(known)) * number(power)
+                continue
+            place = next(iter(base.places)) if len(base.terms) == 1 else -1
+            if place in self.reading.words:
+                half = self.log(self.reading.squares[place], evident=evident, size=True)
+                total += half * number(Fraction(power, 2))
+                continue
+            total += (self.exponents[place] if place in self.exponents else self._of_base(base)) * number(power)
+            if power % 2 and not is_positive(self.reading, base):
+                odd ^= {terms_of(base)}
+        if not (evident or size):
+            self._require_positive(value, odd, sign)
+        elif not evident:
+            self.require_nonzero(value)
+        return self.reading.normal(total)
+
+    def signs(self, value: Polynomial) -> tuple[frozenset[Terms], int]:
+        """The factors of a product that decide on its sign, and the sign where these are positive."""
+        odd, sign = frozenset[Terms](), 1
+        for base, power in self.factors(value):
+            if (known := constant(base)) is not None:
+                sign *= -1 if known < 0 and power % 2 else 1
+            elif power % 2 and not (base.places <= self.reading.words or is_positive(self.reading, base)):
+                odd ^= {terms_of(base)}
+        return odd, sign
+
+    def require_positive(self, value: Polynomial) -> None:
+        """Something is positive: that is visible, or has to be said."""
+        self._require_positive(value, *self.signs(value))
+
+    def _require_positive(self, value: Polynomial, odd: frozenset[Terms], sign: int) -> None:
+        if not odd and sign > 0:
+            self.require_nonzero(value)
+            return
+        self.positives.append((value, odd, sign))
+        if len(odd) == 1:
+            (terms,) = odd
+            self.reading.know(Polynomial(dict(terms)) * number(sign))
+
+    def require_nonzero(self, value: Polynomial) -> None:
+        """None of the factors vanishes: that is visible, or has to be said."""
+        for base, _ in self.factors(value):
+            (place, *others) = base.places or {-1}
+            if not others and place in self.reading.words and len(base.terms) == 1:
+                self.require_nonzero(self.reading.squares[place])
+            elif constant(base) is None and not is_positive(self.reading, base):
+                self.reading.inverse(base)
+
+    def factors(self, value: Polynomial) -> Iterable[tuple[Polynomial, int]]:
+        """Factors with their exponents: quantities, what is divided by, and what logarithms are known of."""
+        numerator, below = self.reading.cleared(value)
+        for place, power in below.items():
+            yield from ((base, -power * k) for base, k in self.factors(self.reading.inverses[place]))
+        scale, base = primitive(numerator)
+        yield number(scale), 1
+        common = reduce(and_, (frozenset(k for k, _ in exponents(m)) for m in base.terms)) if base.terms else ()
+        for place in common:
+            power = min(dict(exponents(m))[place] for m in base.terms)
+            base = Polynomial({m - (power << 8 * place): c for m, c in base.terms.items()})
+            yield variable(place), power
+        for known in [b for b in self.bases.values() if len(b.terms) > 1]:
+            while len(base.terms) > 1 and (rest := quotient(base, known)) is not None:
+                base = rest
+                yield known, 1
+        scale, base = primitive(base)
+        yield number(scale), 1
+        if constant(base) is None:
+            yield base, 1
+
+    def _of_number(self, value: Fraction) -> Polynomial:
+        """The logarithm of a positive number, in those of the numbers that are named."""
+        total = ZERO
+        for part, sign in ((value.numerator, 1), (value.denominator, -1)):
+            rest = part
+            for place, base in self.bases.items():
+                known = constant(base)
+                while known is not None and rest % int(known) == 0:
+                    rest //= int(known)
+                    total += variable(place) * number(sign)
+            for factor in range(2, LARGEST_FACTOR):
+                while rest % factor == 0:
+                    rest //= factor
+                    total += self._of_base(number(factor)) * number(sign)
+            if rest != 1:
+                total += self._of_base(number(rest)) * number(sign)
+        return total
+
+    def _of_base(self, base: Polynomial) -> Polynomial:
+        key = terms_of(base)
+        if key not in self.logarithms:
+            place = self.logarithms[key] = self.named("log", base)
+            self.bases[place] = base
+        return variable(self.logarithms[key])
+
+    def inverse(self, value: Polynomial) -> Polynomial:
+        """One over a product, factor by factor."""
+        read, total = self.reading, ONE
+        for base, power in self.factors(value):
+            total = read.normal(total * read.power(read.inverse(base) if power > 0 else base, abs(power)))
+        return total

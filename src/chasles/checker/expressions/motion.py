@@ -1,0 +1,166 @@
+"""Is there a motion through a point? Equations between functions hold at all times, and so do their derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from math import isqrt
+from typing import Any
+
+import sympy
+
+from chasles.checker.determinants import determinant
+from chasles.checker.expressions.algebra import constant, primitive
+from chasles.checker.expressions.asked import Given
+from chasles.checker.expressions.at_point import AtPoint
+from chasles.checker.expressions.complexes import differences
+from chasles.checker.expressions.expressions import Expressions
+from chasles.checker.expressions.rates import MOST_RATES
+from chasles.checker.expressions.valuation import Unknown
+from chasles.checker.sparse import ONE, Polynomial, Rejected, exponents, number, variable
+
+__all__ = ["require_motion", "time_of"]
+
+
+def time_of(given: Iterable[Given]) -> Any:
+    """The one symbol of which all functions in some equations are functions; raises `Rejected` if there is none."""
+    times = {argument for item in given for function in item.functions for argument in function.args}
+    if len(times) != 1:
+        raise Rejected("functions of several variables are not differentiated")
+    return times.pop()
+
+
+def require_motion(given: Iterable[Given], point: AtPoint, through: bool) -> None:
+    """Equations between functions hold at the point with all derivatives that speak of what has a value there.
+
+    If a motion is to go `through` the point, the last of these can be solved for as many of the highest rates, and no
+    higher rate has a value. Then implicit functions, and ordinary differential equations for them, make one (and an
+    equation that follows from the others holds along it). Raises `Rejected` if not.
+    """
+    moving = [item for item in given if item.functions]
+    read = point.symbolic
+    if not moving or not any(isinstance(e, sympy.Derivative) for e in read.atoms.values()):
+        return
+    time = time_of(moving)
+    stated = [fact for item in moving for fact in differences(read, item.pairs).values()]
+    stated = [fact for fact in stated if fact and not _is_determinant(read, fact, moving)]
+    unlike = {frozenset(base.terms.items()): base for _, base in map(primitive, stated)}
+    chains = [_chain(point, fact, time) for fact in unlike.values()]
+    last = [chain[-1] for chain in chains]
+    lower = [fact for chain in chains for fact in reversed(chain[:-1])]
+    if not through:
+        return
+    highest: dict[Any, int] = {}
+    for fact in last:
+        for e in (read.atoms[place] for place in _spoken_of(read, fact)):
+            function, order = (e.expr, int(e.derivative_count)) if isinstance(e, sympy.Derivative) else (e, 0)
+            highest[function] = max(highest.get(function, 0), order)
+    for e in read.atoms.values():
+        higher = isinstance(e, sympy.Derivative) and e.derivative_count > highest.get(e.expr, e.derivative_count)
+        if higher and str(e) in point.numbers:
+            raise Rejected(f"it is not seen that {e} can have its value at the point")
+    rates = [sympy.Derivative(f, (time, n)) if n else f for f, n in highest.items() if time in f.args]
+    rows: list[list[Polynomial]] = []
+    for k, fact in enumerate(last):
+        row = [point.value_of(read.rate(fact, rate)) for rate in rates]
+        if _rank(point, [*rows, row]) > len(rows):
+            rows.append(row)
+        elif not _follows(point, fact, [*last[:k], *last[k + 1 :], *lower], time):
+            raise Rejected("it is not seen that there is a motion through the point")
+
+
+def _chain(point: AtPoint, fact: Polynomial, time: Any) -> list[Polynomial]:
+    """It and its derivatives that speak of what has a value only; raises `Rejected` if one does not vanish."""
+    chain = [fact]
+    if not point.vanishes(point.value_of(fact)):
+        raise Rejected("an equation given does not vanish at the point")
+    for _ in range(MOST_RATES):
+        rate = point.symbolic.rate(fact, time)
+        try:
+            value = point.value_of(rate)
+        except Unknown:
+            break
+        if not point.vanishes(value):
+            raise Rejected("a derivative of an equation given does not vanish at the point")
+        if not rate:
+            break
+        fact = rate
+        chain.append(fact)
+    return chain
+
+
+def _spoken_of(read: Expressions, fact: Polynomial) -> set[int]:
+    """The quantities on which something depends."""
+    known: set[int] = set()
+    waiting = set(fact.places)
+    while waiting:
+        place = waiting.pop()
+        if place not in known:
+            known.add(place)
+            for of in (read.squares.get(place), read.inverses.get(place)):
+                waiting |= of.places if of is not None else set()
+            for monomial, (_, cosine, sine) in read.circles.items():
+                waiting |= Polynomial({monomial: 1}).places if place in cosine.places | sine.places else set()
+    return known & read.atoms.keys()
+
+
+def _follows(point: AtPoint, fact: Polynomial, others: list[Polynomial], time: Any) -> bool:
+    """Whether something vanishes at all times when the highest rates that others determine are put in.
+
+    What is left of it, a multiple, may also speak of nothing that changes: it vanishes at the point.
+    """
+    read = point.symbolic
+    for other in others:
+        rates = [k for k in other.places if isinstance(read.atoms.get(k), sympy.Derivative)]
+        for place in sorted(rates, key=lambda k: -read.atoms[k].derivative_count):
+            slope, own = other.partials()[place], fact.partials().get(place)
+            number_of = constant(slope)
+            if own is not None and number_of is not None:
+                fact = read.normal(_put(fact, place, variable(place) - other * number(1 / number_of)))
+                break
+            linear = own is not None and place not in slope.places | own.places
+            if own is not None and linear and point.sign(point.value_of(slope)):
+                fact = read.normal(fact * slope - own * other)
+                break
+    changing = (read.atoms[place] for place in _spoken_of(read, fact))
+    return read.vanishes(fact) or not any(e.has(time) for e in changing)
+
+
+def _put(polynomial: Polynomial, place: int, value: Polynomial) -> Polynomial:
+    """The polynomial with a value in the place of a variable."""
+    total = number(0)
+    for monomial, coefficient in polynomial.terms.items():
+        power = dict(exponents(monomial)).get(place, 0)
+        term = Polynomial({monomial - (power << 8 * place): coefficient}, polynomial.below)
+        for _ in range(power):
+            term = term * value
+        total += term
+    return total
+
+
+def _is_determinant(read: Expressions, fact: Polynomial, moving: list[Given]) -> bool:
+    """Whether the square of what is said to be one is one already, since it is the determinant of what is given."""
+    square = (fact + ONE) * (fact + ONE)
+    for item in moving:
+        size = isqrt(len(item.pairs))
+        if size > 1 and item.pairs.keys() == {(i, j) for i in range(size) for j in range(size)}:
+            said = differences(read, item.pairs)
+            gram = [[said[i, j] + number(int(i == j)) for j in range(size)] for i in range(size)]
+            if read.vanishes(determinant(gram) - square):
+                return True
+    return False
+
+
+def _rank(point: AtPoint, rows: list[list[Polynomial]]) -> int:
+    """The rank of a matrix of numbers, by elimination without division."""
+    rank = 0
+    for column in range(len(rows[0]) if rows else 0):
+        pivot = next((r for r in range(rank, len(rows)) if point.sign(rows[r][column])), None)
+        if pivot is None:
+            continue
+        rows[rank], rows[pivot] = rows[pivot], rows[rank]
+        lead = rows[rank]
+        for r in range(rank + 1, len(rows)):
+            row = rows[r]
+            rows[r] = [point.normal(a * lead[column] - b * row[column]) for a, b in zip(row, lead, strict=True)]
+        rank += 1
+    return rank

@@ -1,0 +1,137 @@
+"""Does a verdict say all that it needs? What a proof divides by, roots of what, and which equations it uses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from contextlib import suppress
+from functools import reduce
+from operator import mul
+
+from chasles.checker.expressions.algebra import constant, primitive
+from chasles.checker.expressions.asked import Asked
+from chasles.checker.expressions.reading_of_proof import Proven
+from chasles.checker.expressions.signs import is_positive
+from chasles.checker.expressions.spoken import Spoken
+from chasles.checker.sparse import ZERO, Polynomial, Rejected, variable
+
+__all__ = ["RELATIONS", "require_needs"]
+
+Terms = frozenset[tuple[int, int]]
+RELATIONS = (" != 0", " > 0", " >= 0")
+"""How a need that is no equation ends."""
+
+
+def require_needs(
+    stated: Iterable[str], asked: Asked, reading: Proven, divisors: Iterable[int], used: Iterable[str]
+) -> None:
+    """Every divisor, domain and equation used is stated, and nothing is of which the question does not speak.
+
+    `divisors` are the places of inverses. Raises `Rejected` if not.
+    """
+    stated = list(stated)
+    texts = {item.text for item in asked.given} | {f"{e} is zero" for e in reading.atoms.values() if e.is_zero}
+    for text in (*used, *reading.substituted):
+        if text not in stated:
+            raise Rejected(f"the proof uses {text}, and the verdict does not say so")
+    said = [_Said(reading, text) for text in stated if text not in texts]
+    for place in divisors:
+        if not (_is_evident(reading, place) or any(one.excludes(place) for one in said)):
+            spelled = min(reading.divided.get(place, {reading.names[place]}))
+            raise Rejected(f"the proof needs {spelled} != 0, and the verdict does not say so")
+    for domain in reading.domains:
+        if not any(one.allows(domain) for one in said):
+            raise Rejected("a root is real only where something is not negative of which the verdict does not speak")
+    for value, odd, sign in list(reading.functions.positives):
+        if not (any(one.implies(value) for one in said) or _is_said(said, odd, sign)):
+            raise Rejected("a logarithm is real only where something is positive of which the verdict does not speak")
+    factors = {terms for _, odd, _ in reading.functions.positives for terms in odd}
+    for one in said:
+        if not (
+            any(map(one.excludes, reading.inverses))
+            or any(map(one.allows, reading.domains))
+            or (one.signs is not None and one.signs[0] <= factors)
+            or (reading.calls and is_positive(reading, one.polynomial))
+        ):
+            raise Rejected(f"the verdict needs {one.text}, of which the question does not speak")
+
+
+def _is_said(said: list[_Said], odd: frozenset[Terms], sign: int) -> bool:
+    """Whether a product is said to be positive, or each of its factors to have a sign."""
+    known = [one.signs for one in said if one.signs is not None]
+    single = {terms: s for factors, s in known if len(factors) == 1 for terms in factors}
+    if (odd, sign) in known:
+        return True
+    return odd <= single.keys() and reduce(mul, (single[terms] for terms in odd), sign) > 0
+
+
+def _is_evident(reading: Proven, place: int) -> bool:
+    """Whether something visibly does not vanish; of a quantity by itself it is said in any case."""
+    base = reading.inverses[place]
+    if reading.is_number(base):
+        return bool(reading.sign(base))
+    if len(base.terms) == 1 and base.places <= reading.atoms.keys():
+        return False
+    return is_positive(reading, base) or is_positive(reading, -base)
+
+
+class _Said:
+    """One of the needs: that something does not vanish, or is not negative."""
+
+    def __init__(self, reading: Proven, text: str) -> None:
+        self.reading, self.text = reading, text
+        self.relation = next((relation for relation in RELATIONS if text.endswith(relation)), "")
+        if not self.relation:
+            raise Rejected(f"the verdict needs {text}, of which the question does not speak")
+        self.spelled = text.removesuffix(self.relation)
+        self._polynomial: Polynomial | None = None
+
+    @property
+    def polynomial(self) -> Polynomial:
+        """What the need is about, with nothing divided by."""
+        if self._polynomial is None:
+            named = {str(e): variable(place) for place, e in self.reading.atoms.items()}
+            known = set(self.reading.inverses)
+            with suppress(Rejected):
+                self._polynomial = self.reading.cleared(Spoken(self.reading, named)(self.spelled))[0]
+            if self._polynomial is None or known != set(self.reading.inverses):
+                self._polynomial = ZERO
+        return self._polynomial
+
+    @property
+    def signs(self) -> tuple[frozenset[Terms], int] | None:
+        """The factors of what is said to be positive, and the sign where these are; None if that is not said."""
+        value = self._value() if self.relation == " > 0" else None
+        return None if value is None else self.reading.functions.signs(value)
+
+    def implies(self, value: Polynomial) -> bool:
+        """Whether something is more by a number than what is said not to be negative."""
+        least = self._value() if self.relation != " != 0" else None
+        rest = None if least is None else constant(self.reading.normal(value - least))
+        return rest is not None and rest > 0
+
+    def _value(self) -> Polynomial | None:
+        named = {str(e): variable(place) for place, e in self.reading.atoms.items()}
+        known, positives = set(self.reading.inverses), list(self.reading.functions.positives)
+        value = None
+        with suppress(Rejected):
+            value = Spoken(self.reading, named)(self.spelled)
+        # What the need itself is about is not what makes it needed.
+        self.reading.functions.positives[:] = positives
+        return value if known == set(self.reading.inverses) else None
+
+    def excludes(self, place: int) -> bool:
+        """Whether it says that what a variable is the inverse of does not vanish."""
+        if self.relation == " >= 0":
+            return False
+        if self.spelled in self.reading.divided.get(place, ()):
+            return True
+        return primitive(self.polynomial)[1].terms == self.reading.inverses[place].terms
+
+    def allows(self, domain: Polynomial) -> bool:
+        """Whether it says that something is not negative."""
+        if self.relation == " != 0":
+            return False
+        if not self.polynomial:
+            return False
+        (scale, base), (wanted, other) = primitive(self.polynomial), primitive(domain)
+        return base.terms == other.terms and scale * wanted > 0

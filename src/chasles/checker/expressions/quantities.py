@@ -1,0 +1,54 @@
+"""Which SymPy expressions are real quantities by themselves: the variables of a question."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import sympy
+from sympy.core.function import AppliedUndef
+from sympy.matrices.expressions.matexpr import MatrixElement
+
+from chasles.checker.sparse import Rejected
+
+__all__ = ["atoms_of", "is_atom", "require_independent", "require_real"]
+
+
+def is_atom(e: Any) -> bool:
+    """Whether an expression is a real quantity by itself."""
+    if isinstance(e, sympy.Derivative):
+        return isinstance(e.expr, AppliedUndef)
+    if isinstance(e, MatrixElement):
+        return isinstance(e.parent, sympy.MatrixSymbol)
+    return isinstance(e, sympy.Symbol | AppliedUndef)
+
+
+def atoms_of(e: Any) -> Iterator[Any]:
+    """The real quantities that occur in an expression."""
+    if is_atom(e):
+        yield e
+    elif isinstance(e, sympy.MatrixSymbol):
+        yield from (e[i, j] for i in range(e.rows) for j in range(e.cols))
+    else:
+        for part in e.args:
+            yield from atoms_of(part)
+
+
+def require_independent(atoms: Iterable[Any]) -> None:
+    """Raise `Rejected` where a function occurs with two sets of arguments, which may be the same at some point."""
+    arguments: dict[Any, Any] = {}
+    for e in atoms:
+        function = e.expr if isinstance(e, sympy.Derivative) else e
+        if isinstance(function, AppliedUndef) and arguments.setdefault(function.func, function.args) != function.args:
+            raise Rejected(f"{function} occurs with other arguments too")
+
+
+def require_real(e: Any) -> None:
+    """Raise `Rejected` for what is no real number, or no function of different symbols."""
+    function = e.expr if isinstance(e, sympy.Derivative) else e
+    if e.is_real is False or e.is_commutative is False or (e.is_complex and e.is_real is None):
+        raise Rejected(f"{e} is not real")
+    if isinstance(function, AppliedUndef):
+        arguments = function.args
+        if len(set(arguments)) < len(arguments) or not all(isinstance(a, sympy.Symbol) for a in arguments):
+            raise Rejected(f"the arguments of {function} are not different symbols")

@@ -1,0 +1,88 @@
+"""How each class of SymPy expressions is read; see `expressions` for what else a new function needs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from functools import reduce
+from operator import add
+from typing import TYPE_CHECKING, Any
+
+import sympy
+
+from chasles.checker.expressions.complexes import parts, size
+from chasles.checker.expressions.elementary import FUNCTIONS
+from chasles.checker.expressions.unevaluated import UNEVALUATED
+from chasles.checker.sparse import ONE, Polynomial, Rejected, number
+
+if TYPE_CHECKING:
+    from chasles.checker.expressions.expressions import Expressions
+
+__all__ = ["CIRCULAR", "READINGS"]
+
+CIRCULAR = {
+    sympy.sin: ("sin", ""), sympy.cos: ("cos", ""), sympy.tan: ("sin", "cos"), sympy.cot: ("cos", "sin"),
+    sympy.sec: ("", "cos"), sympy.csc: ("", "sin"),
+}  # fmt: skip
+"""What each function of an angle has above and below the line: 1, the cosine or the sine."""
+
+
+def _product(reading: Expressions, e: Any) -> Polynomial:
+    total = ONE
+    for factor in e.args:
+        total = reading.normal(total * reading(factor))
+    return total
+
+
+def _power(reading: Expressions, e: Any) -> Polynomial:
+    if not e.exp.is_Rational or e.exp.q & (e.exp.q - 1):
+        return reading.powered(reading(e.base), reading(e.exp))
+    return reading.raised(e.base, Fraction(int(e.exp.p), int(e.exp.q)))
+
+
+def _of_angle(reading: Expressions, e: Any) -> Polynomial:
+    above, below = CIRCULAR[e.func]
+    numerator = reading.circular(above, e.args[0])
+    return numerator * reading.over(reading.circular(below, e.args[0]), f"{below}({e.args[0]})") if below else numerator
+
+
+def _sign(reading: Expressions, e: Any) -> Polynomial:
+    inverse = reading.divide(e.args[0])
+    return reading(e.args[0]) * reading.absolute(reading(e.args[0])) * inverse * inverse
+
+
+def _derivative(reading: Expressions, e: Any) -> Polynomial:
+    total = reading(e.expr)
+    for time in e.variables:
+        total = reading.rate(total, time)
+    return total
+
+
+def _part(reading: Expressions, e: Any) -> Polynomial:
+    """A complex expression that is real."""
+    real, imaginary = parts(reading, e)
+    if imaginary:
+        raise Rejected(f"{e} is not seen to be real")
+    return real
+
+
+def _function(name: str) -> Callable[[Expressions, Any], Polynomial]:
+    return lambda reading, e: FUNCTIONS[name](reading, *map(reading, e.args))
+
+
+READINGS: Mapping[type, Callable[[Expressions, Any], Polynomial]] = {
+    sympy.Rational: lambda reading, e: number(Fraction(int(e.p), int(e.q))),
+    type(sympy.pi): lambda reading, e: reading.half_turn(),
+    sympy.Add: lambda reading, e: reduce(add, map(reading, e.args)),
+    sympy.Mul: _product,
+    sympy.Pow: _power,
+    sympy.Abs: lambda reading, e: size(reading, e.args[0]),
+    sympy.sign: _sign,
+    sympy.Derivative: _derivative,
+    **dict.fromkeys((sympy.conjugate, sympy.re, sympy.im), _part),
+    **dict.fromkeys(CIRCULAR, _of_angle),
+    **{getattr(sympy, name): _function(name) for name in FUNCTIONS},
+    type(sympy.E): lambda reading, e: reading.exp(ONE),
+    **UNEVALUATED,
+}
+"""How each class of expressions is read."""

@@ -1,0 +1,85 @@
+"""What is visibly not negative, or positive: the checker's own short rules."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from chasles.checker.sparse import ZERO, Polynomial, exponents, variable
+
+if TYPE_CHECKING:
+    from chasles.checker.expressions.reading_of_proof import Proven
+
+__all__ = ["is_nonnegative", "is_positive"]
+
+Sign = tuple[int, bool]
+"""1 or -1, and whether it cannot be zero."""
+
+
+def is_nonnegative(reading: Proven, polynomial: Polynomial) -> bool:
+    """Whether a polynomial is visibly not negative: a sum of what is not, a cosine or sine being at least -1."""
+    return _strictly(reading, polynomial) is not None
+
+
+def is_positive(reading: Proven, polynomial: Polynomial) -> bool:
+    """Whether a polynomial is visibly positive."""
+    return _strictly(reading, polynomial) is True
+
+
+def _strictly(reading: Proven, polynomial: Polynomial) -> bool | None:
+    """Whether a polynomial is visibly positive rather than not negative; None where neither is visible."""
+    circular = {place for _, c, s in reading.circles.values() for place in c.places | s.places}
+    groups: dict[int, dict[int, Polynomial]] = {}
+    for monomial, coefficient in polynomial.terms.items():
+        parts = [0, 0, 0]
+        for place, power in exponents(monomial):
+            parts[0 if place in reading.numeric else 1 if place in circular else 2] += power << 8 * place
+        group = groups.setdefault(parts[2], {})
+        group[parts[1]] = group.get(parts[1], ZERO) + Polynomial({parts[0]: coefficient})
+    positive = False
+    for monomial, group in groups.items():
+        sign = _of_product(reading, monomial)
+        least = ZERO if sign is None else _least(reading, group, sign[0])
+        side = reading.sign(least)
+        if sign is None or side < 0:
+            return None
+        positive = positive or (side > 0 and sign[1])
+    return positive
+
+
+def _least(reading: Proven, group: dict[int, Polynomial], orientation: int) -> Polynomial:
+    """The least that a sum of numbers times products of cosines and sines can be, up to the sign given."""
+    total = ZERO
+    for monomial, coefficient in group.items():
+        size = coefficient if orientation > 0 else -coefficient
+        sign = reading.sign(size)
+        square = sign > 0 and all(power % 2 == 0 for _, power in exponents(monomial))
+        if not monomial:
+            total += size
+        elif not square:
+            total += size if sign < 0 else -size
+    return total
+
+
+def _of_product(reading: Proven, monomial: int) -> Sign | None:
+    """The sign of a product of powers."""
+    sign, strict = 1, True
+    for place, power in exponents(monomial):
+        known = _of_variable(reading, place)
+        if known is None and power % 2:
+            return None
+        strict = strict and known is not None and known[1]
+        sign *= known[0] if known is not None and power % 2 else 1
+    return sign, strict
+
+
+def _of_variable(reading: Proven, place: int) -> Sign | None:
+    if place in reading.positive:
+        return 1, True
+    if place in reading.words:
+        return 1, is_positive(reading, reading.squares[place])
+    e = reading.atoms.get(place)
+    if e is None or reading.is_known(variable(place)):
+        return None if e is None else (1, bool(e.is_positive))
+    if e.is_nonnegative:
+        return 1, bool(e.is_positive)
+    return (-1, bool(e.is_negative)) if e.is_nonpositive else None

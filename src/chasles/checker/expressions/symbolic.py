@@ -1,0 +1,81 @@
+"""Expressions as they stand, for the checker: every root is a variable of its own, known by its square."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from fractions import Fraction
+
+import sympy
+
+from chasles.checker.expressions.expressions import Expressions
+from chasles.checker.expressions.reals import Reals
+from chasles.checker.expressions.valuation import Valuation
+from chasles.checker.sparse import Polynomial, Rejected, variable
+
+__all__ = ["Symbolic"]
+
+
+class Symbolic(Expressions):
+    """Reads expressions in variables; what is in numbers only has a value in `reals`."""
+
+    def __init__(self, names: dict[str, str], units: dict[str, Fraction]) -> None:
+        super().__init__(names, units)
+        self.reals = Reals()
+        self._numbers = Valuation(self, self.reals, self._number)
+        self._by_square: dict[frozenset[tuple[int, int]], int] = {}
+
+    def root(self, value: Polynomial) -> Polynomial:
+        """The nonnegative square root, as a variable."""
+        square = self.cleared(value)[0]
+        key = frozenset((*square.terms.items(), (-1, square.below)))
+        if key not in self._by_square:
+            self._by_square[key] = self.fresh("root", square)
+            self.words.add(self._by_square[key])
+        return variable(self._by_square[key])
+
+    def exp(self, value: Polynomial) -> Polynomial:
+        """The exponential, as a variable."""
+        return self._called("exp", value)
+
+    def log(self, value: Polynomial, evident: bool = False) -> Polynomial:
+        """The logarithm, as a variable."""
+        return self._called("log", value)
+
+    def arc(self, y: Polynomial, x: Polynomial) -> Polynomial:
+        """The angle of a point, as a variable."""
+        return self._called("arc", y, x)
+
+    def require_nonnegative(self, value: Polynomial) -> None:
+        """Nothing is known of it."""
+
+    def _called(self, function: str, *arguments: Polynomial) -> Polynomial:
+        arguments = tuple(map(self.normal, arguments))
+        known = (place for place, call in self.calls.items() if call[0] == function and _same(call[1], arguments))
+        place = next(known, None)
+        if place is None:
+            place = self.fresh(f"{function} {len(self.calls) + 1}")
+            self.calls[place] = function, arguments
+        return variable(place)
+
+    def sign(self, value: Polynomial) -> int:
+        """1, 0 or -1, for what is a number."""
+        return self.reals.sign(self._numbers(value))
+
+    def is_near(self, value: Polynomial, other: Fraction, distance: Fraction) -> bool:
+        """Whether a number is known to differ from another by less than a distance."""
+        return self.reals.is_near(self._numbers(value), other, distance)
+
+    def part_of_turn(self, y: Polynomial, x: Polynomial) -> Fraction | None:
+        """The multiple of pi that is the angle of a point, which is of numbers, if it is seen to be one."""
+        with suppress(Rejected):
+            return self.reals.part_of_turn(*map(self._numbers, (y, x)))
+        return None
+
+    def _number(self, place: int) -> Polynomial:
+        if self.atoms.get(place) is sympy.pi:
+            return self.reals.pi
+        raise Rejected(f"{self.names[place]} is no number")
+
+
+def _same(one: tuple[Polynomial, ...], other: tuple[Polynomial, ...]) -> bool:
+    return not any(a - b for a, b in zip(one, other, strict=True))

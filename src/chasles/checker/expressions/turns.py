@@ -1,0 +1,61 @@
+"""Cosines and sines of rational multiples of pi, as numbers: SymPy's are taken after they have been checked."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+import sympy
+
+from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, number
+
+if TYPE_CHECKING:
+    from chasles.checker.expressions.expressions import Expressions
+
+__all__ = ["is_turn", "turned"]
+
+QUARTERS = ((1, 0), (0, 1), (-1, 0), (0, -1))
+"""Cosine and sine of none, one, two and three quarter turns."""
+LARGEST_PART = 60
+PI = Fraction(245850922, 78256779)
+"""It is less than 1e-15 away from pi."""
+TERMS = 20
+
+
+def turned(multiple: Fraction, reading: Expressions) -> tuple[Polynomial, Polynomial]:
+    """Cosine and sine of a multiple of pi; raises `Rejected` where they are not known in square roots."""
+    if (2 * multiple).denominator == 1:
+        cosine, sine = QUARTERS[int(2 * multiple) % 4]
+        return number(cosine), number(sine)
+    angle = sympy.Rational(multiple.numerator, multiple.denominator) * sympy.pi
+    known = sympy.cos(angle), sympy.sin(angle)
+    if any(e.has(sympy.cos, sympy.sin) for e in known) or multiple.denominator > LARGEST_PART:
+        raise Rejected(f"the cosine of {angle} is not known in square roots")
+    cosine_read, sine_read = map(reading, known)
+    if not is_turn(multiple, cosine_read, sine_read, reading):
+        raise Rejected(f"{known[0]} and {known[1]} are not seen to be cosine and sine of {angle}")
+    return cosine_read, sine_read
+
+
+def is_turn(multiple: Fraction, cosine: Polynomial, sine: Polynomial, reading: Expressions) -> bool:
+    """Whether two numbers are cosine and sine of a multiple of pi.
+
+    As a complex number c + i s they are the right root of one, if they are a root and no other is as near.
+    """
+    c, s = ONE, ZERO
+    for _ in range(multiple.denominator):
+        c, s = reading.normal(c * cosine - s * sine), reading.normal(c * sine + s * cosine)
+    if not reading.vanishes(c - number((-1) ** (multiple.numerator % 2))) or not reading.vanishes(s):
+        return False
+    near = Fraction(1, multiple.denominator)
+    values = zip((cosine, sine), _circular(multiple % 2 * PI), strict=True)
+    return all(reading.is_near(value, approximation, near) for value, approximation in values)
+
+
+def _circular(angle: Fraction) -> tuple[Fraction, Fraction]:
+    """Cosine and sine of a number up to 7, from their power series, to six digits."""
+    term, sums = Fraction(1), [Fraction(0)] * 4
+    for count in range(2 * TERMS):
+        sums[count % 4] += term
+        term = (term * angle / (count + 1)).limit_denominator(10**30)
+    return sums[0] - sums[2], sums[1] - sums[3]

@@ -1,0 +1,134 @@
+"""What SymPy leaves unevaluated is read as it is meant: expressions of matrices, determinants, traces, finite sums."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from functools import reduce
+from itertools import chain, product
+from math import comb, factorial
+from operator import add, mul
+from typing import TYPE_CHECKING, Any
+
+import sympy
+from sympy.matrices import MatrixBase, MatrixExpr
+
+from chasles.checker.determinants import Matrix, cofactor, determinant
+from chasles.checker.expressions.algebra import constant
+from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, number
+
+if TYPE_CHECKING:
+    from chasles.checker.expressions.expressions import Expressions
+
+__all__ = ["UNEVALUATED", "matrix_of"]
+
+MOST_TERMS = 1000
+LARGEST_NUMBER = 200
+
+
+def matrix_of(reading: Expressions, e: Any) -> Matrix:
+    """The entries of a matrix; raises `Rejected` for what is none of given size."""
+    match e:
+        case MatrixBase() | sympy.MatrixSymbol() | sympy.Identity() | sympy.ZeroMatrix() | sympy.OneMatrix():
+            return [[reading(e[i, j]) for j in range(e.cols)] for i in range(e.rows)]
+        case sympy.MatAdd():
+            return reduce(_plus, (matrix_of(reading, term) for term in e.args))
+        case sympy.MatMul():
+            return reduce(lambda one, other: _times(reading, one, other), (_factor(reading, part) for part in e.args))
+        case sympy.Transpose() | sympy.Adjoint():
+            return [list(column) for column in zip(*matrix_of(reading, e.arg), strict=True)]
+        case sympy.Inverse():
+            return _inverse(reading, matrix_of(reading, e.arg), f"Determinant({e.arg})")
+        case sympy.MatPow() if e.exp.is_Integer and abs(e.exp) <= LARGEST_NUMBER:
+            base = matrix_of(reading, e.base) if e.exp != 0 else []
+            base = _inverse(reading, base, f"Determinant({e.base})") if e.exp < 0 else base
+            one = [[number(int(i == j)) for j in range(e.cols)] for i in range(e.rows)]
+            return reduce(lambda left, right: _times(reading, left, right), [base] * abs(int(e.exp)), one)
+        case sympy.HadamardProduct():
+            parts = [matrix_of(reading, part) for part in e.args]
+            return [[reduce(mul, entries) for entries in zip(*rows, strict=True)] for rows in zip(*parts, strict=True)]
+        case sympy.BlockMatrix():
+            blocks = [[matrix_of(reading, e.blocks[i, j]) for j in range(e.blocks.cols)] for i in range(e.blocks.rows)]
+            return [list(chain(*parts)) for row in blocks for parts in zip(*row, strict=True)]
+        case sympy.KroneckerProduct():
+            return matrix_of(reading, e.as_explicit())
+    raise Rejected(f"{e} ({type(e).__name__}) is no matrix that is read")
+
+
+def _factor(reading: Expressions, part: Any) -> Matrix:
+    return matrix_of(reading, part) if isinstance(part, MatrixBase | MatrixExpr) else [[reading(part)]]
+
+
+def _plus(one: Matrix, other: Matrix) -> Matrix:
+    return [[a + b for a, b in zip(row, line, strict=True)] for row, line in zip(one, other, strict=True)]
+
+
+def _times(reading: Expressions, one: Matrix, other: Matrix) -> Matrix:
+    """The product; a scalar multiplies every entry."""
+    for scalar, matrix in ((one, other), (other, one)):
+        if len(scalar) == len(scalar[0]) == 1:
+            return [[reading.normal(scalar[0][0] * entry) for entry in row] for row in matrix]
+    columns = list(zip(*other, strict=True))
+    return [[reading.normal(reduce(add, map(mul, row, column))) for column in columns] for row in one]
+
+
+def _inverse(reading: Expressions, matrix: Matrix, spelled: str) -> Matrix:
+    """The adjugate over the determinant."""
+    below = reading.over(reading.normal(determinant(matrix)), spelled)
+    size = range(len(matrix))
+    return [[reading.normal(cofactor(matrix, j, i) * below) for j in size] for i in size]
+
+
+def _running(e: Any) -> Iterator[Mapping[Any, Any]]:
+    """The values of the indices of a sum, one after the other."""
+    limits = [(index, low, high) for index, low, high in e.limits]
+    if not all(low.is_Integer and high.is_Integer and high - low >= -1 for _, low, high in limits):
+        raise Rejected(f"{e} has limits that are no numbers")
+    ranges = [range(int(low), int(high) + 1) for _, low, high in limits]
+    if reduce(mul, map(len, ranges), 1) > MOST_TERMS:
+        raise Rejected(f"{e} has more than {MOST_TERMS} terms")
+    for values in product(*ranges):
+        yield {index: sympy.Integer(value) for (index, _, _), value in zip(limits, values, strict=True)}
+
+
+def _repeated(reading: Expressions, e: Any, combine: Callable[[Any, Any], Any], empty: Polynomial) -> Polynomial:
+    terms = (reading(e.function.xreplace(dict(values))) for values in _running(e))
+    return reduce(lambda one, other: reading.normal(combine(one, other)), terms, empty)
+
+
+def _counted(reading: Expressions, e: Any, function: Callable[..., int]) -> Polynomial:
+    """A factorial or binomial coefficient of small natural numbers."""
+    numbers = [constant(reading(part)) for part in e.args]
+    whole = [int(n) for n in numbers if n is not None and n.denominator == 1 and 0 <= n <= LARGEST_NUMBER]
+    if len(whole) < len(numbers):
+        raise Rejected(f"{e} is not of small natural numbers")
+    return number(function(*whole))
+
+
+def _element(reading: Expressions, e: Any) -> Polynomial:
+    matrix, i, j = e.args
+    if not (i.is_Integer and j.is_Integer):
+        raise Rejected(f"{e} has indices that are no numbers")
+    return matrix_of(reading, matrix)[int(i)][int(j)]
+
+
+def _trace(reading: Expressions, e: Any) -> Polynomial:
+    """The sum of the entries on the diagonal; no other entry of a sum, or of a single matrix, is read."""
+    match e:
+        case sympy.MatAdd():
+            return reduce(add, (_trace(reading, term) for term in e.args))
+        case sympy.Transpose():
+            return _trace(reading, e.arg)
+        case MatrixBase() | sympy.MatrixSymbol():
+            return reduce(add, (reading(e[i, i]) for i in range(e.rows)))
+    return reduce(add, (row[i] for i, row in enumerate(matrix_of(reading, e))))
+
+
+UNEVALUATED: Mapping[type, Callable[[Expressions, Any], Polynomial]] = {
+    sympy.matrices.expressions.matexpr.MatrixElement: _element,
+    sympy.Determinant: lambda reading, e: reading.normal(determinant(matrix_of(reading, e.arg))),
+    sympy.Trace: lambda reading, e: _trace(reading, e.arg),
+    sympy.Sum: lambda reading, e: _repeated(reading, e, add, ZERO),
+    sympy.Product: lambda reading, e: _repeated(reading, e, mul, ONE),
+    sympy.factorial: lambda reading, e: _counted(reading, e, factorial),
+    sympy.binomial: lambda reading, e: _counted(reading, e, comb),
+}

@@ -1,0 +1,211 @@
+"""Does a counterexample refute? It is evaluated again, exactly, by the checker's own arithmetic, at the point it shows.
+
+What it leaves out must follow from it: a norm from its vector, anything else from linear equations. Where there is a
+choice, the simplest is made; no other value is looked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from math import isqrt
+from typing import Protocol
+
+from chasles.checker.motion import require_motion
+from chasles.checker.reading import Reading
+from chasles.checker.sparse import ZERO, Polynomial, Rejected, cleared, product
+from chasles.checker.witness import Point, point_of, require, value_at
+from chasles.statements import Goal, Problem
+from chasles.vocabulary import Node
+
+__all__ = ["Shown", "check_counterexample"]
+
+Value = Mapping[int, Fraction]
+SIMPLEST = {
+    **dict.fromkeys(("unit", "direction", "unit column", "positive"), (1,)),
+    **dict.fromkeys(("rotation", "orthonormal", "definite"), (1, 0, 0, 0, 1, 0, 0, 0, 1)),
+    "half_turn": (1, 0, 0, 0, -1, 0, 0, 0, -1),
+}
+"""Entries of the subjects of a hypothesis, zeros behind them, where a counterexample leaves all of them out."""
+
+
+class Shown(Protocol):
+    """A point by name, row and column counted from one, the two sides there as text, and the equation's label."""
+
+    @property
+    def at(self) -> Mapping[str, Fraction]: ...
+    @property
+    def entry(self) -> tuple[int, int]: ...
+    @property
+    def left(self) -> str: ...
+    @property
+    def right(self) -> str: ...
+    @property
+    def goal(self) -> str: ...
+
+
+def check_counterexample(problem: Problem, shown: Shown) -> None:
+    """The point satisfies every hypothesis and condition, and there the entry's two sides differ and are as shown.
+
+    Raises `Rejected` with the reason if not.
+    """
+    try:
+        reasons = list(_objections(problem, shown))
+    except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError) as error:
+        raise Rejected(f"the counterexample is malformed: {type(error).__name__}: {error}") from error
+    if all(reasons):
+        raise Rejected(reasons[0] if reasons else f"no equation of the statement is called {shown.goal!r}")
+
+
+def _objections(problem: Problem, shown: Shown) -> Iterator[str]:
+    """Why the counterexample does not refute each of the equations with that label."""
+    reading = Reading(problem, shown.at)
+    units = [(what[1], what[2]) for what in reading.variables if what[0] == "cos"]
+    if len({symbol for symbol, _ in units}) < len(units):
+        raise Rejected("the point does not say by which fraction of an angle its cosine and sine are measured")
+    for goal in problem.goals:
+        if goal.label == shown.goal:
+            yield _objection(reading, goal, shown)
+
+
+def _objection(reading: Reading, goal: Goal, shown: Shown) -> str:
+    """Why the counterexample does not refute this equation; empty if it does."""
+    row, column = shown.entry
+    rows, columns = goal.left.shape
+    if not (1 <= row <= rows and 1 <= column <= columns):
+        return f"the equation has no entry {row}, {column}"
+    sides = [reading(side)[row - 1][column - 1] for side in (goal.left, goal.right)]
+    relevant = _bound(reading, sides[0].places | sides[1].places)
+    try:
+        point = _completed(reading, shown.at, relevant)
+        require(reading, point, relevant)
+        require_motion(reading, point)
+        left, right = (_quotient(reading, side, point) for side in sides)
+    except Rejected as error:
+        return str(error)
+    if left == right:
+        return f"both sides are {_text(reading, left, point, shown.at)} at the point"
+    texts = (_text(reading, left, point, shown.at), _text(reading, right, point, shown.at))
+    if texts != (shown.left, shown.right):
+        return f"the sides are {texts[0]} and {texts[1]} at the point, not {shown.left} and {shown.right}"
+    return ""
+
+
+def _bound(reading: Reading, places: set[int]) -> set[int]:
+    """The variables in these places, and all those of which anything is assumed."""
+    assumed = (*reading.vanishing.values(), *reading.atoms, *(positive for _, positive in reading.positive))
+    return {place for place in places.union(*(p.places for p in assumed)) if place >= len(reading.atoms)}
+
+
+def _completed(reading: Reading, at: Mapping[str, Fraction], relevant: set[int]) -> Point:
+    """The point, with values for what it leaves out."""
+    angles = {reading.places[what[1].name]: what[1].name for what in reading.variables if what[0] == "cos"}
+    # An angle is shown only where pi measures it.
+    pi = {"pi": 1} if reading.places.get("pi") in relevant or not at.keys().isdisjoint(angles.values()) else {}
+    point = point_of(reading, {name: Fraction(value) for name, value in at.items()} | pi)
+    _angle(reading, point, angles.keys() & (relevant | point.keys()))
+    _choose(reading, point, relevant)
+    _norms(reading, point, relevant)
+    unknown = sorted(relevant - point.keys() - angles.keys())
+    entries = [place for place in unknown if reading.variables[place][0] == "entry"]
+    determined = [place for place in entries if reading.variables[place][1] in reading.problem.unknowns]
+    _linear(reading, point, [place for place in determined if not reading.variables[place][2]], whole=False)
+    _linear(reading, point, [place for place in entries if place not in point])
+    _norms(reading, point, relevant)
+    return point
+
+
+def _angle(reading: Reading, point: Point, angles: set[int]) -> None:
+    """The only angle that occurs beside its own cosine and sine may be left out: it is transcendental."""
+    if len(angles) == 1 and reading.places.get("pi") not in point and not angles & point.keys():
+        point[angles.pop()] = Fraction(1), 1
+
+
+def _choose(reading: Reading, point: Point, relevant: set[int]) -> None:
+    """What is left out altogether is as simple as its hypothesis, or its norm, allows."""
+    wanted: list[tuple[tuple[Node, ...], tuple[int | Fraction, ...]]]
+    wanted = [(h.subjects, SIMPLEST[h.kind]) for h in reading.problem.hypotheses if h.kind in SIMPLEST]
+    for place, (kind, *what) in enumerate(reading.variables):
+        if kind == "norm" and place in point:
+            wanted.append(((what[0],), (point[place][0], *[0] * (what[0].shape[0] - 1))))
+        elif kind == "cos" and point.keys().isdisjoint((reading.places.get(what[0].name), place, place + 1)):
+            point |= {place: (Fraction(1), 0), place + 1: (Fraction(0), 0)}
+    for subjects, numbers in wanted:
+        entries = [entry for subject in subjects for row in reading(subject) for entry in row]
+        places = [place for entry in entries for place in entry.places]
+        if len(places) >= len(numbers) and relevant.issuperset(places) and point.keys().isdisjoint(places):
+            known = [(Fraction(number), 0) for number in (*numbers, *[0] * len(places))]
+            point.update(zip(places, known, strict=False))
+
+
+def _norms(reading: Reading, point: Point, relevant: set[int]) -> None:
+    """A norm that is left out is the square root, where that is rational."""
+    for place in sorted(relevant - point.keys()):
+        kind, of, *_ = reading.variables[place]
+        entries = [entry for (entry,) in reading(of)] if kind == "norm" else []
+        if entries and all(entry.places <= point.keys() for entry in entries):
+            numbers = [number for entry in entries for number in _quotient(reading, entry, point).values()]
+            root = _root(sum((number * number for number in numbers), Fraction(0)))
+            if root is not None:
+                point[place] = root, 0
+
+
+def _linear(reading: Reading, point: Point, missing: list[int], whole: bool = True) -> None:
+    """What is left out and occurs linearly in what vanishes is solved for; on the `whole`, what that leaves is zero."""
+    rows: list[list[Fraction]] = []
+    zeros = point | {place: (Fraction(0), 0) for place in missing}
+    for polynomial in reading.vanishing.values():
+        partials = polynomial.partials()
+        slopes = [partials.get(place, ZERO) for place in missing]
+        if polynomial.places <= zeros.keys() and not any(slope.places & {*missing} for slope in slopes):
+            values = [value_at(part, zeros) for part in (*slopes, -polynomial)]
+            if all(value.keys() <= {0} for value in values):
+                rows.append([value.get(0, Fraction(0)) for value in values])
+    found = _solution(rows, len(missing))
+    for column, place in enumerate(missing):
+        if whole or column in found:
+            point[place] = found.get(column, Fraction(0)), 0
+
+
+def _solution(rows: list[list[Fraction]], size: int) -> dict[int, Fraction]:
+    """Values that satisfy the equations, by elimination, if any do; zero is meant where there is a choice."""
+    pivots: list[int] = []
+    for column in range(size):
+        done = len(pivots)
+        pivot = next((row for row in range(done, len(rows)) if rows[row][column]), None)
+        if pivot is not None:
+            rows[done], rows[pivot] = rows[pivot], rows[done]
+            rows[done] = [x / rows[done][column] for x in rows[done]]
+            for row in {*range(len(rows))} - {done}:
+                rows[row] = [x - rows[row][column] * y for x, y in zip(rows[row], rows[done], strict=True)]
+            pivots.append(column)
+    return {column: row[-1] for column, row in zip(pivots, rows, strict=False)}
+
+
+def _root(square: Fraction) -> Fraction | None:
+    if square < 0:
+        return None
+    root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
+    return root if root * root == square else None
+
+
+def _quotient(reading: Reading, polynomial: Polynomial, point: Point) -> Value:
+    """The value of an expression, its inverses of atoms evaluated too."""
+    numerator, powers = cleared(polynomial, reading.atoms)
+    below = value_at(product(reading.atoms, powers), point)
+    if len(below) != 1:
+        raise Rejected("what is divided by is zero at the point, or a sum in a transcendental number")
+    ((shift, divisor),) = below.items()
+    return {power - shift: value / divisor for power, value in value_at(numerator, point).items()}
+
+
+def _text(reading: Reading, value: Value, point: Point, at: Mapping[str, Fraction]) -> str:
+    """The value as 1/2, 2 pi, 1 - 3/4 phi."""
+    bare = [reading.variables[place][1].name for place, (_, power) in point.items() if power]
+    name = bare[0] if len(bare) == 1 and bare[0] not in at else "pi"
+    text = ""
+    for power, number in sorted(value.items()):
+        unit = name if power == 1 else f"{name}^{power}"
+        size = str(abs(number)) if not power else unit if abs(number) == 1 else f"{abs(number)} {unit}"
+        text += f" {'-' if number < 0 else '+'} {size}" if text else f"{'-' * (number < 0)}{size}"
+    return text or "0"

@@ -1,0 +1,1 @@
+"""Decisions on all statements of a chapter, kept, recalled and checked again."""

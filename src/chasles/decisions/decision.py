@@ -1,0 +1,157 @@
+"""What was decided of a sentence: the verdict on the print, and what stands in where the print does not."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from chasles.display import Displayed
+from chasles.repairs.repair import Repair
+from chasles.several import Several
+from chasles.statements import Inverse, Statement, Theorem
+from chasles.statements.problem import default_sides
+from chasles.statements.statement import Equation
+from chasles.verdict import (
+    Assumed,
+    Contradictory,
+    Defined,
+    Fails,
+    Holds,
+    HoldsUnder,
+    IllFormed,
+    Posed,
+    Undecided,
+    Verdict,
+)
+
+__all__ = ["HOW", "Certificate", "Correction", "Decision", "Decisions", "DoesNotStand", "Sentence", "Used", "key_of"]
+
+Sentence = Statement | Theorem | Inverse
+HOW = {"printed": "as printed", "reading": "as read", "repair": "as repaired", "corrected": "as corrected"}
+"""A form of a statement in words."""
+
+
+class DoesNotStand(TypeError):
+    """Something rests on a sentence of which no form is known to be true."""
+
+
+class Certificate(dict[str, Any], Displayed):
+    """Plain data by which `chasles.checker.certificate` derives a statement again."""
+
+    __slots__ = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Correction:
+    """What stands in for a print that does not: its form, its sides and the verdict on it.
+
+    The form is "reading", "repair" or "corrected". `repairs` are all that the search found, the nearest first;
+    `others` are the other forms that are declared.
+    """
+
+    form: str
+    sides: Equation
+    verdict: Verdict
+    repairs: tuple[Repair, ...] = ()
+    others: tuple[Correction, ...] = ()
+
+    @property
+    def found(self) -> str:
+        """Who found it: "repair" if the search did, else "declared"."""
+        return "repair" if any((r.left, r.right) == self.sides for r in self.repairs) else "declared"
+
+
+@dataclass(frozen=True, slots=True)
+class Used:
+    """The form in which a statement was used, and its sides in that form."""
+
+    form: str
+    sides: Equation
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Decision(Displayed):
+    """The verdict on a sentence as printed, what stands in for it, and how long it took.
+
+    `given` says how each statement was used on whose sides it rests, by number and part: "3.96a/1".
+    """
+
+    statement: Sentence
+    verdict: Verdict
+    correction: Correction | None = None
+    given: dict[str, Used] = field(default_factory=dict)
+    milliseconds: float = 0.0
+
+    def __repr__(self) -> str:
+        needs = " " * bool(self.needs) + ", ".join(self.needs)
+        return f"<decision on {key_of(self.statement)}: {self.verdict.name}{needs}>"
+
+    @property
+    def needs(self) -> tuple[str, ...]:
+        """The hypotheses under which it holds as printed."""
+        return tuple(getattr(self.verdict, "needs", ()))
+
+    @property
+    def stands(self) -> bool:
+        """Whether the sentence is true as printed, or something stands in for it."""
+        return self.verdict.true or (self.correction is not None and self.correction.verdict.true)
+
+    @property
+    def sides(self) -> Equation:
+        """The sides of what stands; as printed if nothing does. Only of an equation."""
+        assert isinstance(self.statement, Statement)
+        if self.verdict.true or self.correction is None or not self.correction.verdict.true:
+            return self.statement.printed
+        return self.correction.sides
+
+    @property
+    def repaired(self) -> Sentence:
+        """The sentence as it would be printed if it said what stands."""
+        if self.verdict.true or not isinstance(self.statement, Statement):
+            return self.statement
+        return self.statement.saying(*self.sides)
+
+    @property
+    def certificate(self) -> Certificate | None:
+        """The certificate of the form that stands, if one was made."""
+        verdict = self.correction.verdict if self.correction and not self.verdict.true else self.verdict
+        found = getattr(verdict, "certificate", None) if verdict.true else None
+        return None if found is None else Certificate(found)
+
+    def standing(self, given: Statement) -> Equation:
+        """The sides with which the decision used a given statement."""
+        used = self.given.get(key_of(given))
+        return default_sides(given) if used is None else used.sides
+
+
+class Decisions(Several[Decision]):
+    """The decisions on what has one number, part by part."""
+
+    __slots__ = ()
+
+    @property
+    def verdict(self) -> Verdict:
+        """The verdict on the part that is least certain: one that does not stand as printed, else one with needs."""
+        return min((decision.verdict for decision in self), key=_certainty)
+
+    @property
+    def needs(self) -> tuple[str, ...]:
+        """The hypotheses under which the parts hold."""
+        return tuple(dict.fromkeys(need for decision in self for need in decision.needs))
+
+    @property
+    def stands(self) -> bool:
+        """Whether every part is true as printed, or something stands in for it."""
+        return all(decision.stands for decision in self)
+
+
+_LEAST_CERTAIN_FIRST = (IllFormed, Fails, Contradictory, Undecided, HoldsUnder, Holds, Posed, Assumed, Defined)
+
+
+def _certainty(verdict: Verdict) -> int:
+    return _LEAST_CERTAIN_FIRST.index(type(verdict))
+
+
+def key_of(statement: Sentence) -> str:
+    """The number and the part: "3.96a/1"."""
+    return f"{statement.number}/{statement.part}"

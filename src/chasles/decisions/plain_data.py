@@ -1,0 +1,70 @@
+"""Verdicts and repairs as plain data that JSON can hold, and back.
+
+Each class stands by its name with what its fields hold, in order; nothing but the classes listed here is ever made.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import fields, is_dataclass
+from fractions import Fraction
+from typing import Any
+
+from chasles import vocabulary
+from chasles.algebra.values import InPi
+from chasles.repairs.repair import Repair
+from chasles.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed
+from chasles.vocabulary.dimension import Dimension
+from chasles.vocabulary.families import Family, Index
+from chasles.vocabulary.measure import Measure
+
+__all__ = ["from_data", "to_data"]
+
+VERDICTS = (Holds, HoldsUnder, Fails, IllFormed, Contradictory, Posed, Counterexample, Repair)
+NODES = tuple(
+    each for each in vars(vocabulary).values() if isinstance(each, type) and issubclass(each, vocabulary.Node)
+)
+WORDS = (Dimension, Measure, Family, Index, *NODES)
+CLASSES: dict[str, type] = {each.__name__: each for each in (*VERDICTS, *WORDS)}
+IN_PI = " pi"
+"""Behind a coordinate of a point that pi measures."""
+VERBATIM = ("certificate",)
+"""Fields that hold plain data already."""
+
+
+def to_data(value: Any) -> Any:
+    """The value as lists, strings and numbers; raises TypeError for what is not among the classes listed here."""
+    match value:
+        case None | bool() | int() | str():
+            return value
+        case Fraction():
+            return ["Fraction", str(value)]
+        case tuple():
+            return ["tuple", *map(to_data, value)]
+        case Mapping():
+            return {key: f"{Fraction(held)}{IN_PI * isinstance(held, InPi)}" for key, held in value.items()}
+        case _ if is_dataclass(value) and CLASSES.get(type(value).__name__) is type(value):
+            held = ((each.name, getattr(value, each.name)) for each in fields(value))
+            return [type(value).__name__, *(one if name in VERBATIM else to_data(one) for name, one in held)]
+        case _:
+            raise TypeError(f"{type(value).__name__} is not kept as plain data")
+
+
+def from_data(data: Any) -> Any:
+    """The value that `to_data` made this of; raises ValueError for anything else."""
+    match data:
+        case None | bool() | int() | str():
+            return data
+        case ["Fraction", str() as text]:
+            return Fraction(text)
+        case ["tuple", *parts]:
+            return tuple(map(from_data, parts))
+        case dict():
+            return {key: (InPi if IN_PI in held else Fraction)(held.removesuffix(IN_PI)) for key, held in data.items()}
+        case [str() as name, *held] if name in CLASSES:
+            made = CLASSES[name]
+            assert is_dataclass(made)
+            named = zip(fields(made), held, strict=True)
+            return made(*(one if each.name in VERBATIM else from_data(one) for each, one in named))
+        case _:
+            raise ValueError(f"no verdict and no repair: {data!r:.60}")

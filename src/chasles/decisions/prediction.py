@@ -1,0 +1,85 @@
+"""Many statements at once: what can be decided without waiting for another verdict is decided over processes first.
+
+Only the memory of the judge is filled: what it decides afterwards, one by one, is the same as without.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from time import perf_counter
+
+from chasles.decisions.decision import Sentence
+from chasles.decisions.kept_answers import verdict_stands
+from chasles.decisions.memory import Memory
+from chasles.decisions.processes import spread
+from chasles.decisions.session import Judge
+from chasles.repairs.repair import Repair
+from chasles.statements import Claim, Condition, Hypothesis, Inverse, Problem, Statement, Theorem, problem_of
+from chasles.statements.inversion import problems_of_inverse
+from chasles.verdict import Fails
+from chasles.vocabulary import Misfit
+
+__all__ = ["foresee"]
+
+Question = tuple[Problem, tuple[Hypothesis, ...]]
+A_VERDICT, A_REPAIR, A_CHECK = 0.004, 0.06, 0.002
+"""About how many seconds each takes."""
+
+
+def foresee(judge: Judge, sentences: Iterable[Sentence]) -> None:
+    """Let the judge remember the verdicts on these sentences, and the repairs of those that do not stand."""
+    memory = judge.memory
+    asked = {s: {memory.key_of_verdict(*question): question for question in _questions(s)} for s in sentences}
+    questions = {key: question for of_sentence in asked.values() for key, question in of_sentence.items()}
+    _check(memory, questions)
+    left = [key for key in questions if not memory.knows(key)]
+    verdicts = spread(lambda key: judge.verdict_on(*questions[key]), left, A_VERDICT)
+    for key, verdict in zip(left, verdicts, strict=True):
+        memory.remember(key, verdict)
+    if not judge.searches:
+        return
+
+    def repairs_of(statement: Statement) -> tuple[str, tuple[Repair, ...] | None] | None:
+        """Their key, and the repairs unless they were kept from another time."""
+        try:
+            key, found = judge.search(statement)
+        except TypeError:
+            return None
+        return key, None if memory.has_accepted(key) else found
+
+    wrong = [
+        sentence
+        for sentence, keys in asked.items()
+        if isinstance(sentence, Statement)
+        and (sentence.fault or any(isinstance(memory.recalled(key), Fails) for key in keys))
+    ]
+    for key, repairs in filter(None, spread(repairs_of, wrong, A_REPAIR)):
+        if repairs is None:
+            memory.settle(key, True)
+        else:
+            memory.settle(key, False)
+            memory.remember(key, repairs)
+
+
+def _check(memory: Memory, questions: Mapping[str, Question]) -> None:
+    """Let the verdicts that are kept from another time be checked."""
+    started = perf_counter()
+    kept = [key for key in questions if not memory.knows(key) and memory.kept(key) is not None]
+    stand = spread(lambda key: verdict_stands(questions[key][0], memory.kept(key)), kept, A_CHECK)
+    for key, stands in zip(kept, stand, strict=True):
+        memory.settle(key, stands)
+    memory.seconds += perf_counter() - started
+
+
+def _questions(sentence: Sentence) -> Iterator[Question]:
+    """What is decided of a sentence, if all that is given to it stands as declared."""
+    try:
+        match sentence:
+            case Inverse():
+                yield from ((problem, ()) for _, problem in problems_of_inverse(sentence))
+            case Claim() | Theorem():
+                yield problem_of(sentence), sentence.assuming
+            case Condition() if not sentence.on or sentence.solution is not None:
+                yield problem_of(sentence), sentence.assuming
+    except (Misfit, TypeError):
+        return

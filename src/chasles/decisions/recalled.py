@@ -1,0 +1,88 @@
+"""What is known before anything is decided: what the chapter brings along, and what earlier runs found.
+
+Verdicts are kept from one run to the next in a file for this version of the engine, written whole or not at all.
+
+CHASLES_CACHE names another folder; empty, it turns the cache off. Nothing in the file is believed: what comes from it
+is checked again like everything else.
+"""
+
+from __future__ import annotations
+
+import json
+from contextlib import suppress
+from hashlib import sha256
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import Any
+
+from chasles import cache
+from chasles.decisions.memory import Memory
+from chasles.decisions.session import Judge
+from chasles.decisions.shipped import shipped
+from chasles.statements import Chapter
+
+__all__ = ["forget", "judge_of", "retained"]
+
+ENGINE = (
+    *("vocabulary", "statements", "rewriting", "algebra", "checker", "problems", "points", "prover"),
+    *("repairs", "decisions", "deriving"),
+)
+"""The packages on which a verdict depends."""
+LIBRARIES = ("sympy", "python-flint")
+MOST = 4096
+"""Answers that are kept: some ten books of this size."""
+
+
+def judge_of(book: Chapter, anew: bool = False) -> Judge:
+    """A judge who knows what the chapter brings, and what was decided in earlier runs; nothing where all is `anew`."""
+    return Judge(book=book, memory=None if anew else Memory(_recalled(), shipped(book.package)))
+
+
+def _recalled() -> dict[str, Any]:
+    """What was decided in earlier runs by this engine; nothing where nothing can be read."""
+    path = _path()
+    kept: Any = {}
+    if path is not None:
+        with suppress(OSError, ValueError):
+            kept = json.loads(path.read_text(encoding="utf-8"))
+    return kept if isinstance(kept, dict) else {}
+
+
+def retained(memory: Memory) -> None:
+    """Keep what was decided for the next run. A cache that cannot be written is none: nothing is said."""
+    path = _path()
+    if path is None or not memory.has_learned:
+        return
+    with suppress(OSError):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        cache.keep(path, json.dumps(memory.as_data(MOST), separators=(",", ":")).encode())
+        for other in path.parent.glob("verdicts-*.json"):
+            if other != path:
+                other.unlink()
+
+
+def forget() -> None:
+    """Remove what is kept."""
+    path = _path()
+    if path is not None:
+        path.unlink(missing_ok=True)
+
+
+def _path() -> Path | None:
+    """The file of this engine; None where nothing is to be kept."""
+    folder = cache.folder()
+    return None if folder is None else folder / f"verdicts-{_engine()[:16]}.json"
+
+
+def _engine() -> str:
+    """The hash of the engine: its source, and the libraries that it computes with."""
+    found = sha256()
+    root = Path(__file__).parents[1]
+    for package in ENGINE:
+        for source in sorted((root / package).rglob("*.py")):
+            found.update(source.relative_to(root).as_posix().encode())
+            found.update(source.read_bytes())
+    for library in LIBRARIES:
+        with suppress(PackageNotFoundError):
+            found.update(f"{library} {version(library)}".encode())
+    return found.hexdigest()

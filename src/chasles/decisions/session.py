@@ -1,0 +1,198 @@
+"""Every sentence of the book gets its verdict here, and beside a printed slip the verdict on what stands in for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace as with_fields
+from functools import cached_property, partial
+from time import perf_counter
+from typing import Any
+
+from chasles.decisions.decision import Correction, Decision, DoesNotStand, Sentence, Used, key_of
+from chasles.decisions.kept_answers import repairs_stand, verdict_stands
+from chasles.decisions.memory import Memory
+from chasles.prover.decide import BUDGET, decide_problem, determining, pose
+from chasles.repairs.repair import Repair, repair
+from chasles.statements import (
+    Chapter,
+    Claim,
+    Condition,
+    Definition,
+    Entry,
+    Hypothesis,
+    Inverse,
+    Postulate,
+    Problem,
+    Statement,
+    Theorem,
+    problem_of,
+)
+from chasles.statements.inversion import problems_of_inverse
+from chasles.statements.problem import default_form, default_sides
+from chasles.statements.statement import Equation
+from chasles.verdict import Assumed, Defined, Holds, HoldsUnder, IllFormed, Undecided, Verdict
+from chasles.vocabulary import Misfit
+
+__all__ = ["Correction", "Decision", "Judge", "Used"]
+
+
+class Judge:
+    """Decides sentences, each once; a given claim that fails is used in the form that stands in for it.
+
+    With `book`, or what loads it, what does not stand as printed is repaired: what the book says about a symbol tells
+    which freedom it has, and claims that rest on a definition tell what it is. What is in `memory` is not decided
+    again; what it has from another time is checked.
+    """
+
+    def __init__(
+        self, budget: float = BUDGET, book: Chapter | Callable[[], Chapter] | None = None, memory: Memory | None = None
+    ) -> None:
+        self.budget = budget
+        self.memory = memory or Memory()
+        self._decisions: dict[int, Decision] = {}
+        self.searches = book is not None
+        self._given_book = book
+
+    @cached_property
+    def _book(self) -> tuple[Statement, ...]:
+        book = self._given_book() if callable(self._given_book) else self._given_book
+        return tuple(entry.statement for entry in book or () if isinstance(entry.statement, Statement))
+
+    @cached_property
+    def _place(self) -> dict[int, int]:
+        return {id(statement): k for k, statement in enumerate(self._book)}
+
+    def decide_all(self, entries: Iterable[Entry]) -> Iterator[tuple[Entry, Decision]]:
+        """The decisions, one at a time, in the order of the entries."""
+        for entry in entries:
+            yield entry, self.decide(entry.statement)
+
+    def decide(self, sentence: Sentence) -> Decision:
+        """The decision on one sentence; those on which it rests are decided first where that matters."""
+        known = self._decisions.get(id(sentence))
+        if known is None:
+            known = self._decisions[id(sentence)] = self._decide(sentence)
+        return known
+
+    def standing(self, statement: Statement) -> Equation:
+        """The sides with which a given statement is used; raises DoesNotStand."""
+        return self._used(statement).sides
+
+    def _used(self, statement: Statement) -> Used:
+        """The form in which a given statement is used: printed, unless that fails and another form stands in."""
+        if not isinstance(statement, Claim):
+            return Used(default_form(statement), default_sides(statement))
+        decision = self.decide(statement)
+        if decision.verdict.true:
+            return Used("printed", statement.printed)
+        if decision.correction is not None and decision.correction.verdict.true:
+            return Used(decision.correction.form, decision.correction.sides)
+        raise DoesNotStand(
+            f"it rests on ({statement.number}), which does not stand: its verdict is '{decision.verdict.name}'"
+        )
+
+    def _decide(self, sentence: Sentence) -> Decision:
+        started = perf_counter()
+        try:
+            relied_on = sentence.given if isinstance(sentence, Theorem) else sentence.relied_on
+            given = {key_of(statement): self._used(statement) for statement in relied_on}
+        except TypeError as error:
+            if not isinstance(sentence, Definition):
+                return Decision(sentence, Undecided(str(error)), milliseconds=(perf_counter() - started) * 1000)
+            given = {}
+        verdict = self._inverse(sentence) if isinstance(sentence, Inverse) else self._form(sentence)
+        correction = None
+        if not verdict.true and isinstance(sentence, Statement):
+            correction = self._correction(sentence)
+        return Decision(sentence, verdict, correction, given, (perf_counter() - started) * 1000)
+
+    def _correction(self, sentence: Statement) -> Correction | None:
+        """The reading if it is true, else the nearest repair, else what is declared, true or not."""
+        repairs = self._repairs(sentence)
+        forms = [Correction("repair", (r.left, r.right), r.verdict) for r in repairs[:1]]
+        for place, form in ((0, "reading"), (len(forms) + 1, "corrected")):
+            if sentence.form_exists(form):
+                sides = sentence.form(form)
+                forms.insert(place, Correction(form, sides, self._form(sentence.saying(*sides))))
+        if not forms:
+            return None
+        stands = next((each for each in forms if each.verdict.true), forms[-1])
+        declared = tuple(each for each in forms if each is not stands and each.form != "repair")
+        return with_fields(stands, repairs=repairs, others=declared)
+
+    def _repairs(self, sentence: Statement) -> tuple[Repair, ...]:
+        """What the search finds, if there is a book to search."""
+        return self.search(sentence)[1] if self.searches else ()
+
+    def search(self, sentence: Statement) -> tuple[str, tuple[Repair, ...]]:
+        """The repairs of a statement, and the key by which they are remembered.
+
+        A claim is repaired by what comes before it, so that it never waits for itself. Raises DoesNotStand for what
+        it rests on.
+        """
+        before = self._book[: None if isinstance(sentence, Definition) else self._place.get(id(sentence))]
+        used = [self.standing(given) for given in sentence.relied_on]
+        key = self.memory.key_of_repairs(sentence, used, before)
+
+        def stand(repairs: Any) -> bool:
+            return repairs_stand(sentence, repairs, self.standing, before, self.verdict_on)
+
+        return key, self.memory.answer(key, stand, lambda: repair(sentence, self.standing, beside=before))
+
+    def verdict_on(self, problem: Problem, own: tuple[Hypothesis, ...] = ()) -> Verdict:
+        """The verdict on a problem; `own` are the hypotheses whose use it reports."""
+        key = self.memory.key_of_verdict(problem, own)
+        stands = partial(verdict_stands, problem)
+        found: Verdict = self.memory.answer(key, stands, lambda: decide_problem(problem, own, self.budget))
+        return found
+
+    def _form(self, sentence: Statement | Theorem) -> Verdict:
+        """The verdict on a sentence as printed."""
+        try:
+            standing = default_sides if isinstance(sentence, Definition) else self.standing
+            problem = problem_of(sentence, "printed", standing)
+        except Misfit as misfit:
+            return IllFormed(str(misfit))
+        except TypeError as error:
+            return Undecided(str(error))
+        match sentence:
+            case Definition():
+                return Defined()
+            case Postulate():
+                return Assumed()
+            case Condition():
+                return self._posed(sentence, problem)
+            case _:
+                return self.verdict_on(problem, sentence.assuming)
+
+    def _posed(self, sentence: Condition, problem: Problem) -> Verdict:
+        """A condition is posed if a point satisfies it.
+
+        One that determines its symbols does so by its own equations; one that says no more than its named hypotheses,
+        or gives its solution, must first be decided to follow.
+        """
+        if sentence.on and sentence.solution is None:
+            return pose(determining(problem, sentence.on))
+        verdict = self.verdict_on(problem, sentence.assuming)
+        return pose(problem) if verdict.true else verdict
+
+    def _inverse(self, sentence: Inverse) -> Verdict:
+        """An inverse holds if each of its branches does and they cover the domain."""
+        needs: dict[str, None] = {}
+        certificates: dict[str, Any] = {}
+        verdict: Verdict | None = None
+        try:
+            problems = list(problems_of_inverse(sentence, self.standing))
+        except Misfit as misfit:
+            return IllFormed(str(misfit))
+        except TypeError as error:
+            return Undecided(str(error))
+        for says, problem in problems:
+            verdict = self.verdict_on(problem)
+            if not isinstance(verdict, Holds | HoldsUnder):
+                return verdict
+            needs |= dict.fromkeys(h.text for h in sentence.assuming if h.text in verdict.needs)
+            certificates[says] = verdict.certificate
+        assert isinstance(verdict, Holds | HoldsUnder)
+        unused = tuple(h.text for h in sentence.assuming if h.text not in needs)
+        return HoldsUnder(tuple(needs), {"branches": certificates}, verdict.witness, unused)

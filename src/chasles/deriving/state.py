@@ -1,0 +1,107 @@
+"""Where a road has come to, and what may be used there: equations reached, statements found, problems to decide."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from dataclasses import replace as with_fields
+from functools import partial
+
+from chasles.decisions.kept_answers import combination_fits
+from chasles.decisions.session import Judge
+from chasles.deriving.combine import combined
+from chasles.problems.unfold import UndeclaredDivisor
+from chasles.problems.variables import Untreatable
+from chasles.rewriting.products import without_brackets
+from chasles.statements import Claim, Condition, Goal, Problem, Statement, problem_of
+from chasles.statements.derivation import Ansatz, Derivation
+from chasles.statements.statement import is_rule
+from chasles.verdict import Holds, IllFormed, Undecided, Verdict
+from chasles.vocabulary import Misfit, Node, number
+from chasles.vocabulary.families import indices_of
+
+__all__ = ["Equation", "State", "cited", "rules_behind", "usable"]
+
+Equation = tuple[Node, Node]
+Rules = tuple[tuple[Node, Node], ...]
+
+
+@dataclass
+class State:
+    """The equations reached, those solved for last, the ansatz made, and each statement as it was found on the road."""
+
+    derivation: Derivation
+    judge: Judge
+    equations: tuple[Equation, ...] = ()
+    solved: tuple[Equation, ...] = ()
+    ansatz: Ansatz | None = None
+    found: dict[int, Statement] = field(default_factory=dict)
+
+    def sides(self, statement: Statement) -> Equation:
+        """The sides of a statement: as found on the road, or in the form that stands for it."""
+        found = self.found.get(id(statement))
+        left, right = self._relied_on(statement) if found is None else found.printed
+        return without_brackets(left), without_brackets(right)
+
+    def _relied_on(self, statement: Statement) -> Equation:
+        """The sides with which a statement may be used; raises ValueError for a claim of which no form holds."""
+        if isinstance(statement, Claim):
+            decision = self.judge.decide(statement)
+            if not decision.stands:
+                raise ValueError(f"{cited(statement)} is used, and it {decision.verdict.name}")
+        return self.judge.standing(statement)
+
+    def environment(self, using: Iterable[Statement] = (), rules: Rules = ()) -> Problem:
+        """What may be used: rules of the statements that are given, and all that is assumed."""
+        named = dict.fromkeys((*self.derivation.given, *using))
+        given = tuple(self.found.get(id(s), s) for s in named if usable(s))
+        claim = Claim("road", number(0), number(0), given=given, assuming=self.derivation.assuming)
+        problem = problem_of(claim, "printed", self._standing)
+        kept = tuple(rule for rule in problem.rules if rule[0] not in dict(rules))
+        return with_fields(problem, goals=(), rules=(*kept, *rules))
+
+    def _standing(self, statement: Statement) -> Equation:
+        if any(statement is found for found in self.found.values()):
+            return statement.printed
+        return self._relied_on(statement)
+
+    def decide(self, goals: Sequence[tuple[str, Node, Node]], problem: Problem) -> Verdict:
+        """The verdict on equations that must all hold; without any, there was nothing to prove."""
+        made = tuple(Goal(label, left, right) for label, left, right in goals if left != right)
+        if not made:
+            return Holds({"entries": {}}, {})
+        try:
+            return self.judge.verdict_on(with_fields(problem, goals=made))
+        except Misfit as error:
+            return IllFormed(str(error))
+        except (UndeclaredDivisor, Untreatable) as error:
+            return Undecided(str(error))
+
+    def combination(self, node: Node, terms: Sequence[Node], problem: Problem) -> Node:
+        """The expression written with the terms: a conjecture. Raises `NoCombination`."""
+        memory = self.judge.memory
+        fits = partial(combination_fits, node)
+        key = memory.key_of_combination(node, terms, problem)
+        found: Node = memory.answer(key, fits, lambda: combined(node, terms, problem))
+        return found
+
+
+def cited(statement: Statement) -> str:
+    """The statement's number as a reader looks for it."""
+    number = f"({statement.number})" if statement.number[:1].isdecimal() else statement.number
+    return f"{number} part {statement.part}" if statement.part > 1 else number
+
+
+def usable(statement: Statement) -> bool:
+    """Whether a statement can stand as a rule."""
+    if isinstance(statement, Condition):
+        return False
+    return is_rule(statement) or bool(indices_of(statement.left))
+
+
+def rules_behind(statement: Statement) -> Iterator[Statement]:
+    """The statement, or what it rests on if it is no rule."""
+    if usable(statement):
+        yield statement
+    else:
+        yield from (given for given in statement.given if usable(given))

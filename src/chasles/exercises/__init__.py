@@ -1,0 +1,1 @@
+"""Exercises: data read, solved step by step on a worksheet, drawn, practised and graded."""

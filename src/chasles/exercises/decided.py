@@ -1,0 +1,101 @@
+"""Sentences of the book as steps of a solution: each is decided before it is cited, and used as repaired."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from typing import Any
+
+from chasles.decisions.decision import Decision, DoesNotStand
+from chasles.decisions.memory import Memory
+from chasles.decisions.session import Judge
+from chasles.decisions.shipped import shipped
+from chasles.deriving import walk
+from chasles.exercises.formulas import note, stated
+from chasles.exercises.solution import Citation, Step
+from chasles.statements import Claim, Inverse, Statement, Theorem, load
+from chasles.statements.derivation import Derivation
+from chasles.statements.packages import BOOK
+from chasles.verdict import Fails, Undecided
+from chasles.vocabulary import Node, plain, replace
+
+__all__ = ["Decided", "Refuted", "Sentence"]
+
+Sentence = Statement | Theorem | Inverse
+MOST_SHOWN = 300
+"""Characters of an equation of a derivation that is shown on the sheet."""
+
+
+class Refuted(AssertionError):
+    """An answer, substituted back, does not satisfy what was asked: a defect of the exercise."""
+
+
+@cache
+def _judge() -> Judge:
+    return Judge(book=load, memory=Memory(shipped=shipped(BOOK)))
+
+
+def _decided(sentence: Sentence) -> Decision:
+    """The decision on a sentence; raises DoesNotStand for one that is undecided, with nothing that stands in for it."""
+    decision = _judge().decide(sentence)
+    if isinstance(decision.verdict, Undecided) and not decision.stands:
+        raise DoesNotStand(f"it rests on ({sentence.number}), which is undecided: {decision.verdict.reason}")
+    return decision
+
+
+class Decided:
+    """Steps without numbers: statements, roads and refutations, for all values."""
+
+    def __init__(self) -> None:
+        self.steps: list[Step] = []
+
+    def state(self, sentence: Statement | Theorem, says: str = "") -> None:
+        """A sentence of the book, or of the exercise, as a step without numbers: it is decided, for all values."""
+        if isinstance(sentence, Theorem):
+            said = [equation for form in sentence.forms for equation in form.equations()]
+        else:
+            said = [("", *self.sides(sentence))]
+        lines = tuple(stated(*equation) for equation in said)
+        self.steps.append(Step(says or sentence.says, (self.cite(sentence),), lines))
+
+    def walk(self, road: Derivation, says: str) -> dict[str, Node]:
+        """Walk a derivation of the book: each step is decided. What stands last for each left side, by its name.
+
+        Raises Refuted if the road does not arrive, DoesNotStand if that is not known.
+        """
+        walked = walk(road, _judge())
+        if not walked.arrives:
+            last = walked.passages[-1]
+            unknown = isinstance(last.verdict, Undecided)
+            raise (DoesNotStand if unknown else Refuted)(f"the road stops at {last.kind}: {last.reason}")
+        equations = [equation for passage in walked.passages for equation in passage.equations]
+        lines = [stated("", *sides) for sides in dict.fromkeys(equations) if plain(sides[0]) != plain(sides[1])]
+        shown = tuple(line for line in lines if len(line.text) <= MOST_SHOWN)
+        self.steps.append(Step(f"{says} {road.says}", (), shown))
+        return {plain(left): right for left, right in equations}
+
+    def refute(self, claim: Claim, says: str) -> None:
+        """A claim that does not hold, with the counterexample that was found; raises Refuted or DoesNotStand."""
+        verdict = _decided(claim).verdict
+        if not isinstance(verdict, Fails):
+            raise Refuted(f"({claim.number}) part {claim.part} does not fail: {verdict.name}")
+        found = verdict.counterexample
+        point = ", ".join(f"{name} = {value}" for name, value in found.at.items() if value)
+        lines = (
+            stated("", claim.left, claim.right),
+            note(f"not so at {point}, all else zero: entry {found.entry[0]} is {found.left}, and {found.right}"),
+        )
+        citation = Citation(claim.number, claim.part, verdict.name)
+        self.steps.append(Step(f"{claim.says} {says}", (citation,), lines))
+
+    def cite(self, sentence: Sentence) -> Citation:
+        """The sentence's number, and what is decided of it. Raises DoesNotStand if nothing is."""
+        decision = _decided(sentence)
+        correction = None if decision.verdict.true else decision.correction
+        form, verdict = (correction.form, correction.verdict) if correction else ("printed", decision.verdict)
+        return Citation(sentence.number, sentence.part, verdict.name, tuple(getattr(verdict, "needs", ())), form)
+
+    def sides(self, statement: Statement, moved: Mapping[Any, Node] | None = None) -> tuple[Node, Node]:
+        """Both sides of a statement as it stands, repaired where its print fails; `moved` says it of other symbols."""
+        left, right = _judge().standing(statement)
+        return (replace(left, moved), replace(right, moved)) if moved else (left, right)

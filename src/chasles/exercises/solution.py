@@ -1,0 +1,129 @@
+"""A worked solution: what was given, the steps with the equations of the book that they use, answers and checks."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from chasles.decisions.decision import HOW
+from chasles.display import Displayed
+from chasles.exact.spelling import as_data
+
+if TYPE_CHECKING:
+    from chasles.exercises.picture import Picture
+
+__all__ = ["Check", "Citation", "Line", "Solution", "Step", "cited"]
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A formula: as text, in LaTeX, and, where that tells more, its value in decimals."""
+
+    text: str
+    latex: str
+    decimals: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Citation:
+    """An equation of the book that a step uses: its number, and what is decided of it in the form that is used."""
+
+    number: str
+    part: int
+    verdict: str
+    needs: tuple[str, ...] = ()
+    form: str = "printed"
+
+    @property
+    def shown(self) -> str:
+        """The number as it is cited."""
+        return self.number if self.number.startswith(("text", "Thm", "Cor", "Ex")) else f"({self.number})"
+
+
+def cited(citations: Sequence[Citation]) -> str:
+    """The numbers that are cited, in one line; where a corrected form stands in for the print, it is said."""
+    groups: dict[tuple[str, str], list[int]] = {}
+    for citation in citations:
+        groups.setdefault((citation.shown, citation.form), []).append(citation.part)
+    return "; ".join(f"{shown}{_parts(parts)}{_form(form)}" for (shown, form), parts in groups.items())
+
+
+def _parts(parts: list[int]) -> str:
+    if parts == [1]:
+        return ""
+    return f" part{'s' if len(parts) > 1 else ''} {', '.join(map(str, parts))}"
+
+
+def _form(form: str) -> str:
+    return "" if form == "printed" else f", {HOW[form]}"
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One step: what is done and why, the equations of the book that it uses, the formulas that come of it."""
+
+    says: str
+    cites: tuple[Citation, ...] = ()
+    lines: tuple[Line, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Check:
+    """The answer substituted into what was asked: the two sides are equal, exactly."""
+
+    says: str
+    lines: tuple[Line, ...] = ()
+    cites: tuple[Citation, ...] = ()
+
+
+@dataclass(frozen=True)
+class Solution(Displayed):
+    """The solution of an exercise for one set of data.
+
+    `answers` are exact: SymPy numbers and matrices, words, truth values, nested lists and dictionaries of them.
+    """
+
+    exercise: str
+    title: str
+    asked: tuple[str, ...]
+    status: str
+    given: Mapping[str, Any]
+    answers: Mapping[str, Any]
+    assumptions: tuple[str, ...]
+    steps: tuple[Step, ...]
+    checks: tuple[Check, ...]
+    picture: Picture | None = field(default=None, repr=False)
+
+    def as_data(self) -> dict[str, Any]:
+        """What `chasles solve --json` prints; its keys and their order are fixed."""
+        return {
+            "exercise": self.exercise,
+            "status": self.status,
+            "answers": as_data(self.answers),
+            "assumptions": list(self.assumptions),
+            "steps": len(self.steps),
+        }
+
+    @property
+    def outcome(self) -> str:
+        """What was found, in words: which case it is; where there is but one, that it is solved, or proved."""
+        if self.status == "ok":
+            return "proved" if set(self.answers) == {"proofs"} else "solved"
+        return self.status.replace("-", " ")
+
+    @property
+    def hints(self) -> list[str]:
+        """What each step does and the equations it uses, without values."""
+        return [f"{step.says} {cited(step.cites)}".rstrip() for step in self.steps]
+
+    def figure(self) -> Any:
+        """The picture as a matplotlib figure.
+
+        Raises LookupError where the exercise has none, ImportError, with what to install, without matplotlib.
+        """
+        if self.picture is None:
+            raise LookupError(f"exercise {self.exercise} has no picture for these data")
+        from chasles.exercises.drawing import drawn
+
+        return drawn(self.picture)

@@ -1,0 +1,63 @@
+"""`chasles.solve`: an exercise of the book, worked for the book's data or for others."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from sympy.polys.polyerrors import BasePolynomialError
+
+from chasles.exact.numbers import NotDecided
+from chasles.exact.tower import TooManyRoots
+from chasles.exercises.data import DataError, read_data
+from chasles.exercises.solution import Solution
+from chasles.exercises.worksheet import Sheet
+from chasles.statements.exercise import Exercise
+from chasles.statements.exercises import exercise as find_exercise
+
+__all__ = ["solve", "solve_with", "solved_on_sheet"]
+
+
+def solve(exercise: str, /, **data: Any) -> Solution:
+    """The worked solution of an exercise, exact: steps, answers, checks, picture.
+
+    `exercise` is its number, "3.7". Data are integers, fractions, decimals, or text such as "sqrt(2)/2"; keys that are
+    left out keep their defaults. Raises UnknownExercise, DataError for data that are malformed, and DoesNotStand where
+    an equation that is used is not known to be true.
+    """
+    return solve_with(exercise, data)
+
+
+def solve_with(number: str, data: Mapping[str, Any]) -> Solution:
+    """The same with the data in a dictionary."""
+    return solved_on_sheet(find_exercise(number), data)[0]
+
+
+def solved_on_sheet(exercise: Exercise, data: Mapping[str, Any]) -> tuple[Solution, Sheet]:
+    """The solution, and the sheet on which it was found."""
+    try:
+        values = read_data(exercise, data)
+        sheet = Sheet(values)
+        status = exercise.solve(sheet)
+    except NotDecided as error:
+        raise DataError(f"{error}; give numbers that square roots express") from error
+    except TooManyRoots as error:
+        raise DataError(f"{error}; give simpler numbers") from error
+    except OverflowError as error:
+        raise DataError("a number grows too large; give smaller ones") from error
+    except BasePolynomialError as error:
+        raise DataError("polynomials in these numbers are not known; give numbers that square roots express") from error
+    assert status in exercise.statuses, f"{status} is not among {exercise.statuses}"
+    solution = Solution(
+        exercise.number,
+        exercise.title,
+        exercise.asked,
+        status,
+        values,
+        sheet.answers,
+        exercise.assumed(tuple(data)),
+        tuple(sheet.steps),
+        tuple(sheet.checks),
+        sheet.picture,
+    )
+    return solution, sheet

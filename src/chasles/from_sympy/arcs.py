@@ -1,0 +1,154 @@
+"""Inverse functions of angles: their cosines and sines, which are algebraic, and the ranges in which they lie.
+
+atan(u) is the angle of the point (1, u), asin(u) that of (sqrt(1 - u^2), u), atan2(y, x) that of (x, y). A sum of
+rational multiples of such angles and of pi is zero if its cosine is one and it lies strictly between -2 pi and 2 pi:
+there cosine is one at zero only. Where the bounds are wider, the sum is halved first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import sympy
+
+from chasles.from_sympy.divisors import CIRCULAR
+from chasles.from_sympy.opening import Word
+
+__all__ = ["INVERSE", "Arc", "arc_of", "turned", "without_arcs"]
+
+LARGEST_MULTIPLE = 16
+MOST_HALVINGS = 4
+HALF = Fraction(1, 2)
+
+
+@dataclass(frozen=True, slots=True)
+class Arc:
+    """The angle of the point (x, y), whose distance from the origin has the given square, and bounds in units of pi.
+
+    Of the bounds, `open` ones are not attained.
+    """
+
+    x: Any
+    y: Any
+    square: Any
+    low: Fraction
+    high: Fraction
+    open: bool
+
+
+# Each with what it is in terms of atan, asin and atan2; SymPy's acot(0) is pi/2, which division by zero leaves out.
+INVERSE: Mapping[type, Any] = {
+    sympy.atan: lambda u: (sympy.S.Zero, 1, sympy.atan, (u,)),
+    sympy.asin: lambda u: (sympy.S.Zero, 1, sympy.asin, (u,)),
+    sympy.acos: lambda u: (sympy.pi / 2, -1, sympy.asin, (u,)),
+    sympy.acot: lambda u: (sympy.S.Zero, 1, sympy.atan, (1 / u,)),
+    sympy.asec: lambda u: (sympy.pi / 2, -1, sympy.asin, (1 / u,)),
+    sympy.acsc: lambda u: (sympy.S.Zero, 1, sympy.asin, (1 / u,)),
+    sympy.atan2: lambda y, x: (sympy.S.Zero, 1, sympy.atan2, (y, x)),
+}
+
+
+def arc_of(function: type, arguments: tuple[Any, ...]) -> Arc:
+    """The arc of atan, asin or atan2."""
+    y, scale = _scaled(arguments[0])
+    if function is sympy.atan:
+        return Arc(scale, y, _tidy(scale**2 + y**2), *_range(y, HALF), open=True)
+    if function is sympy.asin:
+        return Arc(sympy.sqrt(_tidy(scale**2 - y**2)), y, scale**2, *_range(y, HALF), open=False)
+    y, x = arguments
+    bound = HALF if x.is_positive else Fraction(1)
+    return Arc(x, y, _tidy(x**2 + y**2), *_range(y, bound), open=bool(x.is_positive))
+
+
+def _scaled(quotient: Any) -> tuple[Any, Any]:
+    """A quotient without its divisor, and the divisor, if that is positive: a root is."""
+    above, below = sympy.fraction(quotient)
+    rooted = below.is_Pow and below.exp.is_Rational and not below.exp.is_Integer
+    return (above, below) if rooted or below.is_positive else (quotient, sympy.S.One)
+
+
+def _tidy(square: Any) -> Any:
+    """A sum with squares of sums seen in it."""
+    above, below = sympy.fraction(sympy.together(square))
+    return (sympy.factor(above) if above.has(Word) else sympy.expand(above)) / below
+
+
+def _range(y: Any, bound: Fraction) -> tuple[Fraction, Fraction]:
+    return Fraction(0) if y.is_nonnegative else -bound, Fraction(0) if y.is_nonpositive else bound
+
+
+def _split(expression: Any, arcs: Mapping[Word, Arc]) -> tuple[dict[Word, Fraction], Any]:
+    """The rational multiples of arcs in a sum, and the rest of it."""
+    multiples: dict[Word, Fraction] = {}
+    rest = sympy.S.Zero
+    for term in sympy.Add.make_args(sympy.expand(expression)):
+        multiple, word = term.as_coeff_Mul()
+        q = Fraction(int(multiple.p), int(multiple.q)) if multiple.is_Rational else Fraction(0)
+        halved = q.denominator & (q.denominator - 1) == 0 and q.denominator <= 2**MOST_HALVINGS
+        if word in arcs and halved and abs(q.numerator) <= LARGEST_MULTIPLE:
+            multiples[word] = multiples.get(word, Fraction(0)) + q
+        else:
+            rest += term
+    return {word: q for word, q in multiples.items() if q}, rest
+
+
+def _direction(arc: Arc, multiple: Fraction) -> tuple[Any, Any]:
+    """Cosine and sine of a multiple of an arc: that of half of it has a cosine that is not negative."""
+    x, y, square = arc.x, arc.y, arc.square
+    for _ in range(multiple.denominator.bit_length() - 1):
+        cosine = x / sympy.sqrt(square)
+        x = sympy.sqrt((1 + cosine) / 2)
+        y, square = y / sympy.sqrt(square) / (2 * x), sympy.S.One
+    cosine, sine = sympy.S.One, sympy.S.Zero
+    for _ in range(abs(multiple.numerator)):
+        cosine, sine = cosine * x - sine * y, cosine * y + sine * x
+    length = square ** sympy.Rational(abs(multiple.numerator), 2)
+    return cosine / length, (sine if multiple > 0 else -sine) / length
+
+
+def _cosine_and_sine(multiples: Mapping[Word, Fraction], rest: Any, arcs: Mapping[Word, Arc]) -> tuple[Any, Any]:
+    cosine, sine = sympy.cos(rest), sympy.sin(rest)
+    for word, multiple in multiples.items():
+        x, y = _direction(arcs[word], multiple)
+        cosine, sine = cosine * x - sine * y, cosine * y + sine * x
+    return cosine, sine
+
+
+def without_arcs(function: type, argument: Any, arcs: Mapping[Word, Arc]) -> Any:
+    """Sine, cosine, ... of an angle in which arcs occur, in terms of their cosines and sines."""
+    multiples, rest = _split(argument, arcs)
+    if not multiples:
+        return function(argument)
+    cosine, sine = _cosine_and_sine(multiples, rest, arcs)
+    values = {"": sympy.S.One, "cos": cosine, "sin": sine}
+    above, below = CIRCULAR[function]
+    return values[above] / values[below]
+
+
+def _vanishes(difference: Any, arcs: Mapping[Word, Arc]) -> tuple[Any, int] | None:
+    """A cosine that is one exactly where the difference is zero, and how often that was halved."""
+    multiples, rest = _split(difference, arcs)
+    turn = (rest / sympy.pi).expand()
+    if not multiples or not turn.is_Rational:
+        return None
+    low = high = Fraction(int(turn.p), int(turn.q))
+    for word, multiple in multiples.items():
+        ends = multiple * arcs[word].low, multiple * arcs[word].high
+        low, high = low + min(ends), high + max(ends)
+    strict = any(arcs[word].open for word in multiples)
+    for halvings in range(MOST_HALVINGS):
+        size = 2**halvings
+        if abs(low) < 2 * size > abs(high) or (strict and abs(low) <= 2 * size >= abs(high)):
+            halved = {word: multiple / size for word, multiple in multiples.items()}
+            return _cosine_and_sine(halved, rest / size, arcs)[0], halvings
+    return None
+
+
+def turned(left: Any, right: Any, arcs: Mapping[Word, Arc]) -> tuple[Any, int] | None:
+    """A cosine that is one exactly where sums of arcs are equal, and of which part of their difference it is."""
+    if not arcs or not (left.has(*arcs) or right.has(*arcs)):
+        return None
+    return _vanishes(left - right, arcs)

@@ -1,0 +1,163 @@
+"""How a question is asked: both sides, the given equations and what does not vanish, read into one problem."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import Any
+
+import sympy
+
+from chasles.from_sympy.arcs import turned
+from chasles.from_sympy.atoms import Atoms
+from chasles.from_sympy.certificates import Writing
+from chasles.from_sympy.complexes import Parts
+from chasles.from_sympy.divisors import Divisor, divisor_of
+from chasles.from_sympy.elementary import Elementary
+from chasles.from_sympy.given import Equations, Given, collected, evident, impossible, orders_of
+from chasles.from_sympy.opening import Entries, opened
+from chasles.from_sympy.question import Question, matrix_of
+from chasles.from_sympy.reader import Reader
+from chasles.from_sympy.readings import READINGS
+from chasles.from_sympy.roots import resolve, words_of
+from chasles.from_sympy.sampling import Sampling
+from chasles.from_sympy.searching import search_for
+from chasles.from_sympy.side_conditions import nonvanishing
+from chasles.statements import Goal, Hypothesis, Problem
+from chasles.verdict import Contradictory, IllFormed
+from chasles.vocabulary import Node
+from chasles.vocabulary import replace as put
+
+__all__ = ["ask"]
+
+
+def ask(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> Question | IllFormed | Contradictory:
+    """The question whether two sides are equal; raises `Untreatable` for what the procedure does not treat."""
+    left, right = opened(lhs, "the left side"), opened(rhs, "the right side")
+    if left.shape != right.shape:
+        return IllFormed(f"cannot equate {left.size} (the left side) and {right.size} (the right side)")
+    parts = Parts()
+    declared = [parts.nonzero(scalar) for scalar in nonvanishing(nonzero)]
+    rows = left.shape[0]
+    left, right = parts.equal(left, right)
+    spoken_of = [*declared, *_flat(left), *_flat(right), *parts.met]
+    conditions, expressions = collected(given, spoken_of, parts)
+    false = impossible(conditions, declared)
+    if false:
+        return Contradictory((false,))
+    derived = [pair for item in conditions.equations if item.derived for pair in item.pairs]
+    elementary = Elementary()
+    expressions = _rewritten(elementary, expressions, conditions)
+    first, size = len(declared), left.shape[0] * left.shape[1]
+    for k in range(size):
+        found = turned(expressions[first + k], expressions[first + k + size], elementary.arcs)
+        if found:
+            expressions[first + k], expressions[first + k + size] = found[0], sympy.S.One
+            elementary.halvings[k // left.shape[1], k % left.shape[1]] = found[1]
+    question = _Asking(conditions, expressions, len(declared), left.shape, elementary).question(
+        (lhs, rhs, given, nonzero)
+    )
+    question.search.rows = rows if left.shape[0] > rows else None
+    still = not any(orders_of(pair) for pair in conditions.stated)
+    defined = (*parts.met, *elementary.needs.values())
+    question.sampling = Sampling(left, right, rows, [*conditions.stated, *derived], declared, defined, still)
+    return question
+
+
+def _rewritten(elementary: Elementary, expressions: list[Any], given: Given) -> list[Any]:
+    """Everything in variables that stand for exponentials and logarithms, and what roots of higher order satisfy."""
+    pairs = [pair for item in given.equations for pair in item.pairs]
+    found = elementary([*expressions, *(side for pair in pairs for side in pair)])
+    named = Atoms()
+    for atom in elementary.atoms:
+        named.word(atom)
+    sides = iter(found[len(expressions) :])
+    for item in given.equations:
+        item.pairs = [(next(sides), next(sides)) for _ in item.pairs]
+    given.equations += [Equations(f"{a} = {b}", [(a, b)], ()) for a, b in elementary.equations]
+    return [*found[: len(expressions)], *elementary.defined]
+
+
+def _flat(entries: Entries) -> list[Any]:
+    return [entry for row in entries.rows for entry in row]
+
+
+class _Asking:
+    """Reads everything that belongs to a question in one go, and puts it together."""
+
+    def __init__(
+        self, given: Given, expressions: list[Any], declared: int, shape: tuple[int, int], elementary: Elementary
+    ) -> None:
+        self.elementary = elementary
+        self.reader = reader = Reader(READINGS)
+        self.given = given
+        for expression in expressions[:declared]:
+            reader.declare(reader(expression), divisor_of(expression))
+        self.declared = set(reader.divisors)
+        reader.met.clear()
+        nodes = [reader(expression) for expression in expressions[declared:]]
+        self.met = set(reader.met)
+        size = shape[0] * shape[1]
+        self.goal = Goal("", matrix_of(nodes[:size], shape), matrix_of(nodes[size : 2 * size], shape))
+        self.equations = [self._hypothesis(item) for item in given.equations]
+        for divisor in evident(given, expressions[declared : declared + 2 * size] if size == 1 else ()):
+            reader.declare(reader(divisor), Divisor(divisor_of(divisor).text, evident=True))
+
+    def question(self, asked: tuple[Any, Any, Any, Any]) -> Question:
+        """All that was read, as a problem, with what to say of it; `asked` is what was handed in."""
+        reader = self.reader
+        roots = resolve(reader, tuple(map(self._divisor, reader.divisors)))
+        divisors = {node: self._divisor(node) for node in reader.divisors}
+        words = words_of(roots.hypotheses)
+        # Variables rank as they are met: a root above what is under it, so that its square is what leads.
+        equations = [_with(hypothesis, dict(roots.rules)) for hypothesis in self.equations]
+        hypotheses = dict.fromkeys((*self._ranking(), *reversed(roots.hypotheses), *equations, *divisors.values()))
+        unsaid = [divisor.text for divisor in reader.divisors.values() if divisor.evident]
+        met = [divisor.text for node, divisor in reader.divisors.items() if node in self.met]
+        higher = [item.text for item in self.given.equations if not item.sources]
+        search = search_for(reader, self.given)
+        search.blind = search.blind or bool(self.elementary.origins)
+        search.write = Writing(asked, reader, self.given, roots, search, self.elementary)
+        return Question(
+            problem=Problem((self.goal,), roots.rules, (), words, tuple(hypotheses)),
+            own=(
+                *(h for h, item in zip(equations, self.given.equations, strict=True) if item.sources),
+                *(divisors[node] for node in divisors if node in self.declared),
+            ),
+            search=search,
+            needs=(*(text for text, _, _ in self.given.substitutions), *self.elementary.needs, *met, *roots.domains),
+            hidden=frozenset((*unsaid, *higher, *(h.text for h in roots.hypotheses))),
+            sources={item.text: item.sources for item in self.given.equations if item.sources},
+            origins=reader.atoms.origins,
+            roots=frozenset((*words, *(root.word for root in reader.roots.values()))),
+            substituted=tuple((atom, value) for _, atom, value in self.given.substitutions),
+            formal=bool(self.elementary.origins),
+        )
+
+    def _ranking(self) -> Iterator[Hypothesis]:
+        """Rates of functions lead an equation between them, the highest first: it is what the equation determines."""
+        if any(item.moving for item in self.given.equations):
+            rates = [atom for atom in self.reader.atoms.words if isinstance(atom, sympy.Derivative)]
+            rates.sort(key=lambda rate: -rate.derivative_count)
+            yield Hypothesis("equation", tuple(map(self.reader, rates)), free=True)
+
+    def _divisor(self, node: Node) -> Hypothesis:
+        text = self.reader.divisors[node].text
+        return Hypothesis("nonzero", (node,), (), (node,), "", text, free=True)
+
+    def _hypothesis(self, item: Equations) -> Hypothesis:
+        pairs = tuple((self.reader(a), self.reader(b)) for a, b in item.pairs)
+        frames = {other.sources for other in self.given.equations if other.triad}
+        kind = "rate of a frame" if item.derived and item.sources in frames else "equation"
+        kind = "rotation" if item.triad and item.triad.proper and len(item.pairs) > 6 else kind
+        subjects = tuple(dict.fromkeys(side for pair in pairs for side in pair))
+        return Hypothesis(kind, subjects, pairs, (), "", item.text, free=True)
+
+
+def _with(hypothesis: Hypothesis, values: Mapping[Node, Node]) -> Hypothesis:
+    """The hypothesis said of what words stand for; a root that depends on another one comes after it."""
+    for word, value in reversed(list(values.items())):
+        pairs = tuple((put(one, {word: value}), put(other, {word: value})) for one, other in hypothesis.equations)
+        subjects = tuple(put(subject, {word: value}) for subject in hypothesis.subjects)
+        hypothesis = replace(hypothesis, equations=pairs, subjects=subjects)
+    return hypothesis

@@ -1,0 +1,219 @@
+"""What was found true of a question gets its certificate: in the prover's names, for the reading of the checker."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from chasles.algebra.polynomial_text import written as text_of
+from chasles.checker.expressions.algebra import primitive
+from chasles.checker.expressions.asked import Asked
+from chasles.checker.expressions.complexes import differences
+from chasles.checker.expressions.facts import Facts
+from chasles.checker.expressions.proof import claims_of
+from chasles.checker.expressions.reading_of_proof import Proven
+from chasles.checker.sparse import ZERO, Polynomial, Rejected, parsed
+from chasles.from_sympy.elementary import Elementary
+from chasles.from_sympy.given import Given
+from chasles.from_sympy.naming import spelled, written
+from chasles.from_sympy.opening import Word, is_atom
+from chasles.from_sympy.reader import Reader
+from chasles.from_sympy.roots import Roots
+from chasles.points.search import Search
+from chasles.problems.context import Context
+from chasles.prover.certifying import Entry
+from chasles.vocabulary import Node, Power, Scale
+
+__all__ = ["Writing"]
+
+Key = frozenset[tuple[int, int]]
+ALWAYS = ("variant", "names", "witness")
+"""What a certificate says even where there is nothing to be said."""
+
+
+@dataclass(frozen=True, slots=True)
+class Writing:
+    """Writes the certificate of a question.
+
+    The facts from which an entry follows are found among those that the checker reads, as polynomials.
+    """
+
+    asked: tuple[Any, Any, Any, Any]
+    reader: Reader
+    given: Given
+    roots: Roots
+    search: Search
+    elementary: Elementary
+
+    def __call__(self, context: Context, done: list[Entry], witness: Mapping[str, Any]) -> dict[str, Any]:
+        """All that the checker needs, as text."""
+        ring = context.field.ring
+        certificate: dict[str, Any] = {
+            "variant": 0,
+            "names": {word.name: str(atom) for atom, word in self.reader.atoms.words.items()},
+            "positive": list(self._positive()),
+            "turned": {f"{i + 1},{j + 1}": halvings for (i, j), halvings in self.elementary.halvings.items()},
+            "angles": {word.name: _product(powers) for word, powers in self.reader.angles.products.items()},
+            "substituted": {str(atom): text for text, atom, _ in self.given.substitutions},
+            "words": list(self._words(context)),
+            "roots": list(self._values(context)),
+            "equal": list(self._equal(context)),
+            "frames": [
+                {"rows": [list(row) for row in frame.rows], "proper": frame.proper}
+                for frame in self.search.frames
+                if len(frame.rows) == len(frame.rows[0])
+            ],
+            "divisors": [text_of(ring, atom) for _, atom in context.atoms],
+            "witness": self._witness(witness),
+        }
+        certificate = {part: said for part, said in certificate.items() if said or part in ALWAYS}
+        try:
+            entries = dict(self._entries(context, done, certificate))
+        except Rejected as reason:
+            return certificate | {"unread": str(reason)}
+        if not any("times" in said for said in entries.values()):
+            certificate.pop("divisors", None)
+        return certificate | ({"entries": entries} if entries else {})
+
+    def _positive(self) -> Iterator[str]:
+        """Quantities that are positive, or negative, because of logarithms."""
+        for e, sign in self.elementary.signs.items():
+            if is_atom(e) and not isinstance(e, Word):
+                yield f"{sign}*{self._name(e)}"
+
+    def _name(self, atom: Any) -> str:
+        """The name of the word for an atom, or its spelling if it has none."""
+        named = (word.name for known, word in self.reader.atoms.words.items() if str(known) == str(atom))
+        return next(named, str(atom))
+
+    def _words(self, context: Context) -> Iterator[list[str]]:
+        for word, inside in self._defined():
+            match inside:
+                case Power(of, 2):
+                    yield [str(word), "abs", _text(context, of)]
+                case _:
+                    yield [str(word), "sqrt", _text(context, inside)]
+
+    def _values(self, context: Context) -> Iterator[list[Any]]:
+        """Roots by their squares; what a word is the root of is said already."""
+        own = {_text(context, inside): f"1*{word}" for word, inside in self._defined()}
+        said: dict[str, list[str]] = {}
+        for square, root in self.roots.values:
+            # What is gone from the question has no variable any more.
+            with suppress(KeyError):
+                said[_text(context, square)] = list(_factors(context, root))
+        yield from ([square, factors] for square, factors in said.items() if factors != [own.get(square)])
+
+    def _defined(self) -> Iterator[tuple[Node, Node]]:
+        for hypothesis in self.roots.hypotheses:
+            if hypothesis.kind == "root":
+                word, inside = hypothesis.subjects
+                yield word, inside
+
+    def _equal(self, context: Context) -> Iterator[list[list[str]]]:
+        for hypothesis in self.roots.hypotheses:
+            if hypothesis.kind == "consequence":
+                ((absolute, product),) = hypothesis.equations
+                yield [list(_factors(context, absolute)), [_text(context, product)]]
+
+    def _witness(self, witness: Mapping[str, Any]) -> dict[str, str]:
+        theta = self.search.theta
+        name = "pi" if theta is None else spelled(theta.name, {w.name: e for w, e in self.reader.atoms.origins.items()})
+        return {key: written(value, name) for key, value in sorted(witness.items())}
+
+    def _entries(
+        self, context: Context, done: list[Entry], certificate: Mapping[str, Any]
+    ) -> Iterator[tuple[str, dict[str, Any]]]:
+        """What is to be said of entries that do not vanish as they are read."""
+        asked = Asked(*self.asked)
+        reading = Proven(asked, certificate)
+        claims = claims_of(asked, reading, certificate)
+        labels = _Labels(asked, reading, certificate)
+        for entry in done:
+            row, column = entry.place
+            if reading.vanishes(claims.get((row - 1, column - 1), ZERO)):
+                continue
+            times = {str(k): power for k, power in enumerate(entry.ratio.denominator) if power}
+            cofactors: dict[str, str] = {}
+            for k, cofactor in (entry.cofactors or {}).items():
+                generator = context.generators[k]
+                if generator.hypothesis is not None and generator.hypothesis.kind != "root":
+                    label, scale = labels(text_of(context.field.ring, generator.polynomial))
+                    cofactors[label] = text_of(context.field.ring, cofactor * context.field.ring.constant(scale))
+            said: dict[str, Any] = ({"times": times} if times else {}) | ({"cofactors": cofactors} if cofactors else {})
+            yield f"{row},{column}", said
+
+
+class _Labels:
+    """Finds what the checker calls something that vanishes."""
+
+    def __init__(self, asked: Asked, reading: Proven, certificate: Mapping[str, Any]) -> None:
+        self.reading = reading
+        self.facts = Facts(asked, reading, certificate)
+        self.names = [
+            f"given {k} {i + 1},{j + 1}"
+            for k, item in enumerate(asked.given)
+            for i, j in differences(reading, item.pairs)
+        ]
+        for k, frame in enumerate(certificate.get("frames", ())):
+            size = len(frame["rows"])
+            rows = range(1, size * (2 if frame["proper"] else 1) + 1)
+            self.names += [f"frame {k} {i},{j}" for i in rows for j in range(1, size + 1)]
+        self.names += [f"zero {name}" for name, place in reading.places.items() if _is_zero(reading.atoms.get(place))]
+        self.equal = [f"equal {k}" for k in range(len(certificate.get("equal", ())))]
+        self.known: dict[Key, tuple[str, Fraction]] = {}
+        self.order = -1
+
+    def __call__(self, text: str) -> tuple[str, Fraction]:
+        """The label, and of which multiple of it this is the text."""
+        scale, base = primitive(self.reading.normal(parsed(text, self.reading.places)))
+        key = _key(base)
+        while key not in self.known and self._differentiate():
+            pass
+        if key not in self.known:
+            raise Rejected(f"{text} is not seen to follow from what is given")
+        label, other = self.known[key]
+        return label, scale / other
+
+    def _differentiate(self) -> bool:
+        """Take the next derivative of everything."""
+        self.order += 1
+        most = max((int(getattr(e, "derivative_count", 0)) for e in self.reading.atoms.values()), default=0)
+        if self.order > most + 1:
+            return False
+        rate = f" d{self.order}" if self.order else ""
+        for label in (*(name + rate for name in self.names), *(self.equal if not rate else ())):
+            try:
+                scale, base = primitive(self.facts[label])
+            except Rejected:
+                continue
+            self.known.setdefault(_key(base), (label, scale))
+        return True
+
+
+def _is_zero(atom: Any) -> bool:
+    return atom is not None and bool(atom.is_zero)
+
+
+def _key(polynomial: Polynomial) -> Key:
+    return frozenset(polynomial.terms.items())
+
+
+def _product(powers: Mapping[Any, int]) -> str:
+    return "*".join(word.name if power == 1 else f"{word.name}^{power}" for word, power in powers.items())
+
+
+def _text(context: Context, node: Node) -> str:
+    return text_of(context.field.ring, context.unfold(node)[0][0].numerator)
+
+
+def _factors(context: Context, node: Node) -> Iterable[str]:
+    match node:
+        case Scale(one, other):
+            yield from _factors(context, one)
+            yield from _factors(context, other)
+        case _:
+            yield _text(context, node)

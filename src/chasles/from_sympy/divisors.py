@@ -1,0 +1,65 @@
+"""What is divided by, and which expressions divide: functions of angles are quotients of sines and cosines."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+
+from chasles.from_sympy.opening import Signed, Word, is_atom
+
+__all__ = ["CIRCULAR", "Divisor", "divides", "divisor_of", "in_sines", "is_reciprocal"]
+
+# What each function of an angle has above and below the line: 1, the cosine or the sine.
+CIRCULAR = {
+    sympy.sin: ("sin", ""), sympy.cos: ("cos", ""), sympy.tan: ("sin", "cos"), sympy.cot: ("cos", "sin"),
+    sympy.sec: ("", "cos"), sympy.csc: ("", "sin"),
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Divisor:
+    """How to say that something does not vanish; `evident` if it need not be said."""
+
+    text: str
+    evident: bool
+
+
+def divisor_of(expression: Any) -> Divisor:
+    """What is said of a divisor: of a positive symbol that it is positive; nothing of a number."""
+    named = is_atom(expression) and not (isinstance(expression, Word) and not isinstance(expression, Signed))
+    value = _with_cosines(expression)
+    evident = (not value.free_symbols and value != 0) or bool(expression.is_nonzero and not named)
+    return Divisor(f"{expression} {'> 0' if expression.is_positive else '!= 0'}", evident)
+
+
+def _with_cosines(e: Any) -> Any:
+    """The expression without squares of sines, so that the sum of both squares is seen to be one."""
+    squares = {p for p in e.atoms(sympy.Pow) if isinstance(p.base, sympy.sin) and p.exp.is_Integer and p.exp > 1}
+    values = {p: (1 - sympy.cos(p.base.args[0]) ** 2) ** (p.exp // 2) * p.base ** (p.exp % 2) for p in squares}
+    return sympy.expand(e.xreplace(values)) if values else e
+
+
+def is_reciprocal(e: Any) -> bool:
+    """Whether the expression is a power with a negative exponent."""
+    return isinstance(e, sympy.Pow) and bool(e.exp.is_Rational and e.exp.is_negative)
+
+
+def divides(e: Any) -> bool:
+    """Whether the expression, as a rational function, divides by something."""
+    if isinstance(e, sympy.Add | sympy.Mul | sympy.Abs):
+        return any(map(divides, e.args))
+    if isinstance(e, sympy.Pow):
+        return is_reciprocal(e) or divides(e.base)
+    return isinstance(e, sympy.sign) or bool(CIRCULAR.get(e.func, ("", ""))[1])
+
+
+def in_sines(e: Any) -> Any:
+    """The expression with every other function of an angle written as a quotient of sines and cosines."""
+    named = {"": lambda _: sympy.S.One, "sin": sympy.sin, "cos": sympy.cos}
+    others = {
+        call: named[CIRCULAR[call.func][0]](*call.args) / named[CIRCULAR[call.func][1]](*call.args)
+        for call in e.atoms(*(f for f, (_, below) in CIRCULAR.items() if below))
+    }
+    return e.xreplace(others)

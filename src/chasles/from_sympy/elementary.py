@@ -1,0 +1,257 @@
+"""Exponentials, logarithms and powers in independent variables.
+
+Exponents are sums of rational multiples of terms; of each term one exponential is a positive variable. Arguments of
+logarithms are products of powers; the logarithm of each factor is a variable. What is left has no known relation: that
+none is missed is Schanuel's conjecture, so that these variables serve to prove, never to refute.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import lcm
+from typing import Any
+
+import sympy
+
+from chasles.algebra.work_limit import check
+from chasles.from_sympy.arcs import INVERSE, Arc, arc_of, without_arcs
+from chasles.from_sympy.divisors import CIRCULAR
+from chasles.from_sympy.factors import factors_of, is_entire, is_evident
+from chasles.from_sympy.hyperbolic import EXPONENTIALS, LOGARITHMS
+from chasles.from_sympy.opening import Signed, Word, excerpt, is_atom
+from chasles.problems.variables import Untreatable
+
+__all__ = ["Elementary", "is_elementary"]
+
+ROUNDS = 8
+LARGEST_UNIT = 60
+LARGEST_EXPONENT = 1000
+
+
+class Elementary:
+    """Rewrites expressions.
+
+    Where they are real is collected in `needs`, with something that is defined nowhere else; what has to be defined for
+    that in `defined`. `equations` are what roots of higher order satisfy. `halvings` tell in which entries a cosine is
+    compared with one, and of which part of the difference. `units` and `signs` say which denominators exponents have,
+    and which sign the factors of logarithms have; they are learned in one round and used in the next.
+    """
+
+    def __init__(self) -> None:
+        self.units: dict[Any, int] = {}
+        self.signs: dict[Any, int] = {}
+        self._reset()
+
+    def _reset(self) -> None:
+        self.needs: dict[str, Any] = {}
+        self.defined: dict[Any, None] = {}
+        self.atoms: dict[Any, None] = {}
+        self.equations: dict[tuple[Any, Any], None] = {}
+        self.origins: dict[Any, Any] = {}
+        self.exponents: dict[Any, Any] = {}
+        self.logs: dict[Any, Any] = {}
+        self.arcs: dict[Word, Arc] = {}
+        self.halvings: dict[tuple[int, int], int] = {}
+        self._known: dict[Any, Any] = {}
+
+    def __call__(self, expressions: Sequence[Any]) -> list[Any]:
+        """The expressions in the variables; raises `Untreatable` for logarithms of what is not positive."""
+        if not any(map(is_elementary, expressions)):
+            return list(expressions)
+        for _ in range(ROUNDS):
+            before = dict(self.units), dict(self.signs)
+            self._reset()
+            found = [self.read(e) for e in expressions]
+            if before == (self.units, self.signs):
+                return found
+        raise Untreatable("the exponents depend on each other in a way that is not treated")
+
+    def read(self, e: Any) -> Any:
+        """One expression in the variables."""
+        if e not in self._known:
+            check()
+            self._known[e] = result = self._read(e)
+            if not is_entire(e):
+                self._meet(result, *map(self.read, e.args))
+        return self._known[e]
+
+    def _read(self, e: Any) -> Any:
+        if is_atom(e):
+            return self._atom(e)
+        if e is sympy.E:
+            return self.exp(sympy.S.One)
+        if not e.args:
+            return e
+        if isinstance(e, sympy.Pow):
+            return self._power(e)
+        for rules in (EXPONENTIALS, LOGARITHMS):
+            if e.func in rules and len(e.args) == 1:
+                return rules[e.func](self, self.read(e.args[0]), e.args[0])
+        if e.func is sympy.log:
+            return self.read(sympy.log(e.args[0]) / sympy.log(e.args[1]))
+        arguments = tuple(map(self.read, e.args))
+        if e.func in INVERSE:
+            return self._arc(*INVERSE[e.func](*arguments))
+        if e.func in CIRCULAR and self.arcs:
+            return without_arcs(e.func, arguments[0], self.arcs)
+        return e.func(*arguments)
+
+    def _arc(self, turn: Any, sign: int, function: type, arguments: tuple[Any, ...]) -> Any:
+        """Turn + sign * arc; a value that SymPy knows is no arc."""
+        value = function(*arguments)
+        if isinstance(value, sympy.Mul) and value.args[0] is sympy.S.NegativeOne:
+            return turn + self._arc(sympy.S.Zero, -sign, value.args[1].func, value.args[1].args)
+        if value.func is not function:
+            return turn + sign * self.read(value)
+        word = self._word(self._original(value), positive=False)
+        self.arcs[word] = arc = arc_of(function, value.args)
+        self._meet(arc.x, 1 / arc.square if function is sympy.atan2 else 1)
+        return turn + sign * word
+
+    def _atom(self, e: Any) -> Any:
+        """An atom whose sign or roots occur is written so that they are known."""
+        self.atoms[e] = None
+        unit = self.units.get(("root", e), 1)
+        if unit > 1:
+            self.needs |= {} if e.is_positive else {f"{e} > 0": sympy.log(e)}
+            return self._word(e ** sympy.Rational(1, unit), Word if e.is_positive else Signed) ** unit
+        return self._word(e, Signed) if self.signs.get(e) == 1 and not e.is_positive else e
+
+    def _meet(self, *arguments: Any) -> None:
+        """What is hidden in a variable, or cancels, has to be real, and not to divide by zero."""
+        met = map(sympy.sympify, arguments)
+        self.defined |= {e: None for e in met if not all(map(is_entire, sympy.preorder_traversal(e)))}
+
+    def _word(self, origin: Any, kind: type[Word] = Word, positive: bool = True) -> Any:
+        word = kind(str(origin), positive=True) if positive else kind(str(origin), real=True)
+        if self.origins.setdefault(word, origin) != origin:
+            raise Untreatable(f"two different symbols are called the same in {excerpt(origin)}: rename one")
+        return word
+
+    def _original(self, expression: Any) -> Any:
+        return expression.xreplace(self.origins)
+
+    def exp(self, exponent: Any) -> Any:
+        """The exponential of what is written in the variables."""
+        result = sympy.S.One
+        for term in sympy.Add.make_args(sympy.expand(exponent)):
+            multiple, rest = term.as_coeff_Mul()
+            if not multiple.is_Rational:
+                raise Untreatable(f"exp({excerpt(self._original(exponent))}) is not treated")
+            result *= self._raised(self.logs[rest], multiple) if rest in self.logs else self._multiple(rest, multiple)
+        return result
+
+    def _multiple(self, rest: Any, multiple: Any) -> Any:
+        """exp(multiple * rest) as a power of the variable for exp(rest / unit)."""
+        if multiple == 0:
+            return sympy.S.One
+        unit = self._unit(rest, multiple)
+        word = self._word(sympy.exp(self._original(rest) / unit))
+        self.exponents[word] = rest / unit
+        return word ** (multiple * unit)
+
+    def _unit(self, key: Any, multiple: Any) -> int:
+        self.units[key] = unit = lcm(self.units.get(key, 1), int(multiple.q))
+        if unit > LARGEST_UNIT or abs(multiple) * unit > LARGEST_EXPONENT:
+            raise Untreatable(f"exponents with {multiple} are not treated: numerators or denominators are too large")
+        return unit
+
+    def _raised(self, base: Any, exponent: Any) -> Any:
+        """A power of the size of a factor of a logarithm."""
+        size = base if base.is_positive else base * self.signs[base] if base in self.signs else sympy.Abs(base)
+        if exponent.q & (exponent.q - 1) == 0:
+            return size**exponent
+        key = self.logs_key(base)
+        unit = self._unit(("root", key), exponent)
+        kind = Word if is_evident(size) else Signed
+        word = self._word(self._original(size) ** sympy.Rational(1, unit), kind)
+        if not is_atom(key):
+            self.equations[(word**unit, size)] = None
+        return word ** (exponent * unit)
+
+    def logs_key(self, base: Any) -> Any:
+        """The atom that a base is, for its roots to be the variable."""
+        original = self._original(base)
+        return original if is_atom(original) and self.signs.get(original, 1) == 1 else base
+
+    def _power(self, e: Any) -> Any:
+        if e.base is sympy.E:
+            return self.exp(self.read(e.exp))
+        base = self.read(e.base)
+        if e.exp.is_Integer:
+            return base**e.exp
+        if e.exp.is_Rational and e.exp.q & (e.exp.q - 1) == 0:
+            return self._root(base, e.exp)
+        return self.exp(self.read(e.exp) * self.log(base, e.base))
+
+    def _root(self, base: Any, exponent: Any) -> Any:
+        """A power p/2, p/4, ...: that of an exponential is taken in its exponent."""
+        outside, inside = sympy.S.One, sympy.S.One
+        for factor in sympy.Mul.make_args(base):
+            word, power = factor.as_base_exp()
+            if word in self.exponents and power.is_Rational:
+                outside *= self.exp(self.exponents[word] * power * exponent)
+            else:
+                inside *= factor
+        return outside * inside**exponent
+
+    def log(self, value: Any, spelled: Any, evident: bool = False) -> Any:
+        """The logarithm of what is written in the variables, and is positive; `spelled` as the user did."""
+        total, sign, odd = sympy.S.Zero, 1, []
+        for base, power, signed in factors_of(value):
+            if base.is_Rational:
+                sign *= -1 if base < 0 and signed.is_odd else 1
+                for prime, count in sympy.factorint(abs(base)).items():
+                    total += power * count * self._logarithm(sympy.Integer(prime))
+            elif base in self.exponents:
+                total += power * self.exponents[base]
+            else:
+                total += power * self._logarithm(base)
+                if not signed.is_Integer:
+                    self._learn(base, 1)
+                if not (signed.is_even or is_evident(base)):
+                    odd.append(base)
+        if len(odd) == 1:
+            self._learn(odd[0], sign)
+        if not evident:
+            self._need(value, spelled, sign if not odd else 0)
+        return total
+
+    def _need(self, value: Any, spelled: Any, sign: int) -> None:
+        """Say that the argument of a logarithm is positive; its `sign` is known where it does not vanish."""
+        if sign < 0 or value == 0:
+            raise Untreatable(f"log({excerpt(spelled)}) is not treated: it is not real")
+        if sign == 0:
+            self.needs[f"{spelled} > 0"] = sympy.log(spelled, evaluate=False)
+        for base, _, _ in factors_of(value) if sign else ():
+            if not (
+                base.is_Rational or is_evident(base) or (isinstance(base, Signed) and base != self._original(base))
+            ):
+                self.needs[f"{self._original(base)} != 0"] = 1 / self._original(base)
+
+    def _learn(self, base: Any, sign: int) -> None:
+        """The sign of a factor, by which an atom is written as a variable that has it."""
+        original = self._original(base)
+        if isinstance(base, Word) and not is_atom(original):
+            return
+        if not is_evident(base) and self.signs.setdefault(original if is_atom(original) else base, sign) != sign:
+            raise Untreatable(f"where roots and logarithms of {excerpt(original)} are real, others are not")
+
+    def _logarithm(self, base: Any) -> Any:
+        """The variable for the logarithm of a factor's size."""
+        number = base.is_Integer
+        origin = self._original(base)
+        size = origin if number or base.is_positive else sympy.Abs(origin)
+        word = self._word(sympy.log(size), positive=number)
+        self.logs[word] = base
+        return word
+
+
+def is_elementary(e: Any) -> bool:
+    """Whether exponentials, logarithms, or powers with other exponents than halves, quarters, ... occur."""
+    for part in sympy.preorder_traversal(e):
+        if any(part.func in rules for rules in (EXPONENTIALS, LOGARITHMS, INVERSE)) or part is sympy.E:
+            return True
+        if isinstance(part, sympy.Pow) and not (part.exp.is_Rational and part.exp.q & (part.exp.q - 1) == 0):
+            return True
+    return False

@@ -1,0 +1,68 @@
+"""A question is proved as it stands, or a more general one is: then the certificate says which, and proves that."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+from sympy.core.function import AppliedUndef
+
+from chasles.from_sympy.asking import ask
+from chasles.from_sympy.general import General
+from chasles.from_sympy.question import Question
+from chasles.from_sympy.relations import relations
+from chasles.verdict import Holds, HoldsUnder, Verdict
+
+__all__ = ["Proved", "generalised"]
+
+Decide = Callable[[Question], Verdict]
+
+
+@dataclass(frozen=True, slots=True)
+class Proved:
+    """The certificate of a question, and what it needs besides what is given."""
+
+    certificate: Mapping[str, Any]
+    needs: tuple[str, ...]
+
+
+def generalised(
+    left: Sequence[Any], right: Sequence[Any], given: Sequence[tuple[Any, Any]], nonzero: Sequence[Any], decide: Decide
+) -> Proved | None:
+    """What proves that the left entries are the right ones; None if it is not proved.
+
+    What a symbol stands for is a further entry of both sides, so that it is seen where it is defined.
+    """
+    general = General((*left, *right, *(side for pair in given for side in pair), *nonzero))
+    sides = [list(map(general, side)) for side in (left, right)]
+    equations = [sympy.Eq(general(one), general(other), evaluate=False) for one, other in given]
+    declared = list(map(general, nonzero))
+    met: list[Any] = []
+    while len(met) < len(general.met):
+        met.append(general(general.met[len(met)]))
+    if met and any(side.has(AppliedUndef) for pair in given for side in pair):
+        return None
+    columns = [sympy.Matrix([*side, *met]) for side in sides]
+    facts = [*general.facts]
+    while True:
+        known = [*equations, *(sympy.Eq(fact, 0, evaluate=False) for fact in facts)]
+        question = ask(columns[0], columns[1], known, declared)
+        if not isinstance(question, Question) or question.formal:
+            return None
+        more = relations(question, general.meanings) if len(facts) == len(general.facts) else []
+        if not more:
+            break
+        facts += more
+    question.sampling = None
+    question.search.blind = question.search.unseen = True
+    verdict = decide(question)
+    if not isinstance(verdict, Holds | HoldsUnder):
+        return None
+    said = {text for item in question.sources.values() for text in item}
+    needs = tuple(text for text in verdict.needs if text not in said)
+    certificate: dict[str, Any] = {"proof": verdict.certificate, "needs": list(verdict.needs)}
+    if general.meanings or facts:
+        certificate |= {"parts": general.parts, "facts": [str(fact) for fact in facts]}
+    return Proved(certificate, needs)

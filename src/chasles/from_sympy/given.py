@@ -1,0 +1,251 @@
+"""Side conditions: the given equations as hypotheses, with all that follows from them by differentiation."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy
+from sympy.core.function import AppliedUndef
+
+from chasles.checker.expressions.elementary import FUNCTIONS
+from chasles.from_sympy.atoms import nonzero_by_sign, real_copy
+from chasles.from_sympy.complexes import Parts
+from chasles.from_sympy.divisors import CIRCULAR
+from chasles.from_sympy.opening import is_atom, sides
+from chasles.from_sympy.pantelides import offsets
+from chasles.from_sympy.side_conditions import listed
+from chasles.from_sympy.triads import Triad, triads_of
+from chasles.problems.variables import Untreatable
+
+__all__ = ["Equations", "Given", "Moving", "collected", "evident", "impossible", "orders_of"]
+
+Pair = tuple[Any, Any]
+MOST_TERMS = 30
+"""Longer polynomials are not factored."""
+
+
+ELEMENTARY = tuple(getattr(sympy, name) for name in FUNCTIONS)
+
+
+@dataclass(slots=True)
+class Moving:
+    """An equation between functions: how often it differentiates them, and is differentiated to determine rates.
+
+    These are the `highest` of its functions. `places` say where the equation and its derivatives stand: under which
+    text, and at which place there.
+    """
+
+    orders: dict[Any, int]
+    times: int = 0
+    highest: Mapping[Any, int] = field(default_factory=dict)
+    places: list[tuple[str, int]] = field(default_factory=list)
+
+
+@dataclass(slots=True)
+class Equations:
+    """Equations under one name, of which the `sources` are what the user gave.
+
+    They are `derived` if they follow by differentiation.
+    """
+
+    text: str
+    pairs: list[Pair]
+    sources: tuple[str, ...]
+    triad: Triad | None = None
+    derived: bool = False
+    moving: list[Moving] = field(default_factory=list)
+
+    @property
+    def sides(self) -> list[Any]:
+        """Both sides of all of them."""
+        return [side for pair in self.pairs for side in pair]
+
+
+@dataclass(slots=True)
+class Given:
+    """The given equations, what they say of angles (used by substitution), and the triads among them.
+
+    `stated` are the pairs of sides as they were given.
+    """
+
+    equations: list[Equations] = field(default_factory=list)
+    substitutions: list[tuple[str, Any, Any]] = field(default_factory=list)
+    stated: list[Pair] = field(default_factory=list)
+
+
+def collected(given: Any, spoken_of: Sequence[Any], parts: Parts) -> tuple[Given, list[Any]]:
+    """The given equations, complex ones by their parts, and what is spoken of with the given angles put in.
+
+    Raises `Untreatable` for what is no equation, and for differential equations in several variables.
+    """
+    result = Given()
+    for place, (what, item) in enumerate(listed(given, "given")):
+        said = sides(item, what)
+        pairs = list(dict.fromkeys(pair for one, other in said for pair in parts.pairs(one, other)))
+        result.stated += pairs
+        if pairs:
+            text = _text(item, what)
+            taken = any(text == other.text for other in result.equations)
+            result.equations.append(Equations(f"{text} [{place}]" if taken else text, pairs, (text,)))
+    expressions = _without_given_angles(result, list(spoken_of))
+    _state_triads(result)
+    _differentiate(result, expressions)
+    return result, expressions
+
+
+def impossible(given: Given, declared: Sequence[Any]) -> str | None:
+    """A condition that is false on its face: two numbers that differ set equal, or zero said not to vanish."""
+    for item in given.equations:
+        if any((left - right).is_zero is False and not (left - right).free_symbols for left, right in item.pairs):
+            return (item.sources or (item.text,))[0]
+    return next((f"{scalar} != 0" for scalar in declared if scalar.is_zero or sympy.expand(scalar) == 0), None)
+
+
+def evident(given: Given, sides: Sequence[Any]) -> Iterator[Any]:
+    """What does not vanish because of signs: factors of given equations and of rates there, a sum of positive sides."""
+    for item in given.equations:
+        for one, other in item.pairs if item.triad is None and not item.derived else ():
+            if len(sympy.Add.make_args(one - other)) <= MOST_TERMS:
+                found = [*_factors(one - other), *_leading(one - other)]
+                yield from (factor for factor in found if nonzero_by_sign(factor))
+    if len(sides) == 2 and given.equations and all(real_copy(side).is_nonnegative for side in sides):
+        yield from (total for total in [sides[0] + sides[1]] if nonzero_by_sign(total))
+
+
+def _factors(difference: Any) -> list[Any]:
+    """The factors of a polynomial that has several."""
+    try:
+        _, factors = sympy.factor_list(difference)
+    except sympy.PolynomialError:
+        return []
+    return [factor for factor, _ in factors] if len(factors) > 1 else []
+
+
+def _leading(difference: Any) -> Iterator[Any]:
+    """What rates are multiplied by."""
+    expanded = sympy.expand(difference)
+    return (expanded.coeff(rate) for rate in sorted(expanded.atoms(sympy.Derivative), key=str))
+
+
+def _text(item: Any, what: str) -> str:
+    """How a need on it is spelled: the equation, or its place in the list if it is a matrix."""
+    if isinstance(item, sympy.Equality) and isinstance(item.lhs, sympy.Expr):
+        return f"{item.lhs} = {item.rhs}"
+    if item is sympy.false:
+        return f"{what} (false to SymPy)"
+    return f"{item} = 0" if isinstance(item, sympy.Expr) else what
+
+
+def _without_given_angles(result: Given, expressions: list[Any]) -> list[Any]:
+    """Use equations between angles, such as alpha + beta + gamma = pi, to eliminate one of the angles."""
+    for item in list(result.equations):
+        for pair in list(item.pairs):
+            angles = _angles_in([*expressions, *(side for other in result.equations for side in other.sides)])
+            solved = _solved_for_angle(pair[0] - pair[1], angles)
+            if solved is None:
+                continue
+            atom, value = solved
+            item.pairs.remove(pair)
+            result.substitutions.append((item.text, atom, value))
+            expressions = [_put_in(e, atom, value) for e in expressions]
+            for other in result.equations:
+                other.pairs = [(_put_in(a, atom, value), _put_in(b, atom, value)) for a, b in other.pairs]
+    result.equations = [item for item in result.equations if item.pairs]
+    return expressions
+
+
+def _angles_in(expressions: Iterable[Any]) -> set[Any]:
+    """The atoms that occur in arguments of functions, of which the angles are the most common."""
+    calls = {call for e in expressions for call in e.atoms(*CIRCULAR, *ELEMENTARY, sympy.Pow)}
+    calls = {call for call in calls if not call.is_Pow or call.exp.free_symbols}
+    parts = (part for call in calls for argument in call.args for part in sympy.preorder_traversal(argument))
+    return {part for part in parts if is_atom(part)}
+
+
+def _solved_for_angle(difference: Any, angles: set[Any]) -> tuple[Any, Any] | None:
+    """The angle that a linear equation with rational coefficients determines, and its value.
+
+    Nothing is lost by putting it in: the angle is no rate, and neither it nor a rate of it occurs in the value.
+    """
+    terms = sympy.expand(difference).as_coefficients_dict()
+    if not all(term is sympy.pi or is_atom(term) for term in terms):
+        return None
+    moved = [term.expr for term in terms if isinstance(term, sympy.Derivative)]
+    candidates = sorted((term for term in terms if term in angles and term not in moved), key=str)
+    candidates = [term for term in candidates if not isinstance(term, sympy.Derivative)]
+    if not candidates:
+        return None
+    atom = candidates[-1]
+    return atom, sympy.expand(atom - difference / terms[atom])
+
+
+def _put_in(expression: Any, atom: Any, value: Any) -> Any:
+    return expression.subs(atom, value).doit() if expression.has(atom) else expression
+
+
+def _state_triads(result: Given) -> None:
+    """Let orthonormal columns be said by all the quadrics they satisfy, in the place of the equations that say so."""
+    places = [(item, k) for item in result.equations for k in range(len(item.pairs))]
+    taken: dict[int, set[int]] = {}
+    for triad in triads_of([item.pairs[k] for item, k in places]):
+        sources = [places[source] for source in triad.sources]
+        texts = dict.fromkeys(text for item, _ in sources for text in item.sources)
+        for item, k in sources:
+            taken.setdefault(id(item), set()).add(k)
+        result.equations.append(Equations(" and ".join(texts), triad.equations, tuple(texts), triad))
+    for item in result.equations:
+        gone = taken.get(id(item), set())
+        item.pairs = [pair for k, pair in enumerate(item.pairs) if k not in gone]
+    result.equations = [item for item in result.equations if item.pairs]
+
+
+def _differentiate(result: Given, expressions: list[Any]) -> None:
+    """Add derivatives of the given equations: all that say something of the rates that occur."""
+    rows: list[Moving] = []
+    for item in result.equations:
+        item.moving = [Moving(orders_of(pair)) for pair in item.pairs] if orders_of(item.sides) else []
+        rows += [row for row in item.moving if row.orders]
+    found = offsets([row.orders for row in rows])
+    more = max((0, *(order - found.highest.get(f, order) for f, order in orders_of(expressions).items())))
+    for row, times in zip(rows, found.times, strict=True):
+        row.times, row.highest = times, found.highest
+        row.places = [("", 0)] * (times + more + 1)
+    variables = {argument for row in rows for function in row.orders for argument in function.args}
+    for item in [item for item in result.equations if item.moving]:
+        for place, row in enumerate(item.moving):
+            row.places[:1] = [(item.text, place)]
+        _add_derivatives(result, item, variables)
+
+
+def _add_derivatives(result: Given, item: Equations, variables: set[Any]) -> None:
+    pairs = list(zip(item.pairs, item.moving, strict=True))
+    for count in range(1, max(len(row.places) for row in item.moving)):
+        if len(variables) != 1:
+            raise Untreatable(f"{item.text}: given functions of several variables are not differentiated")
+        (variable,) = variables
+        pairs = [((sympy.diff(a, variable), sympy.diff(b, variable)), row) for (a, b), row in pairs]
+        pairs = [(pair, row) for pair, row in pairs if count < len(row.places)]
+        changing = [(pair, row) for pair, row in pairs if pair[0] != pair[1]]
+        text = f"d{count if count > 1 else ''}/d{variable} ({item.text})"
+        for place, (_, row) in enumerate(changing):
+            row.places[count] = text, place
+        if changing:
+            result.equations.append(Equations(text, [pair for pair, _ in changing], item.sources, derived=True))
+
+
+def _functions(expression: Any) -> set[Any]:
+    return set(expression.atoms(AppliedUndef))
+
+
+def orders_of(expressions: Iterable[Any]) -> dict[Any, int]:
+    """How often each function is differentiated."""
+    found: dict[Any, int] = {}
+    for expression in expressions:
+        for function in sorted(_functions(expression), key=str):
+            found.setdefault(function, 0)
+        for derivative in sorted(expression.atoms(sympy.Derivative), key=str):
+            if isinstance(derivative.expr, AppliedUndef):
+                found[derivative.expr] = max(found.get(derivative.expr, 0), derivative.derivative_count)
+    return found

@@ -1,0 +1,230 @@
+"""Square roots, each the nonnegative one: which of them are independent, and what are the others made of?
+
+sqrt(4 x^2 y) is 2 |x| sqrt(y), and sqrt(a b) is sqrt(a) sqrt(b) where these occur too. A radicand is factored; squares
+leave the root, factors that are not negative get roots of their own. What is left over is independent as far as is
+known, so that its square is all that a proof needs; where it is not, a true statement may stay undecided.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import sympy
+
+from chasles.algebra.rings import Polynomial
+from chasles.from_sympy.constants import is_nonnegative
+from chasles.from_sympy.numbers import Numbers, defining
+from chasles.from_sympy.polynomials import Key, as_node, as_sympy, factored, key_of
+from chasles.from_sympy.reader import Reader, multiplied
+from chasles.problems.context import Context, build
+from chasles.statements import Goal, Hypothesis, Problem
+from chasles.vocabulary import PI, Node, Number, Power, Quotient, Symbol
+
+__all__ = ["Roots", "resolve", "words_of"]
+
+Size = tuple[Key, Node, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Roots:
+    """What the words for roots stand for, what the independent ones satisfy, and where they are real.
+
+    `values` are roots of what nothing divides, as products of what is not negative: for certificates.
+    """
+
+    rules: tuple[tuple[Node, Node], ...] = ()
+    hypotheses: tuple[Hypothesis, ...] = ()
+    domains: tuple[str, ...] = ()
+    values: tuple[tuple[Node, Node], ...] = ()
+
+
+def resolve(reader: Reader, divisors: tuple[Hypothesis, ...]) -> Roots:
+    """The roots that a reader has met, in terms of independent ones."""
+    return _Resolver(reader, divisors).resolved()
+
+
+def words_of(hypotheses: Iterable[Hypothesis]) -> tuple[Symbol, ...]:
+    """The words for independent roots."""
+    return tuple(h.subjects[0] for h in hypotheses if h.kind == "root" and isinstance(h.subjects[0], Symbol))
+
+
+class _Resolver:
+    def __init__(self, reader: Reader, divisors: tuple[Hypothesis, ...]) -> None:
+        self.reader = reader
+        self.divisors = divisors
+        self.hypotheses: list[Hypothesis] = []
+        self.numbers = Numbers(reader, self.hypotheses)
+        self.rules: list[tuple[Node, Node]] = []
+        self.domains: list[str] = []
+        self.words: dict[Key, Symbol] = {}
+        self.composite: list[tuple[Node, list[Size]]] = []
+        self.known: set[Key] = set()
+        self.values: list[tuple[Node, Node]] = []
+        self.symbols = set(reader.atoms.words.values())
+        self.positive = {PI.name, *(word.name for atom, word in reader.atoms.words.items() if atom.is_nonnegative)}
+
+    def resolved(self) -> Roots:
+        """One root after the other: those inside a radicand come before it."""
+        context = self._context() if self.reader.roots else None
+        for root in self.reader.roots.values():
+            assert context is not None
+            self._note(context, self._reduced(context, self._radicand(context, root.radicand)[0]))
+        for root in self.reader.roots.values():
+            context = self._context()
+            polynomial, absolute = self._radicand(context, root.radicand)
+            value = self._square_free(context, polynomial)
+            self.values.append((as_node(context, polynomial), value))
+            below = [self._absolute(context, atom, node) for atom, node in absolute]
+            self.values += [(Power(plain, 2), size) for size, plain in below]
+            above = [value, *(node for node, _ in below)]
+            squares: list[Node] = [Power(node, 2) for _, node in below]
+            total = Quotient(multiplied(above), multiplied(squares)) if squares else multiplied(above)
+            self.rules.append((root.word, total))
+        self._compare()
+        return Roots(tuple(self.rules), tuple(self.hypotheses), tuple(dict.fromkeys(self.domains)), tuple(self.values))
+
+    def _context(self) -> Context:
+        nothing = Number(Fraction(0))
+        goals = tuple(Goal("", root.radicand, nothing) for root in self.reader.roots.values())
+        words = words_of(self.hypotheses)
+        # A symbol ranks above its own root, so that it is replaced by the root's square and more squares are seen.
+        symbols = tuple(h.subjects[1] for h in self.hypotheses if h.kind == "root" and h.subjects[1] in self.symbols)
+        first = Hypothesis("equation", symbols, free=True)
+        hypotheses = (first, *reversed(self.hypotheses), *self.divisors)
+        return build(Problem(goals, tuple(self.rules), (), (*symbols, *words), hypotheses))
+
+    def _radicand(self, context: Context, node: Node) -> tuple[Polynomial, list[tuple[Polynomial, Node]]]:
+        """N d for a radicand N / d, and the factors of d, by whose absolute values the root is to be divided."""
+        ratio = context.unfold(node)[0][0]
+        numerator = ratio.numerator
+        below: list[tuple[Polynomial, Node]] = []
+        for place, power in enumerate(ratio.denominator):
+            hypothesis, atom = context.atoms[place]
+            assert hypothesis is not None
+            numerator = numerator * atom if power % 2 else numerator
+            below += [(atom, hypothesis.nonvanishing[0])] * ((power + 1) // 2)
+        return numerator, below
+
+    def _reduced(self, context: Context, polynomial: Polynomial) -> Polynomial:
+        return context.basis.reduce(polynomial)[1]
+
+    def _note(self, context: Context, polynomial: Polynomial) -> None:
+        """A root of a single factor says that this factor is not negative."""
+        if polynomial == 0:
+            return
+        sign, _, factors = factored(context, polynomial)
+        odd = [factor for factor, power in factors if power % 2]
+        if len(odd) == 1:
+            self.known.add(key_of(context, odd[0] if sign > 0 else -odd[0]))
+
+    def _square_free(self, context: Context, polynomial: Polynomial) -> Node:
+        """The root of a polynomial whose squares leave it before cosines and sines are reduced."""
+        sign, size, factors = factored(context, polynomial) if polynomial != 0 else (1, Fraction(1), [])
+        squares = [factor for factor, power in factors for _ in range(power // 2)]
+        left = context.field.ring.constant(sign * size)
+        for factor, power in factors:
+            left = left * factor if power % 2 else left
+        if not squares or (sign < 0 and all(power % 2 == 0 for _, power in factors)):
+            return self._root(context, self._reduced(context, polynomial))
+        outside = [self._absolute(context, factor)[0] for factor in squares]
+        return multiplied([*outside, self._root(context, self._reduced(context, left))])
+
+    def _root(self, context: Context, polynomial: Polynomial) -> Node:
+        """The root of a polynomial that is reduced."""
+        if polynomial == 0:
+            return Number(Fraction(0))
+        sign, size, factors = factored(context, polynomial)
+        parts: list[Node] = [] if size == 1 else [self.numbers.root(size)]
+        left = context.field.ring.constant(Fraction(1))
+        unknown: list[Polynomial] = []
+        for factor, power in factors:
+            parts += [self._absolute(context, factor)[0] for _ in range(power // 2)]
+            if power % 2 and self._is_known(context, factor):
+                parts.append(self._word(context, factor))
+            elif power % 2 and self._is_known(context, -factor):
+                sign = -sign
+                parts.append(self._word(context, -factor))
+            elif power % 2:
+                left = left * factor
+                unknown.append(factor)
+        if sign < 0 and left == 1:
+            return self._word(context, polynomial)
+        if left != 1:
+            left = left * context.field.ring.constant(Fraction(sign))
+            parts.append(self._word(context, left))
+            sizes = [self._size(context, factor) for factor in unknown]
+            self.composite.append((as_node(context, left), sizes if len(sizes) > 1 else []))
+        return multiplied(parts)
+
+    def _absolute(self, context: Context, polynomial: Polynomial, plain: Node | None = None) -> tuple[Node, Node]:
+        """The absolute value of a polynomial, and the polynomial, as words; `plain` if it has some already."""
+        plain = as_node(context, polynomial) if plain is None else plain
+        if self._is_known(context, polynomial):
+            return plain, plain
+        if self._is_known(context, -polynomial):
+            return as_node(context, -polynomial), plain
+        square = self._reduced(context, polynomial * polynomial)
+        if square != polynomial * polynomial:
+            return self._root(context, square), plain
+        key, _, origin = self._size(context, polynomial)
+        self._define(key, Power(plain, 2), origin)
+        return self.words[key], plain
+
+    def _size(self, context: Context, polynomial: Polynomial) -> Size:
+        """How an absolute value is known: by its square; with the polynomial and its absolute value to be written."""
+        square = self._reduced(context, polynomial * polynomial)
+        origin = sympy.Abs(as_sympy(self.reader.atoms.origins, context, polynomial))
+        return key_of(context, square), as_node(context, polynomial), origin
+
+    def _compare(self) -> None:
+        """Where a product is not negative, it is the product of the absolute values of its factors."""
+        for product, sizes in self.composite:
+            if any(key in self.words for key, _, _ in sizes):
+                for key, plain, origin in sizes:
+                    self._define(key, Power(plain, 2), origin)
+                absolute = multiplied([self.words[key] for key, _, _ in sizes])
+                text = f"{absolute} = {product}"
+                self.hypotheses.append(
+                    Hypothesis("consequence", (absolute, product), ((absolute, product),), (), "", text, free=True)
+                )
+
+    def _is_known(self, context: Context, polynomial: Polynomial) -> bool:
+        return self._is_nonnegative(context, polynomial) or key_of(context, polynomial) in self.known
+
+    def _is_nonnegative(self, context: Context, polynomial: Polynomial) -> bool:
+        """Whether every term is visibly not negative, a cosine or sine being at least -1."""
+        reserve, swing = Fraction(0), Fraction(0)
+        for exponents, coefficient in context.field.ring.terms(polynomial):
+            odd = [context.variables[k] for k, e in enumerate(exponents) if e % 2]
+            if coefficient > 0 and all(v.name in self.positive | self.numbers.names for v in odd):
+                reserve += coefficient if not any(exponents) else 0
+            elif all(v.kind in ("cos", "sin") for v in odd) and all(
+                v.kind in ("cos", "sin") for k, v in enumerate(context.variables) if exponents[k]
+            ):
+                swing += abs(coefficient)
+            else:
+                return False
+        return swing <= reserve
+
+    def _word(self, context: Context, polynomial: Polynomial) -> Node:
+        """The root of a polynomial as an independent one."""
+        number = self.numbers.root_of_constant(context, polynomial)
+        if number is not None:
+            return number
+        key = key_of(context, polynomial)
+        expression = as_sympy(self.reader.atoms.origins, context, polynomial)
+        if not (self._is_nonnegative(context, polynomial) or is_nonnegative(expression)):
+            self.domains.append(f"{expression} >= 0")
+        self._define(key, as_node(context, polynomial), sympy.sqrt(expression))
+        return self.words[key]
+
+    def _define(self, key: Key, radicand: Node, origin: Any) -> None:
+        if key in self.words:
+            return
+        word = self.reader.atoms.fresh(f"w_{len(self.words) + 1}", origin)
+        self.words[key] = word
+        self.positive.add(word.name)
+        self.hypotheses.append(defining(word, radicand, str(origin)))

@@ -1,0 +1,180 @@
+"""Rational points that satisfy every condition, and at which two sides are certainly different: their values enclosed.
+
+What is refuted so needs no algebra of the functions that occur. An equation that is given is satisfied exactly: it is
+linear in one of its atoms, which is solved for, or it holds in rational arithmetic.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from random import Random
+from typing import Any
+
+import sympy
+
+from chasles.algebra.work_limit import check
+from chasles.from_sympy.atoms import ASSUMPTIONS
+from chasles.from_sympy.enclosures import Enclosures, Unbounded, apart, sign_of
+from chasles.from_sympy.opening import Entries, atoms_of, excerpt
+from chasles.problems.variables import Untreatable
+from chasles.verdict import Counterexample
+
+__all__ = ["Sampling"]
+
+FEW, MANY = (4, 16), (30, 300)
+"""So many points are looked at, of so many that are drawn."""
+SIGNS = ("positive", "negative", "nonpositive", "nonnegative", "zero", "nonzero")
+TRIES = 20
+
+
+@dataclass(slots=True)
+class Sampling:
+    """Both sides, what is given to be equal and not to vanish, and the expressions that have to be defined.
+
+    If the sides have more than `rows` rows, those below are imaginary parts. `still` says that no functions of time are
+    given, so that every value at an instant is possible: else nothing is refuted.
+    """
+
+    left: Entries
+    right: Entries
+    rows: int
+    given: Sequence[tuple[Any, Any]] = ()
+    nonzero: Sequence[Any] = ()
+    defined: Sequence[Any] = ()
+    still: bool = True
+    _dummies: dict[Any, Any] = field(default_factory=dict)
+
+    def counterexample(self, few: bool = False) -> Counterexample | None:
+        """A point at which an entry of the two sides differs; None if none was found."""
+        sides = [[[self._named(entry) for entry in row] for row in side.rows] for side in (self.left, self.right)]
+        for enclosures in self._points(*(FEW if few else MANY)) if self.still else ():
+            for i, (one, other) in enumerate(zip(*sides, strict=True)):
+                for j, (a, b) in enumerate(zip(one, other, strict=True)):
+                    try:
+                        if apart(enclosures(a), enclosures(b)):
+                            return self._told(enclosures, i % self.rows, j)
+                    except Unbounded:
+                        continue
+        return None
+
+    def point(self) -> Mapping[str, Any] | None:
+        """A point at which everything that occurs is defined, and all conditions hold."""
+        fallback = None
+        for enclosures in self._points(*MANY):
+            found = self._coordinates(enclosures)
+            if all(isinstance(value, Fraction) for value in found.values()):
+                return found
+            fallback = fallback or found
+        return fallback
+
+    def _points(self, enough: int, attempts: int) -> Iterator[Enclosures]:
+        sides = [entry for side in (self.left, self.right) for row in side.rows for entry in row]
+        given = [(self._named(one), self._named(other)) for one, other in self.given]
+        nonzero = [self._named(e) for e in self.nonzero]
+        expressions = [*(self._named(e) for e in (*sides, *self.defined)), *(side for pair in given for side in pair)]
+        solved = _Solved(given)
+        for attempt in range(attempts):
+            check()
+            random = Random(attempt)
+            atoms = sorted(self._dummies.items(), key=lambda known: str(known[0]))
+            values = {dummy: _drawn(atom, random, attempt) for atom, dummy in atoms}
+            enclosures = Enclosures({**values, **solved.values})
+            try:
+                for expression in expressions:
+                    enclosures(expression)
+                good = solved.satisfied(enclosures) and all(apart(enclosures(e), Fraction(0)) for e in nonzero)
+                good = good and all(_agrees(atom, enclosures(dummy)) for atom, dummy in self._dummies.items())
+            except Unbounded:
+                continue
+            if good:
+                yield enclosures
+                enough -= 1
+            if not enough:
+                return
+
+    def _named(self, expression: Any) -> Any:
+        """The expression with every atom a symbol of its own."""
+        for part in atoms_of(expression):
+            if part not in self._dummies:
+                self._dummies[part] = sympy.Dummy(str(part))
+        try:
+            return expression.xreplace(self._dummies)
+        except (TypeError, ValueError):
+            raise Untreatable(f"{excerpt(expression)} is not treated: SymPy does not put other symbols in it") from None
+
+    def _coordinates(self, enclosures: Enclosures) -> dict[str, Any]:
+        """The exact values of the atoms."""
+        found = {str(atom): _plain(self._exact(enclosures, dummy)) for atom, dummy in self._dummies.items()}
+        return dict(sorted(found.items()))
+
+    def _exact(self, enclosures: Enclosures, expression: Any) -> Any:
+        while expression.has(*enclosures.values):
+            expression = expression.xreplace(enclosures.values)
+        return expression
+
+    def _told(self, enclosures: Enclosures, row: int, column: int) -> Counterexample:
+        """The counterexample, both sides with their imaginary parts if they may have some."""
+        texts = []
+        for side in (self.left, self.right):
+            rows = range(row, len(side.rows), self.rows)
+            parts = [self._exact(enclosures, self._named(side.rows[k][column])) for k in rows]
+            texts.append(str(parts[0] + sympy.I * parts[1] if len(parts) > 1 else parts[0]))
+        return Counterexample(self._coordinates(enclosures), (row + 1, column + 1), texts[0], texts[1])
+
+
+class _Solved:
+    """The atoms that given equations determine, each linear in its atom where the coefficient does not vanish."""
+
+    def __init__(self, given: Sequence[tuple[Any, Any]]) -> None:
+        self.values: dict[Any, Any] = {}
+        self.slopes: list[Any] = []
+        self.left: list[Any] = []
+        for one, other in given:
+            difference = sympy.expand((one - other).xreplace(self.values))
+            for atom in sorted(difference.free_symbols, key=str):
+                slope = sympy.diff(difference, atom)
+                if slope != 0 and not slope.has(atom):
+                    value = -difference.xreplace({atom: sympy.S.Zero}) / slope
+                    self.values = {known: e.xreplace({atom: value}) for known, e in self.values.items()}
+                    self.values[atom] = value
+                    self.slopes.append(slope)
+                    break
+            else:
+                self.left.append(difference)
+
+    def satisfied(self, enclosures: Enclosures) -> bool:
+        """Whether all of them hold, exactly."""
+        known = all(apart(enclosures(slope), Fraction(0)) for slope in self.slopes)
+        return known and all(enclosures(difference) == Fraction(0) for difference in self.left)
+
+
+def _drawn(atom: Any, random: Random, attempt: int) -> Any:
+    """A rational number that the atom may be, small ones first."""
+    value = sympy.Integer(attempt % 2)
+    if attempt in (FEW[1], FEW[1] + 1) and _agrees(atom, Fraction(int(value))):
+        return value
+    for _ in range(TRIES):
+        reach = 3 if attempt < FEW[1] else 12
+        value = sympy.Rational(random.randint(-4 * reach, 4 * reach), random.choice((1, 2, 3, 4, 4, 8)))
+        if _agrees(atom, Fraction(int(value.p), int(value.q))):
+            break
+    return value
+
+
+def _agrees(atom: Any, value: Any) -> bool:
+    """Whether the atom may have the value, by what SymPy knows of it."""
+    wanted = {key: known for key in ASSUMPTIONS if (known := getattr(atom, f"is_{key}")) is not None}
+    if isinstance(value, Fraction):
+        exact = sympy.Rational(value.numerator, value.denominator)
+        return all(getattr(exact, f"is_{key}") is known for key, known in wanted.items())
+    if not wanted.keys() <= set(SIGNS):
+        return False
+    sign = sympy.Integer(sign_of(value))
+    return all(getattr(sign, f"is_{key}") is known for key, known in wanted.items())
+
+
+def _plain(value: Any) -> Any:
+    """A rational number as a fraction."""
+    return Fraction(int(value.p), int(value.q)) if isinstance(value, sympy.Rational) else value

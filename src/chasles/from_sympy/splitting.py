@@ -1,0 +1,188 @@
+"""A verdict by cases: each is decided by itself, and together they are all that can be."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy
+
+from chasles.from_sympy.atoms import Atoms
+from chasles.from_sympy.cases import Case, powers_in, switches_in
+from chasles.from_sympy.complexes import OF_COMPLEX
+from chasles.from_sympy.divisors import divisor_of
+from chasles.from_sympy.generalising import Decide, generalised
+from chasles.from_sympy.opening import Entries, atoms_of, opened, sides
+from chasles.from_sympy.sampling import Sampling
+from chasles.from_sympy.side_conditions import listed, nonvanishing
+from chasles.problems.variables import Untreatable
+from chasles.verdict import Fails, Holds, HoldsUnder, Undecided, Verdict
+
+__all__ = ["Splitting"]
+
+MOST = 100
+UNREADABLE = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign)
+RELATIONS = (" != 0", " > 0", " >= 0")
+
+
+@dataclass(slots=True)
+class Splitting:
+    """A question by cases, each of which is decided by `decide`."""
+
+    lhs: Any
+    rhs: Any
+    given: Any
+    nonzero: Any
+    decide: Decide
+    needs: dict[str, None] = field(default_factory=dict)
+    _left: Entries = field(init=False)
+    _right: Entries = field(init=False)
+    _pairs: list[tuple[Any, Any]] = field(init=False)
+    _declared: list[Any] = field(init=False)
+    _texts: list[str] = field(init=False)
+    _cases: int = 0
+    _refused: Untreatable | None = None
+
+    def __post_init__(self) -> None:
+        self._left, self._right = opened(self.lhs, "the left side"), opened(self.rhs, "the right side")
+        items = listed(self.given, "given")
+        self._pairs = [pair for what, item in items for pair in sides(item, what)]
+        self._texts = [str(item) if not isinstance(item, sympy.Eq) else f"{item.lhs} = {item.rhs}" for _, item in items]
+        self._declared = list(nonvanishing(self.nonzero))
+        known = Atoms()
+        for atom in (atom for e in self.spoken for atom in atoms_of(e)):
+            known.word(atom)
+
+    @property
+    def spoken(self) -> tuple[Any, ...]:
+        """Everything of which the question speaks."""
+        entries = (e for side in (self._left, self._right) for row in side.rows for e in row)
+        return (*entries, *(side for pair in self._pairs for side in pair), *self._declared)
+
+    def states(self, texts: Iterable[str]) -> bool:
+        """Whether all of this is said by the question itself."""
+        return {*texts} <= {*self._texts, *(f"{e} != 0" for e in self._declared)}
+
+    @property
+    def wanted(self) -> bool:
+        """Whether something is spoken of that is treated by cases alone."""
+        return bool(switches_in(self.spoken, *UNREADABLE)) and self.possible
+
+    @property
+    def readable(self) -> bool:
+        """Whether the question is also treated as a whole."""
+        return not switches_in(self.spoken, *(kind for kind in UNREADABLE if kind is not sympy.sign))
+
+    @property
+    def possible(self) -> bool:
+        """Whether the question is one of real numbers."""
+        return self._left.shape == self._right.shape and not any(e.has(*OF_COMPLEX) for e in self.spoken)
+
+    def verdict(self) -> Verdict:
+        """`Holds` or `HoldsUnder` if it is proved as a whole or in every case, `Fails` with a point, or `Undecided`."""
+        sampling = Sampling(self._left, self._right, self._left.shape[0], self._pairs, self._declared)
+        whole = Case(self.spoken)
+        self._require(whole, within=False)
+        signed = switches_in(self.spoken)
+        tree = self._proved(whole) if switches_in(self.spoken, *UNREADABLE) else self._decided(whole)
+        if tree is None and signed and not switches_in(self.spoken, *UNREADABLE):
+            tree = self._proved(whole)
+        if tree is None:
+            found = sampling.counterexample()
+            if found is None and self._refused is not None:
+                raise self._refused
+            return Fails(found) if found else Undecided("a remainder is left, and no counterexample was found")
+        witness = sampling.point()
+        if witness is None:
+            return Undecided("it follows from its hypotheses, but no point was found that satisfies them all")
+        needs = (*self._texts, *self.needs)
+        said = {str(name): str(value) for name, value in witness.items()}
+        certificate = {**tree, "witness": said}
+        return HoldsUnder(tuple(needs), certificate, witness) if needs else Holds(certificate, witness)
+
+    def _proved(self, case: Case) -> Mapping[str, Any] | None:
+        """The certificates of a case's cases; None if one is not proved."""
+        if case.excluded:
+            self.needs[case.excluded] = None
+        if case.excluded or not case.possible:
+            return {"impossible": True}
+        case = case.settled()
+        if self._contradicts(case):
+            return {"impossible": True}
+        if case.vanishing:
+            if not case.zeros:
+                return None
+            self.needs[f"{case.zeros[-1]} != 0"] = None
+            return {"impossible": True}
+        factor = case.open
+        if factor is None:
+            return self._decided(case)
+        self._cases += 2
+        if self._cases > MOST:
+            return None
+        parts: dict[str, Any] = {}
+        size = self._fresh()
+        for sign, part in case.split(factor, size).items():
+            found = self._proved(part)
+            if found is None:
+                return None
+            parts[sign] = found
+        return {"on": str(factor), "size": str(size), "cases": parts}
+
+    def _fresh(self) -> Any:
+        names = {str(s) for e in self.spoken for s in e.free_symbols}
+        self._cases += 1
+        number = self._cases
+        while f"d_{number}" in names:
+            number += MOST
+        return sympy.Symbol(f"d_{number}", positive=True)
+
+    def _contradicts(self, case: Case) -> bool:
+        """Whether two sides that are given to be equal visibly differ."""
+        size = 2 * self._left.shape[0] * self._left.shape[1]
+        flat = iter(case.spoken[size : size + 2 * len(self._pairs)])
+        pairs = [*zip(flat, flat, strict=True), *((e, sympy.S.Zero) for e in case.equations)]
+        return any(case.sign(one - other) in (1, -1) for one, other in pairs)
+
+    def _require(self, case: Case, within: bool) -> None:
+        """State what divisors and radicands need, where it is not seen in this case whether it holds."""
+        for power in powers_in(self.spoken, within):
+            sign, root = case.sign_here(power.base), not power.exp.is_Integer
+            if within and (sign == 0 or (root and sign == -1)):
+                continue
+            if power.exp < 0 and sign not in (1, -1):
+                self.needs[divisor_of(power.base).text] = None
+            if root and sign not in (0, 1) and not power.base.is_nonnegative:
+                self.needs[f"{power.base} >= 0"] = None
+
+    def _decided(self, case: Case) -> Mapping[str, Any] | None:
+        self._require(case, within=True)
+        size, pairs = self._left.shape[0] * self._left.shape[1], len(self._pairs)
+        left, right = (case.spoken[k * size : (k + 1) * size] for k in (0, 1))
+        flat = iter(case.spoken[2 * size : 2 * size + 2 * pairs])
+        given = [*zip(flat, flat, strict=True), *((e, sympy.S.Zero) for e in case.equations)]
+        try:
+            proved = generalised(left, right, given, case.spoken[2 * size + 2 * pairs :], self.decide)
+        except Untreatable as error:
+            self._refused = error
+            return None
+        return proved.certificate if proved and all(self._need(case, text) for text in proved.needs) else None
+
+    def _need(self, case: Case, text: str) -> bool:
+        """State a need of a case in the symbols of the question, unless it holds throughout the case."""
+        relation = next((relation for relation in RELATIONS if text.endswith(relation)), None)
+        if relation is None:
+            return False
+        names = {str(s): s for e in case.spoken for s in e.free_symbols}
+        try:
+            said = sympy.sympify(text.removesuffix(relation), locals=names)
+        except (sympy.SympifyError, TypeError):
+            return False
+        if not said.free_symbols and case.sign(said) in ((1, -1) if relation == " != 0" else (1,)):
+            return True
+        if not said.free_symbols & {symbol for symbol, _ in case.path}:
+            self.needs[text] = None
+        elif case.sign(said) not in (1, -1):
+            self.needs[f"{case.back(said)}{relation}"] = None
+        return True

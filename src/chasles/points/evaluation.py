@@ -1,0 +1,80 @@
+"""The exact values of polynomials and fractions at a point, and whether a point satisfies all that is known."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+from chasles.algebra.localization import Ratio
+from chasles.algebra.rings import Polynomial
+from chasles.algebra.values import InPi, Value, divided, is_zero
+from chasles.problems.context import Context
+from chasles.statements import Hypothesis
+
+__all__ = ["Point", "evaluate", "measured", "ratio_at", "satisfies"]
+
+Point = dict[str, Fraction]
+Term = tuple[Fraction, tuple[tuple[str, int], ...], int]
+
+
+def evaluate(context: Context, polynomial: Polynomial, point: Point) -> Value:
+    """The polynomial's exact value; every variable that occurs in it must have a value."""
+    total: Value = {}
+    for coefficient, factors, power in _terms(context, polynomial):
+        term = coefficient
+        for name, exponent in factors:
+            value = point[name]
+            if not value:
+                break
+            term = term * value if exponent == 1 else term * value**exponent
+        else:
+            total[power] = total.get(power, Fraction(0)) + term
+    return {power: c for power, c in total.items() if c}
+
+
+def _terms(context: Context, polynomial: Polynomial) -> list[Term]:
+    """The polynomial's terms, read once: sampling evaluates the same few polynomials again and again."""
+    known = context.terms.get(id(polynomial))
+    if known is None:
+        names, transcendental = context.field.ring.names, context.transcendental
+        terms = [
+            (
+                coefficient,
+                tuple((names[place], exponent) for place, exponent in enumerate(exponents) if exponent),
+                sum(exponents[place] for place in transcendental),
+            )
+            for exponents, coefficient in context.field.ring.terms(polynomial)
+        ]
+        known = context.terms[id(polynomial)] = (polynomial, terms)
+    return known[1]
+
+
+def ratio_at(context: Context, ratio: Ratio, point: Point) -> Value | None:
+    """The exact value of a fraction; None where its denominator is not a single power."""
+    below = context.field.power_product(ratio.denominator)
+    return divided(evaluate(context, ratio.numerator, point), evaluate(context, below, point))
+
+
+def satisfies(context: Context, point: Point) -> bool:
+    """Whether every generator and condition vanishes at the point and no atom does."""
+    vanishing = (*context.generators, *context.conditions)
+    return (
+        all(is_zero(evaluate(context, g.polynomial, point)) for g in vanishing)
+        and all(not is_zero(evaluate(context, atom, point)) for _, atom in context.atoms)
+        and all(_is_positive(context, h, point) for h in context.active if h.kind == "positive")
+    )
+
+
+def _is_positive(context: Context, hypothesis: Hypothesis, point: Point) -> bool:
+    """Whether the quantity is positive, given that an angle or pi in it is."""
+    value = ratio_at(context, context.unfold(hypothesis.subjects[0])[0][0], point)
+    return value is not None and all(coefficient > 0 for coefficient in value.values())
+
+
+def measured(context: Context, point: Mapping[str, Any]) -> dict[str, Any]:
+    """The point with its angles as multiples of pi, where pi measures them."""
+    angles = {context.variables[place].name for place in context.transcendental if context.pi_measures}
+    return {
+        name: InPi(value) if name in angles and isinstance(value, Fraction) else value for name, value in point.items()
+    }

@@ -1,0 +1,148 @@
+"""Exact rational points that satisfy a problem's hypotheses, simple ones first.
+
+Unit vectors are stereographic, cosine and sine Pythagorean, rotations come from quaternions, rates from spins;
+conditions are satisfied by what they determine, norms by moving a free vector until its norm is rational.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from math import prod
+from random import Random
+
+from chasles.algebra.rings import Polynomial
+from chasles.algebra.values import divided
+from chasles.points.adjustment import adjusted
+from chasles.points.evaluation import Point, evaluate, ratio_at, satisfies
+from chasles.points.rational import CIRCLE, Numbers, circle, free
+from chasles.points.rational_norms import give_norm
+from chasles.points.satisfying import bind, in_order
+from chasles.points.simple_random import PlainDraw
+from chasles.problems.context import Context
+from chasles.vocabulary import Symbol
+
+__all__ = ["Point", "evaluate", "plain", "ratio_at", "sample", "satisfies"]
+
+ATTEMPTS = 400
+SIMPLE_ATTEMPTS = 8
+QUARTERS = tuple((Fraction(c), Fraction(s)) for c, s in ((1, 0), (0, 1), (-1, 0), (0, -1)))
+
+
+def sample(
+    context: Context, solved: dict[str, tuple[Polynomial, Polynomial]], *, simple: bool = True
+) -> Iterator[Point]:
+    """Points that satisfy the hypotheses, the norms and the conditions, simple ones first, until a number of attempts.
+
+    `solved` gives numerator and denominator of each variable that the conditions determine.
+    """
+    draw = Random(0)
+    for attempt in range(0 if simple else SIMPLE_ATTEMPTS, ATTEMPTS):
+        point = _try(context, solved, draw, attempt)
+        if point is not None and (satisfies(context, point) or (not solved and adjusted(context, point))):
+            yield point
+
+
+def plain(context: Context, solved: dict[str, tuple[Polynomial, Polynomial]], attempts: int) -> Iterator[Point]:
+    """Different points that satisfy the same, of axes, quarter turns, zeros and ones where that is possible."""
+    draw = PlainDraw(0)
+    seen: set[tuple[tuple[str, Fraction], ...]] = set()
+    for _ in range(attempts):
+        point = _try(context, solved, draw, 0)
+        key = None if point is None else tuple(point.items())
+        if point is None or key is None or key in seen:
+            continue
+        seen.add(key)
+        if satisfies(context, point) or (not solved and adjusted(context, point)):
+            yield point
+
+
+def _try(
+    context: Context, solved: dict[str, tuple[Polynomial, Polynomial]], draw: Random, attempt: int
+) -> Point | None:
+    rich = attempt >= SIMPLE_ATTEMPTS
+    values: dict[tuple[Symbol, int], Numbers] = {}
+    orders: dict[Symbol, int] = {}
+    for variable in context.variables:
+        if variable.kind == "entry" and variable.symbol is not None:
+            orders[variable.symbol] = max(orders.get(variable.symbol, 0), variable.order)
+    bound: set[Symbol] = set()
+    for hypothesis in in_order(context.active):
+        bound |= bind(hypothesis, orders, values, draw, rich)
+    for symbol, highest in orders.items():
+        for order in range(highest + 1):
+            if (symbol, order) not in values:
+                values[symbol, order] = free(symbol.shape, draw, rich)
+    point: Point = {}
+    for variable in context.variables:
+        if variable.kind == "entry" and variable.symbol is not None and variable.name not in solved:
+            point[variable.name] = values[variable.symbol, variable.order][variable.row][variable.column]
+    _angles(context, point, draw, rich)
+    _moments(context, point, draw, rich)
+    return _finish(context, solved, point, bound, draw, rich)
+
+
+def _moments(context: Context, point: Point, draw: Random, rich: bool) -> None:
+    """Moments of a body of a few elements of unit volume and positive density, so that they are those of some body."""
+    moments = [variable for variable in context.variables if variable.kind == "moment"]
+    if not moments:
+        return
+    names = dict.fromkeys(name for variable in moments for name, _ in variable.factors)
+    reach = 4 if rich else 1
+    elements = [
+        {name: Fraction(draw.randint(*((1, 3) if name in context.densities else (-reach, reach)))) for name in names}
+        for _ in range(8 if rich else draw.randint(1, 4))
+    ]
+    for variable in moments:
+        for element in elements:
+            powers = (element[name] ** exponent for name, exponent in variable.factors)
+            point[variable.name] = point.get(variable.name, Fraction(0)) + prod(powers, start=Fraction(1))
+
+
+def _angles(context: Context, point: Point, draw: Random, rich: bool) -> None:
+    """Rational cosines and sines; quarter turns where pi measures the angle too."""
+    for variable in context.variables:
+        if variable.kind != "cos" or variable.symbol is None:
+            continue
+        if context.pi_measures:
+            quarters = draw.choice((1, 2, -1, 3, -2, 5))
+            quarters = abs(quarters) if variable.symbol in context.problem.nonnegative else quarters
+            cosine, sine = QUARTERS[quarters % 4]
+            point[variable.symbol.name] = Fraction(quarters, 2) / context.unfold.coordinates.unit(variable.symbol)
+        else:
+            cosine, sine = circle(draw) if rich else draw.choice(CIRCLE)
+            if variable.symbol.name in point:
+                point[variable.symbol.name] = Fraction(1)
+                cosine, sine = (cosine, sine) if sine or cosine < 0 else CIRCLE[1]
+        point[variable.name] = cosine
+        point["sin" + variable.name.removeprefix("cos")] = sine
+    if "pi" in context.field.ring.names:
+        point["pi"] = Fraction(1)
+
+
+def _finish(
+    context: Context,
+    solved: dict[str, tuple[Polynomial, Polynomial]],
+    point: Point,
+    bound: set[Symbol],
+    draw: Random,
+    rich: bool,
+) -> Point | None:
+    """Norms, then what the conditions determine; None if a norm cannot be made rational or an atom vanishes."""
+    try:
+        for variable in context.variables:
+            if variable.node is not None and not give_norm(
+                context, variable.node, variable.name, point, bound, draw, rich
+            ):
+                return None
+        for name, (numerator, denominator) in solved.items():
+            quotient = divided(evaluate(context, numerator, point), evaluate(context, denominator, point))
+            if quotient is None or set(quotient) - {0}:
+                return None
+            point[name] = quotient.get(0, Fraction(0))
+        for variable in context.variables:
+            if variable.kind == "norm" and variable.name not in point:
+                return None
+    except KeyError:
+        return None
+    return point

@@ -1,0 +1,167 @@
+"""Rational values that satisfy a hypothesis, with the rates that go with them."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+from fractions import Fraction
+from functools import reduce
+from itertools import combinations
+from math import comb
+from operator import mul
+from random import Random
+
+from chasles.points.rational import (
+    CIRCLE,
+    Numbers,
+    circle,
+    definite,
+    free,
+    half_turn,
+    on_sphere,
+    root_of,
+    rotation,
+    unit_vector,
+)
+from chasles.statements import Hypothesis
+from chasles.vocabulary import Symbol
+
+KINDS = (
+    "half_turn",
+    "orthonormal",
+    "rotation",
+    "unit",
+    "direction",
+    "unit column",
+    "definite",
+    "symmetric",
+    "positive",
+    "perpendicular",
+)
+"""Of hypotheses on the same symbols, those that leave less of a choice come first."""
+
+
+def in_order(hypotheses: Iterable[Hypothesis]) -> list[Hypothesis]:
+    """The hypotheses as they are satisfied: what comes later keeps what its subjects already are."""
+    spoken_of = Counter(subject for h in hypotheses if h.kind in KINDS for subject in h.subjects)
+    shared = {h: any(spoken_of[subject] > 1 for subject in h.subjects) for h in hypotheses if h.kind in KINDS}
+    return sorted(hypotheses, key=lambda h: KINDS.index(h.kind) if shared.get(h) else -1)
+
+
+def bind(
+    hypothesis: Hypothesis,
+    orders: dict[Symbol, int],
+    values: dict[tuple[Symbol, int], Numbers],
+    draw: Random,
+    rich: bool,
+) -> set[Symbol]:
+    """Give the subjects of a hypothesis values that satisfy it."""
+    subjects = [s for s in hypothesis.subjects if isinstance(s, Symbol)]
+    match hypothesis.kind:
+        case "unit" | "direction":
+            (vector,) = subjects
+            if (vector, 0) not in values:
+                rates = _turning([[x] for x in unit_vector(draw, rich)], orders.get(vector, 0), draw, rich)
+                values |= {(vector, k): rate for k, rate in enumerate(rates)}
+        case "rotation" | "half_turn":
+            (matrix,) = subjects
+            if (matrix, 0) not in values:
+                numbers = (half_turn if hypothesis.kind == "half_turn" else rotation)(draw, rich)
+                rates = _turning(numbers, orders.get(matrix, 0), draw, rich)
+                values |= {(matrix, k): rate for k, rate in enumerate(rates)}
+        case "orthonormal":
+            order = max(orders.get(s, 0) for s in subjects)
+            rates = _turning(rotation(draw, rich), order, draw, rich)
+            for j, vector in enumerate(subjects):
+                values |= {(vector, k): [[row[j]] for row in rate] for k, rate in enumerate(rates)}
+        case "unit column":
+            _on_sphere(subjects, orders, values, draw, rich)
+        case "positive" if subjects:
+            (quantity,) = subjects
+            known = values.get((quantity, 0))
+            values[quantity, 0] = [[abs(known[0][0])]] if known else [[Fraction(draw.randint(1, 5))]]
+        case "definite" | "symmetric":
+            (matrix,) = subjects
+            if (matrix, 0) in values:
+                values[matrix, 0] = _symmetric_too(values[matrix, 0], hypothesis.kind, draw, rich)
+            else:
+                for k in range(orders.get(matrix, 0) + 1):
+                    m = (definite if hypothesis.kind == "definite" else free)(matrix.shape, draw, rich)
+                    values[matrix, k] = [[m[min(i, j)][max(i, j)] for j in range(len(m))] for i in range(len(m))]
+        case "perpendicular":
+            return _perpendicular(subjects, values, draw, rich)
+        case _:
+            return set()
+    return set(subjects)
+
+
+def _symmetric_too(rotation: Numbers, kind: str, draw: Random, rich: bool) -> Numbers:
+    """A rotation that is symmetric: the same if it is, the identity if it shall be definite, else a half-turn."""
+    if kind == "definite":
+        return [[Fraction(int(i == j)) for j in range(len(rotation))] for i in range(len(rotation))]
+    return rotation if rotation == [*map(list, zip(*rotation, strict=True))] else half_turn(draw, rich)
+
+
+def _on_sphere(
+    subjects: list[Symbol],
+    orders: dict[Symbol, int],
+    values: dict[tuple[Symbol, int], Numbers],
+    draw: Random,
+    rich: bool,
+) -> None:
+    """Entries whose squares add to one, with their rates; those that have values keep them."""
+    open_ = [symbol for symbol in subjects if (symbol, 0) not in values]
+    known = [entry for symbol in subjects if symbol not in open_ for (entry,) in values[symbol, 0]]
+    radius = root_of(1 - sum((entry * entry for entry in known), Fraction(0)))
+    if radius is None or not open_:
+        return
+    lengths = on_sphere(len(open_), draw, rich)
+    parts = [(1,) if symbol.is_scalar else unit_vector(draw, rich) for symbol in open_]
+    column = [[radius * length * x] for length, part in zip(lengths, parts, strict=True) for x in part]
+    order = 0 if known else max(orders.get(symbol, 0) for symbol in open_)
+    for k, rate in enumerate(_turning(column, order, draw, rich)):
+        entries = iter(rate)
+        values |= {(symbol, k): [next(entries) for _ in range(symbol.shape[0])] for symbol in open_}
+
+
+def _perpendicular(
+    subjects: list[Symbol], values: dict[tuple[Symbol, int], Numbers], draw: Random, rich: bool
+) -> set[Symbol]:
+    """Two vectors at right angles; one that has a rational length keeps it."""
+    one, other = subjects if (subjects[0], 0) in values or (subjects[1], 0) not in values else subjects[::-1]
+    first = [row[0] for row in values.setdefault((one, 0), free((3, 1), draw, rich))]
+    length, kept = (root_of(sum((x * x for (x,) in values.get((s, 0), ())), Fraction(0))) for s in (one, other))
+    if length and kept:
+        # The reflection that turns the third axis into the first vector turns the other two into normals of it.
+        mirror = [x / length - axis for x, axis in zip(first, (0, 0, 1), strict=True)]
+        square = sum(x * x for x in mirror) or Fraction(1)
+        normal = [*(circle(draw) if rich else draw.choice(CIRCLE)), Fraction(0)]
+        along = 2 * sum(map(mul, mirror, normal)) / square
+        values[other, 0] = [[kept * (x - along * y)] for x, y in zip(normal, mirror, strict=True)]
+    else:
+        values[other, 0] = _spin(free((3, 1), draw, rich), first)
+    return {one, other}
+
+
+def _turning(numbers: Numbers, order: int, draw: Random, rich: bool) -> list[Numbers]:
+    """The values and rates of something that turns: x, w x x, w' x x + w x (w x x) and so on, by Leibniz's rule."""
+    rates, size = [numbers], len(numbers)
+    spins = [[row[0] for row in free((size * (size - 1) // 2, 1), draw, rich)] for _ in range(max(order, 2))]
+    for reached in range(order):
+        parts = [_spin(rates[reached - k], [comb(reached, k) * x for x in spins[k]]) for k in range(reached + 1)]
+        rates.append(reduce(_plus, parts))
+    return rates
+
+
+def _spin(numbers: Numbers, spin: list[Fraction]) -> Numbers:
+    """The skew-symmetric matrix of the spin times each column: in three dimensions, spin x each column."""
+    total = [[Fraction(0)] * len(row) for row in numbers]
+    for (j, i), rate in zip(combinations(reversed(range(len(numbers))), 2), spin, strict=True):
+        turn = rate if (i + j) % 2 else -rate
+        total[j] = [sum_ + turn * entry for sum_, entry in zip(total[j], numbers[i], strict=True)]
+        total[i] = [sum_ - turn * entry for sum_, entry in zip(total[i], numbers[j], strict=True)]
+    return total
+
+
+def _plus(one: Numbers, other: Numbers) -> Numbers:
+    return [[a + b for a, b in zip(row, line, strict=True)] for row, line in zip(one, other, strict=True)]

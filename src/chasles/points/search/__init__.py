@@ -1,0 +1,189 @@
+"""Exact points where free hypotheses hold: witnesses and counterexamples for questions that are no declarations."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from random import Random
+from typing import Any, Protocol
+
+from chasles.algebra.localization import Ratio
+from chasles.algebra.surds import Exact
+from chasles.algebra.work_limit import check, remaining
+from chasles.points.search.angles import Turning
+from chasles.points.search.constraints import Stage, staged
+from chasles.points.search.drawing import Drawing, Frame
+from chasles.points.search.evaluation import Evaluation, entry_of
+from chasles.points.search.motion import Block, Motion, Row
+from chasles.points.search.values import Values, sparse
+from chasles.problems.context import Context
+from chasles.statements import Goal
+from chasles.verdict import Counterexample
+from chasles.vocabulary import Node, Symbol
+
+__all__ = ["Block", "Frame", "Motion", "Row", "Search", "entry_of"]
+
+ATTEMPTS = (150, 600)
+ENOUGH = 10
+VANISHING = 30
+REPEATED = 25
+SHARE = 0.3
+
+
+class Suspect(Protocol):
+    """An entry of a goal that did not reduce to zero."""
+
+    @property
+    def goal(self) -> Goal: ...
+    @property
+    def place(self) -> tuple[int, int]: ...
+
+
+@dataclass(slots=True)
+class Search:
+    """Finds points; what a context does not tell is said here.
+
+    `allowed` says whether a variable may have a value, `products` which angles are products of which factors, `rigid`
+    which of these are no arbitrary real numbers, `frames` which variables are the entries of orthonormal columns;
+    `spelled` is how an angle is written. If `blind`, there are conditions that no point here is checked for, and
+    nothing is refuted. If goals have more rows than `rows`, those below are the imaginary parts of those above. `write`
+    writes the certificates. `theta` is the angle that was the transcendental number at the last point; else pi was.
+    """
+
+    allowed: Callable[[str, Exact], bool]
+    products: Mapping[Symbol, Mapping[Symbol, int]] = field(default_factory=dict)
+    rigid: frozenset[Symbol] = frozenset()
+    frames: Sequence[Frame] = ()
+    motion: Motion | None = None
+    spelled: Callable[[Symbol], str] = str
+    blind: bool = False
+    unseen: bool = False
+    rows: int | None = None
+    write: Callable[..., dict[str, Any]] | None = None
+    calls: int = 0
+    theta: Symbol | None = None
+
+    def refute(self, context: Context, suspects: Sequence[Suspect]) -> Counterexample | None:
+        """The counterexample that is easiest to evaluate by hand among a number of them; None if none is found."""
+        attempts = ATTEMPTS[min(self.calls, len(ATTEMPTS) - 1)]
+        self.calls += 1
+        if self.blind:
+            return None
+        best: tuple[int, Counterexample] | None = None
+        found = vanishing = 0
+        stage = staged(context)
+        for values in self._points(context, stage, attempts, keep_some_time=True):
+            evaluate = Evaluation(context, stage, values)
+            suspect = next((s for s in suspects if self._differs(context, evaluate, s)), None)
+            vanishing += suspect is None
+            if suspect is not None and (self.motion is None or self.motion.exists(context, stage, values)):
+                candidate = self._candidate(context, evaluate, suspect)
+                best = candidate if candidate and (best is None or candidate[0] < best[0]) else best
+                found += 1
+            if found == ENOUGH or (vanishing == VANISHING and best is None):
+                break
+        return best[1] if best else None
+
+    def witness(self, context: Context) -> Mapping[str, Any] | None:
+        """A point that satisfies every hypothesis, with rational coordinates if such a one is found."""
+        if self.unseen:
+            return {v.name: Fraction(v.kind == "cos") for v in context.variables if v.kind in ("cos", "sin")}
+        stage = staged(context)
+        fallback: Values | None = None
+        for count, values in enumerate(self._points(context, stage, ATTEMPTS[0], keep_some_time=False)):
+            if self.motion is not None and not self.motion.exists(context, stage, values):
+                continue
+            if not values.irrational:
+                return _coordinates(stage, values)
+            fallback = fallback or values
+            if count == VANISHING:
+                break
+        return _coordinates(stage, fallback) if fallback else None
+
+    def _points(self, context: Context, stage: Stage, attempts: int, keep_some_time: bool) -> Iterator[Values]:
+        """Different points that satisfy everything, simple ones first."""
+        turning = Turning(stage, self.products, self.rigid)
+        self.theta = turning.theta
+        determined = frozenset[str]() if self.motion is None else self.motion.determined
+        drawing = Drawing(stage, turning, self.frames, self.allowed, determined)
+        least = remaining() * (1 - SHARE) if keep_some_time else 0.0
+        seen: set[tuple[str, ...]] = set()
+        again = 0
+        for attempt in range(attempts):
+            check()
+            if remaining() < least:
+                return
+            values = drawing.attempt(Random(attempt), attempt)
+            if values is None:
+                continue
+            key = tuple(str(values[k]) for k in range(len(stage.names)))
+            again = again + 1 if key in seen else 0
+            if again == REPEATED:
+                return
+            if not again:
+                seen.add(key)
+                yield values
+
+    def _differs(self, context: Context, evaluate: Evaluation, suspect: Suspect) -> bool:
+        """Whether the two sides have different values; where a division is not exact, by their difference."""
+        left, right = (evaluate(entry_of(s, suspect.place)) for s in _sides(suspect))
+        if left is None or right is None:
+            one, other = (_ratio(context, side, suspect.place) for side in _sides(suspect))
+            return not evaluate.values.of(sparse(context.field.ring, (one - other).numerator)).is_zero
+        return not (left - right).is_zero
+
+    def _candidate(self, context: Context, evaluate: Evaluation, suspect: Suspect) -> tuple[int, Counterexample] | None:
+        """The counterexample and how much work it is; None if its numbers are too long to be written."""
+        name = "pi" if self.theta is None else self.spelled(self.theta)
+        row, column = suspect.place
+        row = row - self.rows if self.rows and row > self.rows else row
+        try:
+            texts = [self._whole(context, evaluate, side, (row, column), name) for side in _sides(suspect)]
+        except ValueError:
+            return None
+        at = _coordinates(evaluate.stage, evaluate.values)
+        cost = sum(map(_height, at.values())) + sum(map(len, texts))
+        return cost, Counterexample(at, (row, column), texts[0], texts[1], suspect.goal.label)
+
+    def _whole(self, context: Context, evaluate: Evaluation, side: Node, place: tuple[int, int], theta: str) -> str:
+        """A value, with its imaginary part if it may have one."""
+        real = self._text(context, evaluate, side, place, theta)
+        if self.rows is None:
+            return real
+        below = self._text(context, evaluate, side, (place[0] + self.rows, place[1]), theta)
+        return real if below == "0" else f"({below})*I" if real == "0" else f"{real} + ({below})*I"
+
+    def _text(self, context: Context, evaluate: Evaluation, side: Node, place: tuple[int, int], theta: str) -> str:
+        value = evaluate(entry_of(side, place))
+        if value is not None:
+            return value.text(theta)
+        ring = context.field.ring
+        ratio = _ratio(context, side, place)
+        above = evaluate.values.of(sparse(ring, ratio.numerator))
+        below = evaluate.values.of(sparse(ring, context.field.power_product(ratio.denominator)))
+        return f"({above.text(theta)})/({below.text(theta)})"
+
+
+def _coordinates(stage: Stage, values: Values) -> dict[str, Any]:
+    """The coordinates by name, rational ones as fractions."""
+    exact = {name: values[place] for place, name in enumerate(stage.names)}
+    return {name: value if value.as_rational is None else value.as_rational for name, value in exact.items()}
+
+
+def _sides(suspect: Suspect) -> tuple[Node, Node]:
+    return suspect.goal.left, suspect.goal.right
+
+
+def _ratio(context: Context, side: Node, place: tuple[int, int]) -> Ratio:
+    return context.unfold(side)[place[0] - 1][place[1] - 1]
+
+
+def _height(value: Fraction | Exact) -> int:
+    """How much work a person has with a number."""
+    if isinstance(value, Exact):
+        return 8 * len(value.terms)
+    if value == 0:
+        return 0
+    below = 3 * len(str(value.denominator)) if value.denominator != 1 else 0
+    return 1 + 2 * (abs(value) != 1) + len(str(value.numerator)) + below

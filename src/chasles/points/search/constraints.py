@@ -1,0 +1,73 @@
+"""What has to hold at a point, read off a context once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from chasles.points.search.values import Sparse, sparse
+from chasles.problems.context import Context
+from chasles.vocabulary import PI, Symbol
+
+__all__ = ["Angle", "Stage", "staged"]
+
+
+@dataclass(frozen=True, slots=True)
+class Angle:
+    """The places of the cosine and sine of `unit` times an angle, and of the angle itself where it stands alone."""
+
+    symbol: Symbol
+    cosine: int
+    sine: int
+    unit: Fraction
+    bare: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class Stage:
+    """Equations by the places of their variables; `roots` are squares of variables that are not negative.
+
+    `consequences` hold wherever the rest does.
+    """
+
+    names: tuple[str, ...]
+    place: dict[str, int]
+    equations: list[Sparse]
+    consequences: list[Sparse]
+    roots: dict[int, Sparse]
+    angles: tuple[Angle, ...]
+    circles: dict[int, Sparse]
+    atoms: list[Sparse]
+    pi: int | None
+
+
+def staged(context: Context) -> Stage:
+    """The stage of a context: a root's equation is told from the others by its hypothesis."""
+    ring = context.field.ring
+    place = {name: k for k, name in enumerate(ring.names)}
+    equations: list[Sparse] = []
+    consequences: list[Sparse] = []
+    roots: dict[int, Sparse] = {}
+    circles: list[Sparse] = []
+    for generator in context.generators:
+        terms = sparse(ring, generator.polynomial)
+        hypothesis = generator.hypothesis
+        if hypothesis is None:
+            circles.append(terms)
+        elif hypothesis.kind == "consequence":
+            consequences.append(terms)
+        elif hypothesis.kind == "root":
+            root = place[str(hypothesis.subjects[0])]
+            scale = next(c for monomial, c in terms if monomial == ((root, 2),))
+            roots[root] = [(monomial, -c / scale) for monomial, c in terms if monomial != ((root, 2),)]
+        else:
+            equations.append(terms)
+    angles = []
+    for k, variable in enumerate(context.variables):
+        if variable.kind == "cos" and variable.symbol is not None:
+            sine = place["sin" + variable.name.removeprefix("cos")]
+            unit = context.unfold.coordinates.unit(variable.symbol)
+            angles.append(Angle(variable.symbol, k, sine, unit, place.get(variable.symbol.name)))
+    by_sine = {a.sine: next(c for c in circles if any(m == ((a.sine, 2),) for m, _ in c)) for a in angles}
+    atoms = [sparse(ring, atom) for _, atom in context.atoms]
+    return Stage(ring.names, place, equations, consequences, roots, tuple(angles), by_sine, atoms, place.get(PI.name))

@@ -1,0 +1,257 @@
+"""The stage on which a problem is decided: its ring, its hypotheses as polynomials, what may be divided by.
+
+Only hypotheses about symbols that occur, and that no rule replaces, become polynomials; those on the others are checked
+at the witness and at every counterexample.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+from chasles.algebra.groebner import Basis, stated
+from chasles.algebra.localization import Field, Ratio
+from chasles.algebra.matrices import each
+from chasles.algebra.rings import Polynomial, Ring, make_ring
+from chasles.problems.relevance import bearing, complete_subjects, free_symbols, is_turned
+from chasles.problems.scanning import scan
+from chasles.problems.unfold import Matrix, UndeclaredDivisor, Unfolder
+from chasles.problems.variables import Unlisted, Untreatable, Variable, Variables
+from chasles.statements import Goal, Hypothesis, Problem
+from chasles.vocabulary import PI, Norm, Symbol, plain
+
+__all__ = ["Context", "Generator", "Vanishing", "build", "describe", "difference", "entries"]
+
+MOST_ORDERS = 8
+"""So often a hypothesis is differentiated at most, to see where its rates say nothing new."""
+
+
+class Vanishing(Untreatable):
+    """What a hypothesis says not to vanish does everywhere."""
+
+    def __init__(self, hypothesis: Hypothesis) -> None:
+        super().__init__(f"{hypothesis.text} cannot be: the left side is zero")
+        self.hypothesis = hypothesis
+
+
+@dataclass(frozen=True, slots=True)
+class Generator:
+    """A polynomial that vanishes, and why: a hypothesis, an identity of cosine and sine, a norm, a condition.
+
+    `order` is how often the hypothesis was differentiated.
+    """
+
+    label: str
+    polynomial: Polynomial
+    hypothesis: Hypothesis | None = None
+    order: int = 0
+
+
+@dataclass(slots=True)
+class Context:
+    """The ring of a problem and what is known in it."""
+
+    problem: Problem
+    variables: tuple[Variable, ...]
+    unfold: Unfolder
+    generators: tuple[Generator, ...]
+    basis: Basis
+    atoms: tuple[tuple[Hypothesis | None, Polynomial], ...]
+    active: tuple[Hypothesis, ...]
+    transcendental: frozenset[int]
+    pi_measures: bool
+    densities: frozenset[str] = frozenset()
+    conditions: tuple[Generator, ...] = ()
+    terms: dict[int, tuple[Polynomial, Any]] = field(default_factory=dict)
+    moves: dict[tuple[int, ...], Any] = field(default_factory=dict)
+
+    @property
+    def field(self) -> Field:
+        return self.unfold.field
+
+
+def build(problem: Problem) -> Context:
+    """The context of a problem; raises `Untreatable` for what the procedure does not treat."""
+    rules = dict(problem.rules)
+    found = Variables()
+    for hypothesis in problem.hypotheses:
+        for node in hypothesis.subjects if hypothesis.free else ():
+            scan(found, node, 0, rules)
+    for goal in (*problem.goals, *problem.conditions):
+        scan(found, goal.left, 0, rules)
+        scan(found, goal.right, 0, rules)
+    complete_subjects(problem, found)
+    active = bearing(problem, found)
+    order = "grevlex" if any(h.kind in ("rotation", "half_turn", "orthonormal") for h in active) else "lex"
+    unfold, atoms = _door(problem, found, active, order)
+    variables, ring = unfold.variables, unfold.field.ring
+    generators = tuple(_generators(unfold, variables, active))
+    # In a lexicographic order, equations that give a variable are used so by themselves.
+    free = order == "grevlex" and all(h.free for h in active)
+    # What a rotation satisfies is a Groebner basis as it stands, and is no value of its entries.
+    values = [k for k, g in enumerate(generators) if free and g.hypothesis and g.hypothesis.kind == "equation"]
+    basis = stated(ring, tuple(g.polynomial for g in generators), complete=order == "grevlex", values=values)
+    _refuse_restrictions(problem, active, unfold, basis, found)
+    bare = {k for k, v in enumerate(variables) if v.kind == "entry" and v.order == 0 and v.symbol in found.angles}
+    circle = {k for k, v in enumerate(variables) if v.symbol == PI}
+    pi_measures = bool(circle) or len(bare) > 1
+    return Context(
+        problem,
+        variables,
+        unfold,
+        generators,
+        basis,
+        atoms,
+        active,
+        frozenset(bare | circle),
+        bool(pi_measures and bare),
+        found.densities,
+    )
+
+
+def _door(
+    problem: Problem, found: Variables, active: tuple[Hypothesis, ...], order: str
+) -> tuple[Unfolder, tuple[tuple[Hypothesis | None, Polynomial], ...]]:
+    """The way into a ring that has a variable for everything that occurs, and the atoms."""
+    while True:
+        variables = tuple(found.listed(problem.unknowns))
+        ring = make_ring([variable.name for variable in variables], order)
+        if len(set(ring.names)) != len(ring.names):
+            twice = next(name for name in ring.names if ring.names.count(name) > 1)
+            raise Untreatable(f"two different symbols are both named {twice}: rename one")
+        unfold = Unfolder(Field(ring, []), variables, dict(problem.rules), found.running)
+        atoms = _declare_atoms(unfold, active)
+        if found.running:
+            _unfold_all(problem, unfold)
+        lacks, unfold.moments.lacks = unfold.moments.lacks, None
+        if not lacks:
+            return unfold, atoms
+        found.moments |= lacks
+
+
+def _unfold_all(problem: Problem, unfold: Unfolder) -> None:
+    """Unfold everything, to see which moments of the body occur; what cannot be unfolded is reported later."""
+    for goal in (*problem.goals, *problem.conditions):
+        for side in (goal.left, goal.right):
+            with suppress(UndeclaredDivisor):
+                unfold(side)
+
+
+def _refuse_restrictions(
+    problem: Problem, active: tuple[Hypothesis, ...], unfold: Unfolder, basis: Basis, found: Variables
+) -> None:
+    """Raise `Untreatable` for a hypothesis that says more of a defined symbol than its definition does."""
+    occurring = set(found.orders) | set(found.angles)
+    for hypothesis in problem.hypotheses:
+        symbols = {s for node in hypothesis.subjects for s in free_symbols(node, dict(problem.rules))}
+        if hypothesis in active or not symbols or not symbols <= occurring:
+            continue
+        for generator in _hypothesis_generators(unfold, hypothesis, 0):
+            if basis.reduce(generator.polynomial)[1] != 0:
+                raise Untreatable(
+                    f"{hypothesis.text} is assumed of what a given statement defines, and does not follow from it: "
+                    "assume it of the symbols in the definition"
+                )
+
+
+def _declare_atoms(
+    unfold: Unfolder, active: tuple[Hypothesis, ...]
+) -> tuple[tuple[Hypothesis | None, Polynomial], ...]:
+    """What may be divided by; an expression that itself divides comes after what it divides by."""
+    declared: list[tuple[Hypothesis | None, Polynomial]] = []
+    waiting = [(hypothesis, node) for hypothesis in active for node in hypothesis.nonvanishing]
+    while waiting:
+        postponed = []
+        for hypothesis, node in waiting:
+            try:
+                numerator = unfold(node)[0][0].numerator
+            except UndeclaredDivisor:
+                postponed.append((hypothesis, node))
+                continue
+            if numerator == 0:
+                raise Vanishing(hypothesis)
+            unfold.field.atoms.append(numerator)
+            declared.append((hypothesis, numerator))
+        if len(postponed) == len(waiting):
+            unfold(postponed[0][1])
+        waiting = postponed
+    return tuple(declared)
+
+
+def _generators(
+    unfold: Unfolder, variables: tuple[Variable, ...], active: tuple[Hypothesis, ...]
+) -> Iterator[Generator]:
+    ring = unfold.field.ring
+    place = {variable.name: k for k, variable in enumerate(variables)}
+    for hypothesis in active:
+        yield from _hypothesis_generators(unfold, hypothesis, 0 if is_turned(hypothesis, unfold.rules) else MOST_ORDERS)
+    for variable in variables:
+        if variable.kind == "cos":
+            name = variable.name.removeprefix("cos")
+            c, s = (ring.generators[place[f + name]] for f in ("cos", "sin"))
+            yield Generator(f"circle {name[1:-1]}", s * s + c * c - ring.constant(Fraction(1)))
+    for variable in variables:
+        if variable.kind == "norm":
+            assert variable.node is not None
+            size = unfold(Norm(variable.node))[0][0]
+            square = unfold(variable.node)
+            total = size * size
+            for (entry,) in square:
+                total = total - entry * entry
+            if not total.is_zero:
+                yield Generator(f"norm {variable.name}", total.numerator)
+
+
+def _hypothesis_generators(unfold: Unfolder, hypothesis: Hypothesis, most: int) -> Iterator[Generator]:
+    """What its equations say, and their rates, until there is no variable for a rate or they say nothing new."""
+    for number, (left, right) in enumerate(hypothesis.equations):
+        matrix = _minus(unfold(left), unfold(right))
+        known: list[Polynomial] = []
+        for dots in range(most + 1):
+            label = hypothesis.text + (f" ({'d' * dots}ot)" if dots else "")
+            new: dict[str, Polynomial] = {}
+            for i, j, entry in entries(matrix):
+                numerator = entry.numerator
+                if numerator != 0 and not any(numerator == old or numerator == -old for old in new.values()):
+                    new[f"{label} [{number}: {i + 1}, {j + 1}]"] = numerator
+            if dots and _follow(unfold.field.ring, new.values(), known):
+                break
+            yield from (Generator(name, polynomial, hypothesis, dots) for name, polynomial in new.items())
+            known += new.values()
+            try:
+                matrix = each(matrix, unfold.rate)
+            except Unlisted:
+                break
+
+
+def _follow(ring: Ring, new: Collection[Polynomial], known: Sequence[Polynomial]) -> bool:
+    """Whether division by what is known leaves nothing of what is new, which speaks of nothing else."""
+    occurring = {k for p in known for exponents, _ in ring.terms(p) for k, power in enumerate(exponents) if power}
+    if any(power and k not in occurring for p in new for exps, _ in ring.terms(p) for k, power in enumerate(exps)):
+        return False
+    basis = stated(ring, tuple(known), complete=False)
+    return all(basis.reduce(polynomial)[1] == 0 for polynomial in new)
+
+
+def _minus(left: Matrix, right: Matrix) -> Matrix:
+    return [[a - b for a, b in zip(one, other, strict=True)] for one, other in zip(left, right, strict=True)]
+
+
+def entries(matrix: Matrix) -> Iterator[tuple[int, int, Ratio]]:
+    """The entries with their places, row by row."""
+    for i, row in enumerate(matrix):
+        for j, entry in enumerate(row):
+            yield i, j, entry
+
+
+def difference(context: Context, goal: Goal) -> Matrix:
+    """What must vanish for the goal to hold: left - right."""
+    return _minus(context.unfold(goal.left), context.unfold(goal.right))
+
+
+def describe(symbols: tuple[Symbol, ...]) -> str:
+    """The symbols' names, for a message."""
+    return ", ".join(plain(symbol) for symbol in symbols)

@@ -1,0 +1,94 @@
+"""Divisors: only constants and the atoms that a hypothesis declares nonzero may stand below a fraction."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+
+from chasles.algebra.localization import Field
+from chasles.algebra.matrices import Matrix
+from chasles.vocabulary import Group, Negative, Node, Norm, Number, Power, Scale, plain
+
+
+class UndeclaredDivisor(ValueError):
+    """A division by something that no hypothesis says is not zero."""
+
+    def __init__(self, divisor: Node) -> None:
+        super().__init__(
+            f"divides by {plain(divisor)}, which nothing declares nonzero: assume nonzero({plain(divisor)})"
+        )
+        self.divisor = divisor
+
+
+class Divisors:
+    """Reads divisors over one field: `entries` unfolds an expression, `rules` say what one is put for."""
+
+    def __init__(self, field: Field, rules: Mapping[Node, Node], entries: Callable[[Node], Matrix]) -> None:
+        self.field = field
+        self.rules = rules
+        self.entries = entries
+
+    def __call__(self, node: Node) -> tuple[Fraction, tuple[int, ...]]:
+        """A divisor as a constant times powers of atoms; raises `UndeclaredDivisor` if it is no such product."""
+        match node:
+            case Group(of):
+                return self(of)
+            case Number(value) if value:
+                return value, ()
+            case Negative(term):
+                constant, exponents = self(term)
+                return -constant, exponents
+            case Scale(factor, term):
+                (a, one), (b, other) = self(factor), self(term)
+                return a * b, joined(one, other)
+            case Power(Norm(of), exponent) if exponent % 2 == 0 and not self._is_atom(Norm(of)):
+                constant, exponents = self._atom(Power(Norm(of), 2))
+                return constant ** (exponent // 2), tuple(e * (exponent // 2) for e in exponents)
+            case Power(base, exponent):
+                constant, exponents = self(base)
+                return constant**exponent, tuple(e * exponent for e in exponents)
+            case _:
+                return self._atom(node)
+
+    def _atom(self, node: Node) -> tuple[Fraction, tuple[int, ...]]:
+        if node in self.rules:
+            try:
+                return self(self.rules[node])
+            except UndeclaredDivisor:
+                pass
+        ratio = self.entries(node)[0][0]
+        for place, atom in enumerate(self.field.atoms):
+            constant = _multiple(self.field, ratio.numerator, atom)
+            if constant is not None:
+                exponents = [0] * max(place + 1, len(ratio.denominator))
+                exponents[place] = 1
+                for k, power in enumerate(ratio.denominator):
+                    exponents[k] -= power
+                return constant, tuple(exponents)
+        terms = self.field.ring.terms(ratio.numerator)
+        if len(terms) == 1 and not any(terms[0][0]):
+            return terms[0][1], tuple(-power for power in ratio.denominator)
+        raise UndeclaredDivisor(node)
+
+    def _is_atom(self, node: Node) -> bool:
+        try:
+            self._atom(node)
+        except UndeclaredDivisor:
+            return False
+        return True
+
+
+def joined(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:
+    """The exponents of a product of two products of atoms."""
+    size = max(len(one), len(other))
+    one, other = one + (0,) * (size - len(one)), other + (0,) * (size - len(other))
+    return tuple(a + b for a, b in zip(one, other, strict=True))
+
+
+def _multiple(field: Field, polynomial: object, atom: object) -> Fraction | None:
+    """The constant c with polynomial = c atom, if there is one."""
+    if polynomial == 0:
+        return None
+    (exponents, c), (other, d) = field.ring.leading(polynomial), field.ring.leading(atom)
+    constant = c / d
+    return constant if exponents == other and polynomial == atom * field.ring.constant(constant) else None

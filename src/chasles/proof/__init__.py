@@ -1,1 +1,0 @@
-"""TRUTH: an exact decision for every statement, with a certificate that can be checked again, or a counterexample."""

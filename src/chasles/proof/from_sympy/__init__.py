@@ -1,6 +1,0 @@
-"""From SymPy to words: a question on SymPy expressions becomes a `Problem`, or an error names what is not treated."""
-
-from chasles.proof.from_sympy.asking import ask
-from chasles.proof.from_sympy.question import Question
-
-__all__ = ["Question", "ask"]

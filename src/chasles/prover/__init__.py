@@ -1,0 +1,1 @@
+"""The decision: division by what is known gives a certificate; a remainder, the search for a counterexample."""

@@ -1,0 +1,152 @@
+"""Is it true? Reduce what should vanish by what is known; if a remainder is left, look for an exact counterexample."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import islice
+from math import inf
+
+from chasles.algebra.groebner import Basis, completed
+from chasles.algebra.values import is_zero
+from chasles.algebra.work_limit import OutOfTime, remaining, within
+from chasles.points import sampling as points
+from chasles.points.evaluation import measured
+from chasles.points.search import Search
+from chasles.problems.context import Context, build, difference, entries
+from chasles.problems.unfold import UndeclaredDivisor
+from chasles.problems.variables import Untreatable
+from chasles.prover.certifying import Entry, certified
+from chasles.prover.conditions import Solved, satisfying_point, solve_conditions
+from chasles.prover.consistency import contradiction, holds_somewhere
+from chasles.prover.counterexample import refute, solved_ratios
+from chasles.statements import Hypothesis, Problem
+from chasles.statements.spins import with_spins
+from chasles.verdict import Fails, Holds, HoldsUnder, IllFormed, Posed, Undecided, Verdict
+from chasles.vocabulary import Symbol
+
+__all__ = ["BUDGET", "decide_problem", "determining", "pose"]
+
+BUDGET = 2e7
+"""The work that a single decision may take before it gives up as undecided, in products of terms."""
+SAMPLES = 40
+"""So many sample points are looked at for one that satisfies all hypotheses."""
+
+
+def decide_problem(
+    problem: Problem, own: tuple[Hypothesis, ...] = (), budget: float = BUDGET, search: Search | None = None
+) -> Verdict:
+    """The verdict on a problem; `own` are the hypotheses whose use is reported, `search` finds points for free ones.
+
+    `Fails` always carries a counterexample and `Holds` a certificate; nothing is concluded from a remainder alone.
+    """
+    try:
+        with within(budget):
+            return _decide(problem, own, search)
+    except OutOfTime as error:
+        if remaining() < inf:
+            raise
+        return Undecided(str(error))
+
+
+def _decide(problem: Problem, own: tuple[Hypothesis, ...], search: Search | None) -> Verdict:
+    try:
+        context = build(problem)
+        conditions, solved = solve_conditions(context)
+        unproved = _entries(context)
+        turned = None if search else _by_spins(context, solved, unproved, own)
+        if turned is not None:
+            return turned
+        proved = _prove(context, context.basis, unproved)
+    except UndeclaredDivisor as error:
+        return IllFormed(str(error))
+    except Untreatable as error:
+        return _nothing(problem, search, str(error))
+    if not proved:
+        suspects = [e for e in unproved if e.cofactors is None]
+        if search or not _vanish_here_and_there(context, solved, suspects):
+            found = search.refute(context, suspects) if search else refute(context, solved, suspects)
+            if found:
+                return Fails(found)
+        whole = completed(context.basis)
+        if not _prove(context, whole, unproved):
+            suspects = [e for e in unproved if e.cofactors is None]
+            found = search.refute(context, suspects) if search else refute(context, solved, suspects)
+            if found:
+                return Fails(found)
+            return _nothing(problem, search, "a remainder is left, and no counterexample was found")
+    witness = search.witness(context) if search else _witness(context, solved)
+    if witness is None or not (search or holds_somewhere(context)):
+        return _nothing(
+            problem, search, "it follows from its hypotheses, but no point was found that satisfies them all"
+        )
+    for case in problem.cases:
+        if empty := contradiction(problem, (case,)):
+            return empty
+    return certified(context, conditions, solved, unproved, own, witness, search.write if search else None)
+
+
+def _nothing(problem: Problem, search: Search | None, reason: str) -> Verdict:
+    """Nothing is decided: since nothing satisfies what is assumed, if that is found, or else for the given reason."""
+    return (None if search else contradiction(problem)) or Undecided(reason)
+
+
+def _by_spins(
+    context: Context, solved: tuple[Solved, ...], unproved: list[Entry], own: tuple[Hypothesis, ...]
+) -> Verdict | None:
+    """The verdict where rotations move: refuted at a point, or proved for all spins; None where neither is found."""
+    spun = with_spins(context.problem)
+    if spun is context.problem or all(entry.ratio.is_zero for entry in unproved):
+        return None
+    if not _vanish_here_and_there(context, solved, unproved):
+        found = refute(context, solved, unproved)
+        return Fails(found) if found else None
+    verdict = _decide(spun, own, None)
+    if isinstance(verdict, Holds | HoldsUnder):
+        return replace(verdict, certificate={**verdict.certificate, "spins": True})
+    return None
+
+
+def determining(problem: Problem, symbols: tuple[Symbol, ...]) -> Problem:
+    """The problem whose conditions are what was to be decided, on the given symbols and those already determined."""
+    conditions = (*problem.conditions, *problem.goals)
+    return replace(problem, goals=(), conditions=conditions, unknowns=(*problem.unknowns, *symbols))
+
+
+def pose(problem: Problem) -> Verdict:
+    """A condition, with a point that satisfies it together with the hypotheses."""
+    try:
+        context = build(problem)
+        witness = satisfying_point(context, islice(points.sample(context, {}), SAMPLES))
+    except Untreatable as error:
+        return Undecided(str(error))
+    if witness is None:
+        return _nothing(problem, None, "no point was found that satisfies the condition")
+    return Posed(measured(context, witness))
+
+
+def _entries(context: Context) -> list[Entry]:
+    found = []
+    for number, goal in enumerate(context.problem.goals):
+        for i, j, ratio in entries(difference(context, goal)):
+            found.append(Entry(goal, f"{number}:{i},{j}", (i + 1, j + 1), ratio))
+    return found
+
+
+def _prove(context: Context, basis: Basis, todo: list[Entry]) -> bool:
+    """Try to reduce every entry to zero; each that does gets its cofactors."""
+    for entry in todo:
+        if entry.cofactors is None:
+            cofactors, remainder = basis.reduce(entry.ratio.numerator)
+            if remainder == 0:
+                entry.cofactors, entry.by_division = cofactors, basis is context.basis and not basis.explicit
+    return all(entry.cofactors is not None for entry in todo)
+
+
+def _vanish_here_and_there(context: Context, solved: tuple[Solved, ...], suspects: list[Entry]) -> bool:
+    """Whether the entries vanish at a few rich points: then they likely vanish everywhere, and a proof is worth it."""
+    few = islice(points.sample(context, solved_ratios(context, solved), simple=False), 3)
+    return all(is_zero(points.ratio_at(context, e.ratio, point) or {}) for point in few for e in suspects)
+
+
+def _witness(context: Context, solved: tuple[Solved, ...]) -> points.Point | None:
+    return next(islice(points.sample(context, solved_ratios(context, solved)), SAMPLES), None)

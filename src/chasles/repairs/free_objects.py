@@ -1,0 +1,153 @@
+"""Objects that a claim leaves some freedom: another such object for which the printed equation is right.
+
+A claim y = X rate(z) leaves X free up to c w^T for any w with w^T rate(z) = 0, and a constraint on z gives such a w. A
+left inverse is such an X. What is printed of one of them need not be true of another.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from dataclasses import replace as with_fields
+from fractions import Fraction
+from itertools import combinations
+
+from chasles.algebra.modular import MODULUS, combination
+from chasles.prover.decide import decide_problem
+from chasles.repairs.modular_test import REFUSED, Trial, on_trial
+from chasles.repairs.one_term import Change, distinct_terms, instead, rescaled
+from chasles.rewriting.coefficients import Function, added, spelled, times
+from chasles.rewriting.places import Place, put, separate_sums
+from chasles.rewriting.term_basis import Palette, fit
+from chasles.statements import Claim, Statement, problem_of
+from chasles.statements.problem import Standing, default_sides
+from chasles.vocabulary import Block, Contract, Dot, Misfit, Node, Rate, Symbol, Transpose, Zero, plain, replace
+
+__all__ = ["Freedom", "freedom_of", "other_objects"]
+
+MOST_RESCALED = 2
+"""Terms of the printed side whose numbers may be wrong as well."""
+
+
+@dataclass(frozen=True, slots=True)
+class Freedom:
+    """The claim says the same of `symbol` and of symbol + c row^T, for every c."""
+
+    symbol: Symbol
+    row: Block
+    claim: Claim
+
+    @property
+    def words(self) -> str:
+        """What is free, and why."""
+        return f"({self.claim.number}) says the same of {plain(self.symbol)} + c {plain(self.row)}^T for every vector c"
+
+
+def freedom_of(left: Node, beside: Iterable[Claim], standing: Standing) -> Iterator[Freedom]:
+    """What claims `beside` leave free of the symbol that the left side is, or is the rate of."""
+    symbol = left.of if isinstance(left, Rate) else left
+    for claim in beside:
+        if not isinstance(symbol, Symbol) or claim.restates is not None or claim.solves is not None:
+            continue
+        one, other = default_sides(claim)
+        match other:
+            case Contract((first, Rate(Symbol() as array))) if first == symbol:
+                try:
+                    trial = on_trial(claim, one, other, standing)
+                except REFUSED:
+                    continue
+                blocks = dict(trial.problem.rules).get(array) if trial is not None else None
+                if trial is not None and isinstance(blocks, Block):
+                    yield from (Freedom(symbol, row, claim) for row in _rows(trial, blocks))
+
+
+def _rows(trial: Trial, array: Block) -> Iterator[Block]:
+    """The array with some of its blocks, or all, whose squares add up to a constant."""
+    blocks = [line[0] for line in array.rows]
+    rates = [trial.varied.flat(Dot(block, Rate(block))) for block in blocks]
+    for size in range(len(blocks), 0, -1):
+        for chosen in combinations(range(len(blocks)), size):
+            if not any(sum(entries) % MODULUS for entries in zip(*(rates[k] for k in chosen), strict=True)):
+                kept = [block if k in chosen else Zero(*block.shape) for k, block in enumerate(blocks)]
+                yield Block(tuple((block,) for block in kept))
+                return
+
+
+def other_objects(
+    statement: Statement, sides: tuple[Node, Node], freedom: Freedom, palette: Palette, standing: Standing
+) -> Iterator[Change]:
+    """The printed right side, with a few other numbers at most, for another object that the claim allows."""
+    left, right = sides
+    trial = on_trial(statement, left, right, standing, [freedom.row, Rate(freedom.row)])
+    if trial is None:
+        return
+    multiples = list(_multiples(trial, freedom, palette))
+    columns = [trial.varied.flat(replace(left, {freedom.symbol: multiple})) for _, _, multiple in multiples]
+    terms = [term for _, terms in separate_sums(right) for term in terms]
+    shares = [trial.share(trial.varied, term) for term in terms]
+    for size in range(MOST_RESCALED + 1):
+        found = False
+        for chosen in combinations(range(len(terms)), size):
+            values = combination([*columns, *(shares[k] for k in chosen)], trial.gap(trial.varied))
+            if values is None:
+                continue
+            numbers = {terms[k]: value + 1 for k, value in zip(chosen, values[len(columns) :], strict=True)}
+            other = _other(freedom, multiples, values)
+            if other is not None and _allowed(freedom, other, statement, standing):
+                found = True
+                yield _changed(trial, freedom, other, numbers)
+        if found:
+            return
+
+
+_Multiple = tuple[Function, Node, Node]
+"""A function, a dyad of a vector and the row, and their product."""
+
+
+def _multiples(trial: Trial, freedom: Freedom, palette: Palette) -> Iterator[_Multiple]:
+    row = _in_letters(trial, freedom.row)
+    for vector in distinct_terms(trial, (node for node in palette.vectors if not isinstance(node, Rate)), ()):
+        dyad = Contract((vector, Transpose(row)))
+        if fit(freedom.symbol, dyad):
+            yield from ((function, dyad, times(function.node, dyad)) for function in trial.fractions)
+
+
+def _in_letters(trial: Trial, row: Block) -> Block:
+    """The row in the letters that stand for its blocks."""
+    letters = [left for left, _ in trial.problem.rules if isinstance(left, Symbol)]
+    named = []
+    for (block,) in row.rows:
+        same = (k for k in letters if k.shape == block.shape and trial.varied.flat(k) == trial.varied.flat(block))
+        named.append((next(same, block),))
+    return Block(tuple(named))
+
+
+def _other(freedom: Freedom, multiples: list[_Multiple], values: list[Fraction]) -> Node | None:
+    """The object for which the print is right; None if it is the one that is printed."""
+    terms: list[Node] = []
+    for dyad in dict.fromkeys(dyad for _, dyad, _ in multiples):
+        coefficient = spelled((-v, f) for (f, own, _), v in zip(multiples, values, strict=False) if own == dyad)
+        if coefficient is not None:
+            terms.append(times(coefficient, dyad))
+    return added([freedom.symbol, *terms]) if terms else None
+
+
+def _allowed(freedom: Freedom, other: Node, statement: Statement, standing: Standing) -> bool:
+    """Whether the claim holds for the other object too."""
+    left, right = default_sides(freedom.claim)
+    given = tuple(dict.fromkeys((*freedom.claim.given, *statement.given)))
+    claim = with_fields(freedom.claim.saying(left, replace(right, {freedom.symbol: other})), given=given)
+    try:
+        return decide_problem(problem_of(claim, "printed", standing)).true
+    except (Misfit, TypeError):
+        return False
+
+
+def _changed(trial: Trial, freedom: Freedom, other: Node, numbers: dict[Place, Fraction]) -> Change:
+    left, right = replace(trial.left, {freedom.symbol: other}), trial.right
+    words = [instead(left, trial.left)]
+    for place, number in reversed(numbers.items()):
+        new, said = rescaled(place.node, number)
+        right = put(right, place.path, new)
+        words.insert(1, said)
+    return Change(left, right, tuple(words), 5, freedom.words)

@@ -1,0 +1,68 @@
+"""Changes inside what a letter of the right side stands for, where the letter itself leaves nothing to change.
+
+Arrays are opened to their blocks. A block may be wrong or missing; one that is missing in an array that occurs several
+times, as P does in P P^T, is put in wherever the array occurs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace as with_fields
+
+from chasles.repairs.modular_test import Trial
+from chasles.repairs.one_term import Change, instead, new_coefficients
+from chasles.rewriting.places import everywhere
+from chasles.rewriting.term_basis import Palette, fit
+from chasles.vocabulary import Block, Identity, Negative, Node, Zero, children, plain, printed, rebuilt, replace
+
+__all__ = ["opened_changes"]
+
+
+def opened_changes(trial: Trial, palette: Palette) -> Iterator[Change]:
+    """The right sides, arrays opened, that are true with one other block, or with that and a block put in."""
+    rules = dict(trial.problem.rules)
+    right = _opened(trial.right, rules)
+    if right == trial.right:
+        return
+    names = {_opened(letter, rules): f"{plain(letter)} = " for letter in reversed(rules)}
+    one_block = list(new_coefficients(trial.of(right)))
+    yield from one_block
+    for array, other in () if one_block else _completed(right, palette):
+        new = _replaced(right, array, other)
+        words = names.get(array, "") + instead(other, array)
+        if fit(trial.left, new):
+            for change in new_coefficients(trial.of(new)):
+                yield with_fields(change, words=(words, *change.words))
+
+
+def _replaced(node: Node, old: Node, new: Node) -> Node:
+    return printed(lambda: replace(node, {old: new}))
+
+
+def _opened(node: Node, rules: Mapping[Node, Node]) -> Node:
+    """The expression with arrays of blocks in place of the letters that stand for them."""
+    if node in rules:
+        body = _opened(rules[node], rules)
+        return body if isinstance(body, Block) else node
+    parts = children(node)
+    changed = tuple(_opened(part, rules) for part in parts)
+    return node if changed == parts else rebuilt(node, changed)
+
+
+def _completed(node: Node, palette: Palette) -> Iterator[tuple[Block, Block]]:
+    """Arrays that occur several times, and the same with something in the place of a zero block."""
+    arrays = [part for _, part in everywhere(node) if isinstance(part, Block)]
+    for array in dict.fromkeys(array for array in arrays if arrays.count(array) > 1):
+        for i, row in enumerate(array.rows):
+            for j, block in enumerate(row):
+                if isinstance(block, Zero):
+                    for new in _fillings(block, palette):
+                        line = (*row[:j], new, *row[j + 1 :])
+                        yield array, Block((*array.rows[:i], line, *array.rows[i + 1 :]))
+
+
+def _fillings(block: Zero, palette: Palette) -> Iterator[Node]:
+    square = (Identity(block.rows),) if block.rows == block.columns else ()
+    for node in (*square, *palette.nodes):
+        if node.shape == block.shape:
+            yield from (node, Negative(node))

@@ -1,0 +1,248 @@
+"""An equation on trial: by how much do its sides differ at generic points, and what does a change contribute?"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from dataclasses import replace as with_fields
+from functools import cached_property
+from itertools import combinations_with_replacement
+
+from chasles.algebra.modular import MODULUS, Column, Span, minus, multiple, normalized
+from chasles.problems.context import build
+from chasles.problems.unfold import UndeclaredDivisor
+from chasles.problems.variables import Untreatable
+from chasles.prover.conditions import solve_conditions
+from chasles.repairs.residues import Sampled, Singular, Unsampled, generic_points, inverse
+from chasles.rewriting.coefficients import ONE, Function, Term, split
+from chasles.rewriting.places import Path, Place, put, with_term
+from chasles.rewriting.term_basis import fit
+from chasles.statements import Claim, Goal, Problem, Statement, problem_of
+from chasles.statements.problem import Standing
+from chasles.vocabulary import (
+    Block,
+    Call,
+    Contract,
+    Identity,
+    Inverse,
+    Misfit,
+    Negative,
+    Node,
+    Quotient,
+    Rate,
+    Scale,
+    Sum,
+    Symbol,
+    children,
+    plain,
+)
+
+__all__ = ["REFUSED", "Trial", "on_trial"]
+
+REFUSED = (Misfit, TypeError, Untreatable, UndeclaredDivisor, Singular, Unsampled)
+"""Why an equation cannot be tried: it does not fit, cannot be posed, is not treated, or divides by zero."""
+Direction = tuple[int, ...]
+
+POINTS, NUMBERS = 8, 30
+"""So many points are drawn at least, and so many that at least so many numbers are compared."""
+PROBED = 3
+"""Points at which a change is tried first."""
+
+
+@dataclass(frozen=True)
+class Trial:
+    """An equation at points where its hypotheses hold: the angles differ at the `varied`, not at the `fixed` ones."""
+
+    statement: Statement
+    left: Node
+    right: Node
+    problem: Problem
+    varied: Sampled
+    fixed: Sampled
+    probe: Sampled = field(init=False)
+    _shares: dict[tuple[int, Path, Node | None], Column] = field(init=False, default_factory=dict)
+    _directions: dict[Node, Direction] = field(init=False, default_factory=dict)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "probe", Sampled(self.fixed.context, self.fixed.points[:PROBED]))
+
+    def miss(self, at: Sampled, left: Node, right: Node) -> Column:
+        """By how much other sides differ, less what the statement lets them differ by."""
+        if isinstance(left, Inverse):
+            return at.flat(Sum((Identity(left.shape[0]), Negative(Contract((left.of, right))))))
+        gap = minus(at.flat(left), at.flat(right))
+        if isinstance(self.statement, Claim) and self.statement.restates is not None:
+            return minus(gap, at.flat(self.problem.goals[0].right))
+        return gap
+
+    def gap(self, at: Sampled) -> Column:
+        """By how much the sides differ."""
+        key = id(at), (), None
+        if key not in self._shares:
+            self._shares[key] = self.miss(at, self.left, self.right)
+        return self._shares[key]
+
+    def share(self, at: Sampled, place: Place, term: Node | None = None) -> Column:
+        """What a term in a place of the right side contributes: the one that stands there, or one added to it.
+
+        Nothing if it does not fit there, or cannot be told.
+        """
+        term = place.node if term is None else term
+        key = id(at), place.path, term
+        if key not in self._shares:
+            try:
+                self._shares[key] = self._contributed(at, place, term)
+            except (Misfit, Unsampled):
+                self._shares[key] = [0] * len(self.gap(at))
+        return self._shares[key]
+
+    def _contributed(self, at: Sampled, place: Place, term: Node) -> Column:
+        if place.apart and fit(place.node, term) and not isinstance(self.left, Inverse):
+            return _lifted(at, self.right, place.path, term)
+        more = put(self.right, place.path, with_term(place.node, term))
+        return minus(self.gap(at), self.miss(at, self.left, more))
+
+    def of(self, right: Node) -> Trial:
+        """The same trial of another right side."""
+        return Trial(self.statement, self.left, right, self.problem, self.varied, self.fixed)
+
+    def holds(self, left: Node, right: Node) -> bool:
+        """Whether other sides agree at all points."""
+        return not any(self.miss(self.probe, left, right)) and not any(self.miss(self.varied, left, right))
+
+    def is_constant(self, scalar: Node) -> bool:
+        """Whether a scalar depends on angles alone."""
+        values = self.fixed(scalar)
+        return all(value == values[0] for value in values)
+
+    def split(self, term: Node) -> Term:
+        """A term as coefficient and core."""
+        return split(term, self.is_constant)
+
+    def times(self, at: Sampled, function: Function, column: Column) -> Column:
+        """A column of numbers at all points, each times the function's value at its point."""
+        values = [value[0][0] for value in at(function.node)]
+        size = len(column) // len(values)
+        return [entry * values[k // size] % MODULUS for k, entry in enumerate(column)]
+
+    def direction(self, node: Node) -> Direction:
+        """What all multiples have in common where the angles are fixed; () for zero, or what cannot be told."""
+        if node not in self._directions:
+            try:
+                self._directions[node] = normalized(self.probe.flat(node))
+            except (Singular, Unsampled):
+                self._directions[node] = ()
+        return self._directions[node]
+
+    @cached_property
+    def functions(self) -> tuple[Function, ...]:
+        """What coefficients are made of: one and the functions of angles that occur, none a combination of others."""
+        occurring = [*_scalars(self.right), *(node for node in _scalars(self.left) if isinstance(node, Call))]
+        known = [node for _, side in self.problem.rules for node in _scalars(side) if isinstance(node, Call)]
+        found = [n for n in occurring if self._is_function(n)] or [n for n in known if self._is_function(n)]
+        angles = dict.fromkeys(node.argument for node in found if isinstance(node, Call))
+        both = [Call(function, angle) for angle in angles for function in ("cos", "sin")]
+        return tuple(self._independent(map(Function, (ONE, *found, *both))))
+
+    @cached_property
+    def fractions(self) -> tuple[Function, ...]:
+        """The functions, and these over what may be divided by, once and twice."""
+        more = [
+            Function(function.numerator, below)
+            for divisor in self.divisors
+            for below in (divisor, divisor**2)
+            for function in self.functions
+        ]
+        return tuple(self._independent((*self.functions, *more)))
+
+    @cached_property
+    def squares(self) -> tuple[Function, ...]:
+        """The functions and their products."""
+        pairs = combinations_with_replacement(self.functions[1:], 2)
+        return tuple(self._independent((*self.functions, *(Function(_times(one, other)) for one, other in pairs))))
+
+    @cached_property
+    def divisors(self) -> tuple[Node, ...]:
+        """The functions of angles that are divided by or declared not to be zero; of multiples only the shortest."""
+        declared = [node for h in self.problem.hypotheses for node in h.nonvanishing]
+        printed = [node.denominator for node in _parts(self.right) if isinstance(node, Quotient)]
+        kept: list[Node] = []
+        for node in sorted(filter(self._is_function, (*printed, *declared)), key=lambda node: len(plain(node))):
+            if all(multiple(self.varied.flat(node), self.varied.flat(other)) is None for other in kept):
+                kept.append(node)
+        return tuple(kept)
+
+    def _is_function(self, scalar: Node) -> bool:
+        try:
+            values = self.varied(scalar)
+        except Unsampled:
+            return False
+        return self.is_constant(scalar) and any(value != values[0] for value in values)
+
+    def _independent(self, functions: Iterable[Function]) -> Iterator[Function]:
+        span = Span()
+        for function in functions:
+            if span.add(self.varied.flat(function.node)):
+                yield function
+
+
+def _lifted(at: Sampled, root: Node, path: Path, term: Node) -> Column:
+    """The values of a term in a place apart: times the common factors above it, among zeros where it is in a block."""
+    rows, columns = root.shape
+    factors, top, left = [1] * len(at.points), 0, 0
+    for k in path:
+        match root:
+            case Negative():
+                factors = [-factor for factor in factors]
+            case Scale(factor, _):
+                factors = [a * b[0][0] for a, b in zip(factors, at(factor), strict=True)]
+            case Quotient(_, denominator):
+                factors = [a * inverse(b[0][0]) for a, b in zip(factors, at(denominator), strict=True)]
+            case Block(lines):
+                row, column = [(i, j) for i, line in enumerate(lines) for j in range(len(line))][k]
+                top += sum(line[0].shape[0] for line in lines[:row])
+                left += sum(block.shape[1] for block in lines[row][:column])
+        root = children(root)[k]
+    found: Column = []
+    for common, matrix in zip(factors, at(term), strict=True):
+        whole = [0] * (rows * columns)
+        for i, line in enumerate(matrix):
+            for j, entry in enumerate(line):
+                whole[(top + i) * columns + left + j] = common * entry % MODULUS
+        found += whole
+    return found
+
+
+def _times(one: Function, other: Function) -> Node:
+    return one.numerator**2 if one == other else one.numerator * other.numerator
+
+
+def _parts(node: Node) -> Iterator[Node]:
+    """The node and all below it but arguments of functions and rates."""
+    yield node
+    if not isinstance(node, Call | Rate):
+        for part in children(node):
+            yield from _parts(part)
+
+
+def _scalars(node: Node) -> Iterator[Node]:
+    return (part for part in _parts(node) if isinstance(part, Call | Symbol) and part.is_scalar)
+
+
+def on_trial(
+    statement: Statement, left: Node, right: Node, standing: Standing, beside: Iterable[Node] = ()
+) -> Trial | None:
+    """The equation with these sides, at points where what is `beside` it has values too; None without such points.
+
+    Raises `Misfit` or TypeError for an equation that cannot be posed, `Untreatable` for what the prover does not treat.
+    """
+    problem = problem_of(statement.saying(left, right), "printed", standing)
+    context = build(with_fields(problem, goals=(*problem.goals, *(Goal("", node, node) for node in beside))))
+    solved = solve_conditions(context)[1]
+    if context.pi_measures:
+        return None
+    rows, columns = left.shape
+    varied, fixed = generic_points(context, solved, max(POINTS, NUMBERS // (rows * columns)))
+    if len(varied) < POINTS:
+        return None
+    return Trial(statement, left, right, problem, Sampled(context, varied), Sampled(context, fixed))

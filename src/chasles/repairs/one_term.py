@@ -1,0 +1,183 @@
+"""One change to the right side: another coefficient, a term left out, a term that was missing.
+
+What a change must contribute is known: the gap between the sides. So each is tried by comparing two columns of numbers,
+and a coefficient that depends on angles is found from a small linear system.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from chasles.algebra.modular import MODULUS, Column, combination, multiple, plus, rational
+from chasles.repairs.modular_test import Trial
+from chasles.rewriting.coefficients import ONE, Function, scaled, spelled, times
+from chasles.rewriting.places import Place, linear_places, put, with_term
+from chasles.rewriting.term_basis import Palette
+from chasles.vocabulary import Block, Negative, Node, Sum, plain
+
+__all__ = [
+    "FACTOR",
+    "LEFT_OUT",
+    "SIGN",
+    "Change",
+    "Coefficient",
+    "distinct_terms",
+    "fitted",
+    "instead",
+    "missing",
+    "new_coefficients",
+    "new_term",
+    "other_coefficient",
+    "other_number",
+    "other_terms",
+    "rescaled",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """An equation after some changes, each in plain words; `effort` ranks the same number of changes.
+
+    `modulo` says why another object may stand on the left side, where one does; the first `marks` changes restore what
+    the print lost before it was an equation.
+    """
+
+    left: Node
+    right: Node
+    words: tuple[str, ...]
+    effort: int = 0
+    modulo: str | None = None
+    marks: int = 0
+
+
+Coefficient = list[tuple[Fraction, Function]]
+"""A sum of numbers times functions."""
+SIGN, FACTOR, LEFT_OUT, REPLACED = 0, 1, 3, 4
+"""The effort of turning a sign, of a factor, of leaving a term out, and of putting another in its place."""
+
+
+def other_number(number: Fraction) -> int:
+    """The effort of multiplying a term by a number: least for a sign, and less for whole numbers than for others."""
+    return LEFT_OUT if number == 0 else SIGN if number == -1 else FACTOR + (number.denominator > 1)
+
+
+def other_coefficient(coefficient: Coefficient) -> int:
+    """The effort of changing a coefficient: it grows with the terms of the new one, and zero leaves the term out."""
+    terms = sum(1 for value, _ in coefficient if value)
+    return 1 + terms if terms else LEFT_OUT
+
+
+def new_term(coefficient: Coefficient) -> int:
+    """The effort of adding a term: more than that of any simple change of what is printed."""
+    return 2 + other_coefficient(coefficient)
+
+
+def instead(new: Node, old: Node) -> str:
+    """A change of one part for another, in words."""
+    return f"{plain(new)} instead of {plain(old)}"
+
+
+def missing(term: Node) -> str:
+    """A term that was missing, in words."""
+    return f"the term {plain(term)} is added"
+
+
+def new_coefficients(trial: Trial) -> Iterator[Change]:
+    """The right sides that are true with another coefficient of one term, of a block or of the whole."""
+    gap = trial.gap(trial.probe)
+    for place in linear_places(trial.right):
+        if not place.term:
+            continue
+        share = trial.share(trial.probe, place)
+        ratio = multiple(gap, share)
+        number = None if ratio is None else rational(ratio)
+        if number is not None:
+            new, words = rescaled(place.node, number + 1)
+            yield Change(trial.left, put(trial.right, place.path, new), (words,), other_number(number + 1))
+        elif not place.inside and not (place.node.is_scalar and place.path):
+            yield from _refitted(trial, place, gap, share)
+
+
+def rescaled(term: Node, number: Fraction) -> tuple[Node | None, str]:
+    """A rational multiple of a term, None for none of it, and the change in words."""
+    new = scaled(term, number)
+    if new is None:
+        return None, f"the term {plain(term)} is left out"
+    return new, f"the sign of {plain(term)} is turned" if number == -1 else instead(new, term)
+
+
+def _refitted(trial: Trial, place: Place, gap: Column, share: Column) -> Iterator[Change]:
+    """A coefficient that depends on angles: first it is seen whether any number would do where the angles are fixed."""
+    core = trial.split(place.node).core
+    core = ONE if core is None else core
+    if multiple(plus(gap, share), trial.share(trial.probe, place, core)) is None:
+        return
+    wanted = plus(trial.gap(trial.varied), trial.share(trial.varied, place))
+    found = fitted(trial, [trial.share(trial.varied, place, core)], wanted)
+    if found and (coefficient := spelled(found[0])) is not None:
+        new = times(coefficient, core)
+        right, words = put(trial.right, place.path, new), (instead(new, place.node),)
+        yield Change(trial.left, right, words, other_coefficient(found[0]))
+
+
+def fitted(trial: Trial, cores: Sequence[Column], wanted: Column) -> list[Coefficient] | None:
+    """The coefficients of cores, given at the varied points, that make up what is wanted; None unless unique."""
+    for functions in (trial.functions, trial.fractions, trial.squares):
+        columns = [trial.times(trial.varied, function, core) for core in cores for function in functions]
+        values = combination(columns, wanted)
+        if values is not None:
+            size = len(functions)
+            return [list(zip(values[k : k + size], functions, strict=True)) for k in range(0, len(values), size)]
+    return None
+
+
+def other_terms(trial: Trial, palette: Palette) -> Iterator[Change]:
+    """The right sides that are true with one more term somewhere, or with another behind a printed coefficient."""
+    for place in linear_places(trial.right):
+        if place.inside or (place.node.is_scalar and place.path):
+            continue
+        terms = place.node.terms if isinstance(place.node, Sum) else (place.node,)
+        new = distinct_terms(trial, palette.terms(place.node), terms)
+        if place.open:
+            yield from _completed(trial, place, new)
+        if place.term and place.apart and not isinstance(place.node, Sum | Block):
+            yield from _replaced(trial, place, new)
+
+
+def distinct_terms(trial: Trial, terms: Iterable[Node], known: Iterable[Node | None]) -> tuple[Node, ...]:
+    """The terms that are no multiples of each other, nor of known ones, where the angles are fixed; none is zero."""
+    seen = {trial.direction(node) for node in known if node is not None} | {()}
+    kept: list[Node] = []
+    for term in terms:
+        direction = trial.direction(term)
+        if direction not in seen:
+            seen.add(direction)
+            kept.append(term)
+    return tuple(kept)
+
+
+def _completed(trial: Trial, place: Place, terms: Iterable[Node]) -> Iterator[Change]:
+    for term in terms:
+        if multiple(trial.gap(trial.probe), trial.share(trial.probe, place, term)) is None:
+            continue
+        found = fitted(trial, [trial.share(trial.varied, place, term)], trial.gap(trial.varied))
+        if found and (coefficient := spelled(found[0])) is not None:
+            new = times(coefficient, term)
+            right = put(trial.right, place.path, with_term(place.node, new))
+            yield Change(trial.left, right, (missing(new),), new_term(found[0]) + 2 * (not place.apart))
+
+
+def _replaced(trial: Trial, place: Place, terms: Iterable[Node]) -> Iterator[Change]:
+    """Another core behind the printed coefficient; with no coefficient, only if there are other terms or blocks."""
+    coefficient = trial.split(place.node).coefficient
+    if coefficient == ONE and not place.path:
+        return
+    wanted = plus(trial.gap(trial.probe), trial.share(trial.probe, place))
+    for term in terms:
+        new = times(coefficient, term)
+        sign = multiple(wanted, trial.share(trial.probe, place, new))
+        if sign in (1, MODULUS - 1):
+            new = new if sign == 1 else Negative(new)
+            yield Change(trial.left, put(trial.right, place.path, new), (instead(new, place.node),), REPLACED)

@@ -1,0 +1,178 @@
+"""The equations nearest to one that fits together and fails: candidates for the prover, the fewest changes first.
+
+One change is another coefficient, a missing term or a slip of form; then comes another object that the claims about it
+allow, then several changes at once. A candidate agrees with the hypotheses at generic points; it is not proved.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from dataclasses import replace as with_fields
+from itertools import islice
+
+from chasles.repairs.free_objects import freedom_of, other_objects
+from chasles.repairs.inside_definitions import opened_changes
+from chasles.repairs.modular_test import REFUSED, Trial, on_trial
+from chasles.repairs.one_term import Change, new_coefficients, other_terms
+from chasles.repairs.residues import Unsampled
+from chasles.repairs.several_terms import combined_changes
+from chasles.repairs.single_edits import Undone, in_letters, undone
+from chasles.rewriting.term_basis import Palette, fit, palette_of
+from chasles.statements import Claim, Statement
+from chasles.statements.problem import Standing
+from chasles.statements.statement import bare
+from chasles.vocabulary import Node, Rate, Symbol, children, symbols_of
+
+__all__ = ["Nearest", "given_sides"]
+
+
+@dataclass
+class Nearest:
+    """What can be changed in a statement: the symbols at hand are those of its sides and of the `given_sides`."""
+
+    statement: Statement
+    standing: Standing
+    given_sides: tuple[Node, ...] = ()
+    beside: tuple[Claim, ...] = ()
+    _trials: dict[tuple[Node, Node, int], tuple[Trial | None, Palette]] = field(default_factory=dict)
+
+    def changes(self, left: Node, right: Node) -> Iterator[Change]:
+        """Candidates for sides that fit; one without words if they agree as they are."""
+        if self.agree(left, right):
+            yield Change(left, right, ())
+            return
+        stages = (
+            self._misread_letters,
+            self.single_changes,
+            self._other_objects,
+            self._several_changes,
+            self._inner_changes,
+        )
+        for stage in stages:
+            found = list(stage(left, right))
+            yield from found
+            if found:
+                return
+
+    def agree(self, left: Node, right: Node) -> bool:
+        """Whether two sides agree at generic points."""
+        try:
+            trial = on_trial(self.statement, left, right, self.standing)
+            return trial is not None and not any(trial.gap(trial.varied))
+        except REFUSED:
+            return False
+
+    def single_changes(self, left: Node, right: Node, turns: int = 2) -> Iterator[Change]:
+        """One change to the right side; in a second turn, with letters that it does not have."""
+        for turn, (trial, palette) in enumerate(islice(self._on_trial(left, right), turns)):
+            others = in_letters(right, self.letters) if turn else undone(right)
+            slips = [Change(left, u.node, (u.words,), u.effort) for u in others if fit(left, u.node)]
+            coefficients = () if turn else new_coefficients(trial)
+            changes = (*coefficients, *slips, *other_terms(trial, palette))
+            found = [change for change in changes if self._holds(trial, change)]
+            yield from found
+            if found:
+                return
+
+    def _misread_letters(self, left: Node, right: Node) -> Iterator[Change]:
+        """Another letter for one that nothing introduces, and one change more if need be."""
+        for meant, words, _ in self.introduced(left, right):
+            true = [Change(left, meant, ())] if self.agree(left, meant) else self.single_changes(left, meant, turns=1)
+            yield from (with_fields(change, words=(words, *change.words)) for change in true)
+
+    def _holds(self, trial: Trial, change: Change) -> bool:
+        if bare(change.left) == bare(change.right):
+            return False
+        try:
+            return trial.holds(change.left, change.right)
+        except Unsampled:
+            return self.agree(change.left, change.right)
+        except REFUSED:
+            return False
+
+    def _other_objects(self, left: Node, right: Node) -> Iterator[Change]:
+        palette = palette_of([right], self.own)
+        for freedom in freedom_of(left, self.beside, self.standing):
+            try:
+                yield from other_objects(self.statement, (left, right), freedom, palette, self.standing)
+            except REFUSED:
+                continue
+
+    def _several_changes(self, left: Node, right: Node) -> Iterator[Change]:
+        for trial, palette in self._on_trial(left, right):
+            found = [change for change in combined_changes(trial, palette) if self._holds(trial, change)]
+            yield from found
+            if found:
+                return
+
+    def _inner_changes(self, left: Node, right: Node) -> Iterator[Change]:
+        for trial, palette in list(self._on_trial(left, right))[1:]:
+            yield from (change for change in opened_changes(trial, palette) if self._holds(trial, change))
+
+    def _on_trial(self, left: Node, right: Node) -> Iterator[tuple[Trial, Palette]]:
+        """The equation at points, first with the symbols of its right side alone, then with all that are at hand."""
+        for turn, nodes in enumerate(([right], [right, left, *self.given_sides])):
+            key = left, right, turn
+            if key not in self._trials:
+                order = max(map(_order, nodes)) if turn else 0
+                self._trials[key] = self._tried(left, right, palette_of(nodes, self.own, order))
+            trial, palette = self._trials[key]
+            if trial is not None:
+                yield trial, palette
+
+    def _tried(self, left: Node, right: Node, palette: Palette) -> tuple[Trial | None, Palette]:
+        try:
+            trial = on_trial(self.statement, left, right, self.standing, palette.nodes)
+            failing = trial is not None and any(trial.gap(trial.probe)) and any(trial.gap(trial.varied))
+        except REFUSED:
+            return None, palette
+        return trial if failing else None, palette
+
+    @property
+    def letters(self) -> list[Symbol]:
+        """What a letter can have been meant for: the symbols at hand, but not the left side's own."""
+        left = _symbol(self.statement.left)
+        nodes = (*self.given_sides, *self.statement.printed)
+        return [symbol for symbol in _symbols(nodes) if symbol != left]
+
+    @property
+    def own(self) -> frozenset[Node]:
+        """The left side and its rate: with these, nothing is repaired."""
+        left = bare(self.statement.left)
+        return frozenset((left, Rate(left)))
+
+    def introduced(self, left: Node, right: Node) -> Iterator[Undone]:
+        """The right side with letters that something introduces for the one that nothing does, if there is just one."""
+        known = _symbols((left, *self.given_sides))
+        subjects = [node for h in self.statement.assuming for node in h.subjects]
+        meanings = [s.stands_for for s in known if s.stands_for is not None]
+        known += [s for s in _symbols((*meanings, *subjects)) if s not in known]
+        strays = [s for s in symbols_of(right) if s not in known and s.stands_for is None and not s.constant]
+        if len(strays) == 1:
+            letters = [s for s in known if s in self.letters and s.shape == strays[0].shape]
+            yield from in_letters(right, letters, of=strays)
+
+
+def given_sides(statement: Statement, standing: Standing) -> tuple[Node, ...]:
+    """Both sides of all that a statement is given, or restates; raises TypeError if some of that does not stand."""
+    return tuple(side for each in statement.relied_on for side in standing(each))
+
+
+def _symbol(left: Node) -> Symbol | None:
+    """The symbol that a left side is, or is the rate of."""
+    node = bare(left)
+    while isinstance(node, Rate):
+        node = node.of
+    return node if isinstance(node, Symbol) else None
+
+
+def _order(node: Node) -> int:
+    """How many times a rate is taken."""
+    if isinstance(node, Rate):
+        return 1 + _order(node.of)
+    return max(map(_order, children(node)), default=0)
+
+
+def _symbols(nodes: Iterable[Node]) -> list[Symbol]:
+    return list(dict.fromkeys(symbol for node in nodes for symbol in symbols_of(node)))

@@ -1,0 +1,234 @@
+"""What is right instead? For an equation that fails, the nearest true ones, each proved before it counts.
+
+Marks and factors without which a print does not fit together are restored first; what then fails is changed as little
+as possible. A definition that does not fit is what makes the claims that rest on it true.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterable, Iterator
+from dataclasses import dataclass
+from dataclasses import replace as with_fields
+
+from chasles.algebra.work_limit import OutOfTime, within
+from chasles.display import Displayed
+from chasles.prover.decide import decide_problem
+from chasles.repairs.one_term import Change
+from chasles.repairs.ranking import Nearest, given_sides
+from chasles.repairs.well_formed import Fitting, fitting
+from chasles.rewriting.term_basis import palette_of
+from chasles.statements import Claim, Definition, Statement, problem_of
+from chasles.statements.problem import Standing, default_sides
+from chasles.verdict import Holds, HoldsUnder, Verdict
+from chasles.vocabulary import Misfit, Node, plain, walk
+from chasles.vocabulary.families import indices_of
+
+__all__ = ["EFFORT", "Repair", "claims_of", "repair"]
+
+EFFORT = 2e7
+"""The work that the search for a repair, its proofs included, may take, in products of terms."""
+MORE_EFFORT, MOST = 2, 8
+"""Repairs of the same number of changes as the best are given if they take hardly more effort; so many are tried."""
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Repair(Displayed):
+    """A true equation near the printed one: its sides, what was changed in words, and the verdict on it.
+
+    The first `marks` of the `edits` changes restore what the print lost before it was an equation at all. `modulo`
+    says why another object may stand on the left where the sides are right for that one; `by` names the claims that
+    hold with a definition, and show it to be the one that was meant.
+    """
+
+    left: Node
+    right: Node
+    changes: tuple[str, ...]
+    edits: int
+    verdict: Verdict
+    modulo: str | None = None
+    by: tuple[str, ...] = ()
+    marks: int = 0
+
+    def __repr__(self) -> str:
+        return f"<repair {plain(self.left)} = {plain(self.right)}>"
+
+
+def repair(
+    statement: Statement,
+    standing: Standing = default_sides,
+    effort: float = EFFORT,
+    beside: Iterable[Statement] = (),
+) -> tuple[Repair, ...]:
+    """The nearest true equations, that with the fewest and simplest changes first; none if none was proved in time.
+
+    `standing` gives the sides with which given statements are used. What was changed is told from the print; where
+    restored marks alone do not make it true, the search goes on from the statement's reading if it has one. `beside`
+    are other statements of the book: claims about a symbol say which freedom it has, claims that rest on a definition
+    say what it is. What rests on a statement that does not stand is not repaired.
+    """
+    try:
+        sides = given_sides(statement, standing)
+    except TypeError:
+        return ()
+    claims = tuple(other for other in beside if isinstance(other, Claim) and _says_something(other))
+    if isinstance(statement, Claim):
+        claims = _not_resting_on(statement, claims)
+    near = Nearest(statement, standing, sides, claims)
+    found: list[Repair] = []
+    try:
+        with within(effort):
+            found.extend(_of_definition(near) if isinstance(statement, Definition) else _of_claim(near))
+    except OutOfTime:
+        pass
+    return tuple(found)
+
+
+def claims_of(statement: Statement, repair: Repair, beside: Iterable[Statement]) -> list[list[Statement]]:
+    """What a repair says is true: the statement as it would be, or the claims that hold with what was meant.
+
+    One of each group is true; that of the first is what the repair's verdict is on.
+    """
+    meant = statement.saying(repair.left, repair.right)
+    if not isinstance(statement, Definition):
+        return [[meant]]
+    users = _users(statement, (claim for claim in beside if isinstance(claim, Claim)))
+    return [[_with(meant, user) for user in users if user.number == number] for number in repair.by]
+
+
+def _of_claim(near: Nearest) -> Iterator[Repair]:
+    statement = near.statement
+    if not isinstance(statement, Claim) or statement.solves is not None or any(map(indices_of, statement.printed)):
+        return
+    for changes in _candidates(near):
+        found = list(_proved(near, changes))
+        yield from found
+        if found:
+            return
+
+
+def _candidates(near: Nearest) -> Iterator[Iterable[Change]]:
+    """Candidates, stage by stage; what comes later is further from the print."""
+    statement = near.statement
+    once, twice = _fitting(near) if statement.fault else ([], [])
+    for group in (once, twice):
+        yield [_marked(f, Change(f.left, f.right, ())) for f in group if near.agree(f.left, f.right)]
+    if statement.reading is not None:
+        left, right = statement.form("reading")
+        words = _words_of_reading(near, left, right, [*once, *twice])
+        yield (_marked(Fitting(left, right, words), change) for change in near.changes(left, right))
+    elif not statement.fault:
+        yield near.changes(*statement.printed)
+    else:
+        yield (_marked(f, change) for f in once for change in near.single_changes(f.left, f.right))
+        yield (_marked(f, change) for f in (*once, *twice) for change in near.changes(f.left, f.right))
+
+
+def _fitting(near: Nearest) -> tuple[list[Fitting], list[Fitting]]:
+    left, right = near.statement.printed
+    return fitting(left, right, near.letters, palette_of((*near.given_sides, left, right), near.own))
+
+
+def _words_of_reading(near: Nearest, left: Node, right: Node, found: Iterable[Fitting]) -> tuple[str, ...]:
+    """The marks that lead from the print to its reading."""
+    for each in found:
+        if each.left == left and each.right == right:
+            return each.words
+        for other, words, _ in near.introduced(each.left, each.right):
+            if each.left == left and other == right:
+                return (*each.words, words)
+    return (f"it reads {plain(left)} = {plain(right)}",)
+
+
+def _marked(fitting: Fitting, change: Change) -> Change:
+    return with_fields(change, words=(*fitting.words, *change.words), marks=len(fitting.words))
+
+
+def _proved(near: Nearest, changes: Iterable[Change]) -> Iterator[Repair]:
+    """The candidates that the prover confirms: those of the least number of changes, the smallest changes first."""
+    known = {part for side in near.statement.printed for part in walk(side)}
+    ranked = sorted(changes, key=lambda change: _rank(change, known))
+    best: Change | None = None
+    seen: set[tuple[Node, Node]] = set()
+    for change in ranked:
+        if best is not None and (len(change.words) > len(best.words) or change.effort > best.effort + MORE_EFFORT):
+            return
+        if not change.words or (change.left, change.right) in seen or len(seen) == MOST:
+            continue
+        seen.add((change.left, change.right))
+        verdict = _verdict(near, near.statement.saying(change.left, change.right))
+        if verdict is not None:
+            best = change if best is None else best
+            edits = len(change.words)
+            yield Repair(change.left, change.right, change.words, edits, verdict, change.modulo, marks=change.marks)
+
+
+def _rank(change: Change, known: Container[Node]) -> tuple[int, int, int, int, str, str]:
+    """The fewest changes first, then the smallest, then what keeps to the printed parts, then the shortest."""
+    strange = sum(part not in known for side in (change.left, change.right) for part in walk(side))
+    right = plain(change.right)
+    return len(change.words), change.effort, strange, len(right), right, plain(change.left)
+
+
+def _verdict(near: Nearest, claim: Statement) -> Holds | HoldsUnder | None:
+    """The verdict on a claim if it is proved."""
+    try:
+        verdict = decide_problem(problem_of(claim, "printed", near.standing), claim.assuming)
+    except (Misfit, TypeError):
+        return None
+    return verdict if isinstance(verdict, Holds | HoldsUnder) else None
+
+
+def _of_definition(near: Nearest) -> Iterator[Repair]:
+    """What a definition that does not fit together was meant to be: that with which claims that rest on it hold."""
+    statement = near.statement
+    users = _users(statement, near.beside)
+    if not statement.fault or not users:
+        return
+    found = False
+    for group in _fitting(near):
+        for each in group:
+            meant = statement.saying(each.left, each.right)
+            verdicts = {user.number: verdict for user in users if (verdict := _with_meant(near, user, meant))}
+            if verdicts:
+                found = True
+                edits, verdict = len(each.words), next(iter(verdicts.values()))
+                by = tuple(verdicts)
+                yield Repair(each.left, each.right, each.words, edits, verdict, by=by, marks=edits)
+        if found:
+            return
+
+
+def _with_meant(near: Nearest, user: Claim, meant: Statement) -> Holds | HoldsUnder | None:
+    """The verdict on a claim that rests on the definition, if that is what is meant and it holds."""
+    return _verdict(near, _with(meant, user))
+
+
+def _users(statement: Statement, claims: Iterable[Claim]) -> list[Claim]:
+    """The claims that rest on a definition."""
+    return [claim for claim in claims if any(_same(statement, given) for given in claim.given)]
+
+
+def _with(meant: Statement, user: Claim) -> Statement:
+    """A claim, resting on what was meant."""
+    given = tuple(meant if _same(meant, other) else other for other in user.given)
+    return with_fields(user.saying(*default_sides(user)), given=given)
+
+
+def _says_something(claim: Claim) -> bool:
+    return not claim.fault or claim.form_exists("reading") or claim.form_exists("corrected")
+
+
+def _not_resting_on(statement: Statement, claims: tuple[Claim, ...]) -> tuple[Claim, ...]:
+    """The claims that say something of their own: the standing of the others cannot be asked for yet."""
+    known: dict[int, bool] = {}
+
+    def rests(one: Statement) -> bool:
+        if id(one) not in known:
+            known[id(one)] = _same(one, statement) or any(map(rests, one.given))
+        return known[id(one)]
+
+    return tuple(claim for claim in claims if not rests(claim))
+
+
+def _same(one: Statement, other: Statement) -> bool:
+    return (one.number, one.part) == (other.number, other.part)

@@ -1,0 +1,165 @@
+"""Slips of pen and print, undone one at a time: a lost transpose, a wrong letter, factors in the wrong order or place.
+
+None of them is a wrong coefficient or a missing term; these are found from the gap between the sides.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace as with_fields
+from itertools import combinations
+from typing import NamedTuple, TypeVar
+
+from chasles.repairs.one_term import FACTOR, SIGN, instead
+from chasles.rewriting.places import Path, everywhere, linear_places, put
+from chasles.vocabulary import (
+    Block,
+    Call,
+    Contract,
+    Cross,
+    Negative,
+    Node,
+    Power,
+    Quotient,
+    Rate,
+    Scale,
+    Sum,
+    Symbol,
+    Transpose,
+    Zero,
+    plain,
+    printed,
+)
+
+__all__ = ["Undone", "in_letters", "placed", "undone"]
+
+_T = TypeVar("_T")
+FORM = 3
+"""The effort of undoing a slip of form, or of a wrong letter."""
+
+
+class Undone(NamedTuple):
+    """An expression with one slip undone, what was changed in words, and how much that is."""
+
+    node: Node
+    words: str
+    effort: int = FORM
+
+
+def placed(node: Node, path: Path, new: Node) -> Node:
+    """The expression with something else in one place, whether it fits there or not."""
+    return printed(lambda: put(node, path, new))
+
+
+def undone(node: Node) -> Iterator[Undone]:
+    """The expression with one slip of form undone, in every place where what comes out fits together."""
+    parts, linear = dict(everywhere(node)), {place.path for place in linear_places(node)}
+    for path, part in parts.items():
+        changes = [*_of_form(part), *_with_factor(part)]
+        if not path or not isinstance(parts[path[:-1]], Rate | Transpose):
+            changes += _flipped(part)
+        if path not in linear:
+            changes += _signs(part)
+        for new, words, effort in changes:
+            whole = placed(node, path, new)
+            if whole.fault is None:
+                yield Undone(whole, words or instead(new, part), effort)
+
+
+def in_letters(
+    node: Node, letters: Iterable[Symbol], *, of: Iterable[Symbol] = (), any_shape: bool = False
+) -> Iterator[Undone]:
+    """The expression with one of the letters for another (`of` some) of the same shape, in one place or in all."""
+    found = list(everywhere(node))
+    symbols = tuple(of) or tuple(dict.fromkeys(part for _, part in found if isinstance(part, Symbol)))
+    for letter in letters:
+        for symbol in symbols:
+            if letter == symbol or (not any_shape and letter.shape != symbol.shape):
+                continue
+            places = [path for path, part in found if part == symbol]
+            for chosen in [(path,) for path in places] + ([tuple(places)] if len(places) > 1 else []):
+                whole = node
+                for path in chosen:
+                    whole = placed(whole, path, letter)
+                if whole.fault is None:
+                    yield Undone(whole, instead(letter, symbol))
+
+
+def _of_form(node: Node) -> Iterator[Undone]:
+    match node:
+        case Transpose(of):
+            yield Undone(of, "")
+        case Call(function, argument):
+            yield Undone(Call({"sin": "cos", "cos": "sin"}[function], argument), "")
+        case Power(base, exponent):
+            yield Undone(_raised(base, exponent + 1), "")
+            yield Undone(_raised(base, exponent - 1), "")
+        case Cross(left, right) if left != right:
+            yield Undone(Cross(right, left), "")
+        case Contract(factors):
+            yield from (Undone(_swapped(factors, k), "") for k in range(len(factors) - 1))
+        case Block(rows):
+            yield from (Undone(_block(_exchanged(rows, k)), "") for k in range(len(rows) - 1))
+            for k in range(len(rows[0]) - 1):
+                yield Undone(_block(tuple(_exchanged(row, k) for row in rows)), "")
+
+
+def _raised(base: Node, exponent: int) -> Node:
+    return base if exponent == 1 else printed(lambda: Power(base, exponent))
+
+
+def _swapped(factors: tuple[Node, ...], k: int) -> Node:
+    return printed(lambda: Contract(_exchanged(factors, k)))
+
+
+def _block(rows: tuple[tuple[Node, ...], ...]) -> Node:
+    return printed(lambda: Block(rows))
+
+
+def _exchanged(items: tuple[_T, ...], k: int) -> tuple[_T, ...]:
+    return (*items[:k], items[k + 1], items[k], *items[k + 2 :])
+
+
+def _flipped(node: Node) -> Iterator[Undone]:
+    """A lost transpose."""
+    if isinstance(node, Symbol | Rate | Contract) and node.measure is not None and max(node.shape) > 1:
+        yield Undone(Transpose(node), "")
+
+
+def _signs(node: Node) -> Iterator[Undone]:
+    """A wrong sign, where the whole does not depend on it linearly."""
+    if isinstance(node, Sum):
+        for k, term in enumerate(node.terms):
+            turned = term.term if isinstance(term, Negative) else Negative(term)
+            yield Undone(Sum((*node.terms[:k], turned, *node.terms[k + 1 :])), "", SIGN)
+
+
+def _with_factor(node: Node) -> Iterator[Undone]:
+    """A common factor that was meant for some of the blocks or terms behind it."""
+    match node:
+        case Scale(Node() as factor, Block() | Sum() as whole) if factor.is_scalar:
+            yield from _for_some(whole, lambda part: Scale(factor, part), plain(factor))
+        case Quotient(Block() | Sum() as whole, divisor):
+            yield from _for_some(whole, lambda part: with_fields(node, numerator=part), plain(1 / divisor))
+
+
+def _for_some(whole: Block | Sum, times: Callable[[Node], Node], factor: str) -> Iterator[Undone]:
+    parts = [part for row in whole.rows for part in row] if isinstance(whole, Block) else whole.terms
+    places = [k for k, part in enumerate(parts) if not isinstance(part, Zero)]
+    for size in range(1, min(len(places), 4)):
+        for chosen in combinations(places, size):
+            new = [_signed(part, times) if k in chosen else part for k, part in enumerate(parts)]
+            names = " and ".join(plain(parts[k]) for k in chosen)
+            yield Undone(_like(whole, new), f"the factor {factor} is that of {names} only", FACTOR)
+
+
+def _signed(part: Node, times: Callable[[Node], Node]) -> Node:
+    """What `times` makes of the part, its sign in front."""
+    return Negative(times(part.term)) if isinstance(part, Negative) else times(part)
+
+
+def _like(whole: Block | Sum, parts: list[Node]) -> Node:
+    if isinstance(whole, Sum):
+        return printed(lambda: Sum(tuple(parts)))
+    taken = iter(parts)
+    return _block(tuple(tuple(next(taken) for _ in row) for row in whole.rows))

@@ -1,0 +1,130 @@
+"""An equation that does not fit together as printed: what can it say if a mark was lost, or a factor?
+
+A lost mark is a separator between blocks, a transpose, a tilde or another letter; a lost factor is a vector, where a
+scalar is set equal to one, or an invariant of the dimension that is missing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+from chasles.repairs.single_edits import Undone, in_letters, placed, undone
+from chasles.rewriting.coefficients import added
+from chasles.rewriting.places import everywhere
+from chasles.rewriting.term_basis import Palette, dimension_of, fit
+from chasles.vocabulary import (
+    NO_DIMENSION,
+    Block,
+    Contract,
+    Negative,
+    Node,
+    Scale,
+    Sum,
+    Symbol,
+    plain,
+    printed,
+    symbols_of,
+)
+
+__all__ = ["Fitting", "fitting"]
+
+
+@dataclass(frozen=True, slots=True)
+class Fitting:
+    """Two sides that fit, and in words what was changed so that they do."""
+
+    left: Node
+    right: Node
+    words: tuple[str, ...]
+
+
+def fitting(
+    left: Node, right: Node, letters: Sequence[Symbol], palette: Palette
+) -> tuple[list[Fitting], list[Fitting]]:
+    """The equations that fit after one change, and those after two."""
+    marked = [letter for letter in letters if any(letter.name.startswith(s.name) for s in symbols_of(left))]
+    lefts = _said(in_letters(left, marked, any_shape=True))
+    rights = _said((*_separated(right), *undone(right), *in_letters(right, letters, any_shape=True)))
+    unchanged = [_Said(left, ())]
+    once = _pairs(unchanged, [*rights, *_said(_factored(left, right, palette))])
+    once += _pairs(lefts, [] if right.fault else [_Said(right, ())])
+    again = [
+        _Said(node, (*said.words, words))
+        for said in rights
+        for node, words, _ in (*_separated(said.node), *_factored(left, said.node, palette))
+    ]
+    return once, _pairs(lefts, rights) + _pairs(unchanged, again)
+
+
+@dataclass(frozen=True, slots=True)
+class _Said:
+    """A side, and what was changed in it."""
+
+    node: Node
+    words: tuple[str, ...]
+
+
+def _said(found: Iterable[Undone]) -> list[_Said]:
+    return [_Said(each.node, (each.words,)) for each in found]
+
+
+def _pairs(lefts: Sequence[_Said], rights: Sequence[_Said]) -> list[Fitting]:
+    return [
+        Fitting(left.node, right.node, (*left.words, *right.words))
+        for right in rights
+        for left in lefts
+        if fit(left.node, right.node)
+    ]
+
+
+def _separated(node: Node) -> Iterator[Undone]:
+    """The expression with one more separator between the blocks of a row, where it then fits together."""
+    rows = [(path, part.rows[0]) for path, part in everywhere(node) if isinstance(part, Block) and len(part.rows) == 1]
+    for path, blocks in rows:
+        for k, block in enumerate(blocks):
+            for before, behind in _cut(block):
+                whole = placed(node, path, _row((*blocks[:k], before, behind, *blocks[k + 1 :])))
+                if whole.fault is None:
+                    yield Undone(whole, f"{plain(before)} and {plain(behind)} are separate blocks")
+
+
+def _cut(block: Node) -> Iterator[tuple[Node, Node]]:
+    """The block as two, cut between its terms or between the factors of its last term."""
+    terms = block.terms if isinstance(block, Sum) else (block,)
+    for k in range(1, len(terms)):
+        yield _sum(terms[:k]), _sum(terms[k:])
+    last = terms[-1].term if isinstance(terms[-1], Negative) else terms[-1]
+    factors = last.factors if isinstance(last, Contract) else ()
+    for k in range(1, len(factors)):
+        before, behind = _contracted(factors[:k]), _contracted(factors[k:])
+        yield _sum((*terms[:-1], Negative(before) if last is not terms[-1] else before)), behind
+
+
+def _row(blocks: tuple[Node, ...]) -> Node:
+    return printed(lambda: Block((blocks,)))
+
+
+def _sum(terms: tuple[Node, ...]) -> Node:
+    return printed(lambda: added(terms))
+
+
+def _contracted(factors: tuple[Node, ...]) -> Node:
+    return factors[0] if len(factors) == 1 else printed(lambda: Contract(factors))
+
+
+def _factored(left: Node, right: Node, palette: Palette) -> Iterator[Undone]:
+    """The right side times what brings it to the left side's shape and dimension."""
+    if right.fault or fit(left, right):
+        return
+    one, other = dimension_of(left), dimension_of(right)
+    if one is None or other is None:
+        return
+    if right.is_scalar and left.shape == (3, 1):
+        for vector in palette.of_dimension((3, 1), one / other):
+            # A pure number in front of it would be another change.
+            if not isinstance(vector, Scale) or dimension_of(vector.factor) != NO_DIMENSION:
+                yield Undone(Scale(right, vector), f"the vector factor {plain(vector)} is added")
+    elif left.shape == right.shape:
+        for weight in palette.of_dimension((1, 1), one / other):
+            yield Undone(Scale(weight, right), f"the factor {plain(weight)} is added")

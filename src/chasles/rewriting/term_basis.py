@@ -1,0 +1,243 @@
+"""Which terms could be missing? All of a given shape and physical dimension that the symbols at hand make up.
+
+Vectors, their products and dyads, cross-product matrices, matrices and products of two, scaled by invariants where the
+dimension asks for it. The symbols are those of the statement, the rates among them those that occur; nothing is listed
+for one equation or another.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
+from itertools import combinations, combinations_with_replacement, islice, product
+
+from chasles.rewriting.coefficients import ONE
+from chasles.rewriting.coefficients import product as product_of
+from chasles.vocabulary import (
+    NO_DIMENSION,
+    At,
+    Block,
+    Contract,
+    Cross,
+    Dimension,
+    Dot,
+    Group,
+    Identity,
+    Misfit,
+    Negative,
+    Node,
+    Norm,
+    Power,
+    Quotient,
+    Rate,
+    Scale,
+    Skew,
+    Sum,
+    Symbol,
+    Transpose,
+    children,
+    walk,
+)
+from chasles.vocabulary.measure import Measure, added
+from chasles.vocabulary.nodes import measured
+
+__all__ = ["Palette", "dimension_of", "fit", "palette_of"]
+
+MOST_TERMS = 100
+"""So many terms of one kind are tried, the simpler first."""
+VECTOR, SQUARE, SCALAR = (3, 1), (3, 3), (1, 1)
+Shape = tuple[int, int]
+
+
+def fit(one: Node, other: Node) -> bool:
+    """Whether two expressions can be set equal, or added: one shape, one dimension in each entry."""
+    if one.measure is None or other.measure is None:
+        return False
+    try:
+        added(one.measure, other.measure, ("", ""))
+    except Misfit:
+        return False
+    return True
+
+
+def dimension_of(node: Node) -> Dimension | None:
+    """The one dimension of all entries; None if they have several, or are all zero."""
+    try:
+        return measured(node).the_dimension(node)
+    except Misfit:
+        return None
+
+
+@dataclass(slots=True)
+class Palette:
+    """What terms are made of: vectors, scalars, 3 x 3 matrices and other arrays, in the order in which they occur."""
+
+    vectors: dict[Node, None] = field(default_factory=dict)
+    scalars: dict[Node, None] = field(default_factory=dict)
+    squares: dict[Node, None] = field(default_factory=dict)
+    arrays: dict[Node, None] = field(default_factory=dict)
+    without: frozenset[Node] = frozenset()
+    _weights: dict[Dimension, list[Node]] = field(default_factory=dict)
+    _shaped: dict[Shape, list[tuple[Node, Dimension | None]]] = field(default_factory=dict)
+    _terms: dict[Measure | None, tuple[Node, ...]] = field(default_factory=dict)
+
+    @property
+    def nodes(self) -> tuple[Node, ...]:
+        return (*self.vectors, *self.squares, *self.scalars, *self.arrays)
+
+    def terms(self, like: Node) -> tuple[Node, ...]:
+        """The terms that can be added to an expression, the simpler first; some are multiples or sums of others."""
+        if like.measure not in self._terms:
+            dimension = dimension_of(like)
+            found: Iterator[Node]
+            if dimension is None or like.shape[0] not in (1, 3) or like.shape[1] not in (1, 3):
+                found = (node for node in self._products(like.shape) if fit(node, like))
+            else:
+                found = self.of_dimension(like.shape, dimension)
+            self._terms[like.measure] = tuple(node for node in islice(found, MOST_TERMS) if node not in self.without)
+        return self._terms[like.measure]
+
+    def of_dimension(self, shape: Shape, dimension: Dimension) -> Iterator[Node]:
+        """The terms of a shape, a dimension common to all their entries."""
+        if shape not in self._shaped:
+            self._shaped[shape] = [(node, dimension_of(node)) for node in self._tensors(shape)]
+        weighted = [(node, self._weights_of(dimension / own)) for node, own in self._shaped[shape] if own is not None]
+        for rank in range(max((len(weights) for _, weights in weighted), default=0)):
+            for tensor, weights in weighted:
+                if rank < len(weights):
+                    yield product_of(weights[rank], tensor)
+
+    def _weights_of(self, dimension: Dimension) -> list[Node]:
+        """Invariants of a dimension."""
+        if not self._weights:
+            self._weights[NO_DIMENSION] = [ONE]
+            for weight in self._invariants():
+                self._weights.setdefault(measured(weight).grid[0][0] or NO_DIMENSION, []).append(weight)
+        return self._weights.get(dimension, [])
+
+    def _invariants(self) -> Iterator[Node]:
+        scalars = [node for node in self.scalars if dimension_of(node) != NO_DIMENSION]
+        yield from scalars
+        for one, other in combinations_with_replacement(self.vectors, 2):
+            yield from _fitting(Dot, one, other)
+        for one, other in combinations_with_replacement(scalars, 2):
+            both = Power(one, 2) if one == other else Scale(one, other)
+            if dimension_of(both) != NO_DIMENSION:
+                yield both
+
+    def _tensors(self, shape: Shape) -> Iterator[Node]:
+        match shape:
+            case (3, 1):
+                yield from self._columns()
+            case (1, 3):
+                yield from (Transpose(column) for column in self._columns())
+            case (3, 3):
+                yield from self._matrices()
+            case (1, 1):
+                yield ONE
+                for one, square, other in product(self.vectors, self.squares, self.vectors):
+                    yield from _fitting(_contracted, Transpose(one), Contract((square, other)))
+
+    def _columns(self) -> Iterator[Node]:
+        yield from self.vectors
+        yield from self._crosses()
+        for square, vector in product(self.squares, self.vectors):
+            yield from _fitting(_contracted, square, vector)
+        for one, cross in product(self.vectors, list(self._crosses())):
+            yield from _fitting(Cross, one, cross)
+
+    def _crosses(self) -> Iterator[Node]:
+        for one, other in combinations(self.vectors, 2):
+            yield from _fitting(Cross, one, other)
+
+    def _matrices(self) -> Iterator[Node]:
+        yield Identity(3)
+        yield from self.squares
+        vectors, crosses = list(self.vectors), list(self._crosses())
+        yield from (Skew(vector) for vector in vectors)
+        for one, other in (*product(vectors, vectors), *product(crosses, vectors), *product(vectors, crosses)):
+            yield from _fitting(_contracted, one, Transpose(other))
+        flipped = [Transpose(square) for square in self.squares]
+        yield from flipped
+        for one, other in (*product(self.squares, self.squares), *product(flipped, self.squares)):
+            yield from _fitting(_contracted, one, other)
+
+    def _products(self, shape: Shape) -> Iterator[Node]:
+        """Arrays of a shape, and products of two and of three."""
+        everything = [*self.arrays, *self.squares, *self.vectors]
+        yield from (node for node in everything if node.shape == shape)
+        pairs = [made for one, other in product(everything, everything) for made in _fitting(_contracted, one, other)]
+        yield from (node for node in pairs if node.shape == shape)
+        for one, pair in product(self.arrays, pairs):
+            if (one.shape[0], pair.shape[1]) == shape:
+                yield from _fitting(_contracted, one, pair)
+
+
+def palette_of(nodes: Iterable[Node], without: frozenset[Node] = frozenset(), order: int = 0) -> Palette:
+    """What the expressions are written with: their symbols, the rates and sums that occur as factors; not `without`.
+
+    With an `order`, the rates of all symbols up to that one too.
+    """
+    palette = Palette(without=without)
+    for node in nodes:
+        _collect(palette, node, without, factor=False)
+    for node in palette.nodes:
+        rate = node
+        for _ in range(order if isinstance(node, Rate) or (isinstance(node, Symbol) and not node.constant) else 0):
+            rate = Rate(rate)
+            if rate not in without:
+                _enter(palette, rate)
+    for square in list(palette.squares):
+        if isinstance(square, Symbol) and isinstance(square.stands_for, Skew):
+            vector = square.stands_for.of
+            palette.vectors.setdefault(vector)
+            if Rate(vector) in palette.vectors:
+                palette.squares.setdefault(Rate(square))
+    return palette
+
+
+def _collect(palette: Palette, node: Node, without: frozenset[Node], *, factor: bool) -> None:
+    match node:
+        case Rate(At(of)):
+            node = Rate(of)
+        case At(of):
+            node = of
+        case _:
+            pass
+    if node.measure is None:
+        return
+    match node:
+        case Symbol() | Rate(Symbol()) | Rate(Rate(Symbol())):
+            if node not in without:
+                _enter(palette, node)
+            if isinstance(node, Rate):
+                _collect(palette, node.of, without, factor=factor)
+            return
+        case Norm(of) if of.shape == VECTOR:
+            palette.scalars.setdefault(Power(node, 2))
+        case Quotient(_, denominator) if dimension_of(denominator) != NO_DIMENSION:
+            palette.scalars.setdefault(Quotient(ONE, denominator))
+        case Sum() if factor and not node.is_scalar and not any(part in without for part in walk(node)):
+            _enter(palette, node)
+        case _:
+            pass
+    grouped = isinstance(node, Group | Sum | Negative | Block)
+    for part in children(node):
+        _collect(palette, part, without, factor=factor if grouped else True)
+
+
+def _enter(palette: Palette, node: Node) -> None:
+    kinds = {VECTOR: palette.vectors, SQUARE: palette.squares, SCALAR: palette.scalars}
+    kinds.get(node.shape, palette.arrays).setdefault(node)
+
+
+def _contracted(left: Node, right: Node) -> Node:
+    factors = (part.factors if isinstance(part, Contract) else (part,) for part in (left, right))
+    return Contract(tuple(factor for each in factors for factor in each))
+
+
+def _fitting(make: Callable[[Node, Node], Node], left: Node, right: Node) -> Iterator[Node]:
+    try:
+        yield make(left, right)
+    except Misfit:
+        return

@@ -1,0 +1,59 @@
+"""Small tidying of what was put together by computation: factors of one, terms of zero, signs in front."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from chasles.rewriting.coefficients import added
+from chasles.vocabulary import Contract, Negative, Node, Number, Quotient, Scale, Sum, Zero, rebuilt
+
+__all__ = ["tidied"]
+
+
+def tidied(node: Node) -> Node:
+    """The same expression without factors of one and terms of zero, each sign before its product."""
+    parts = node._parts()
+    changed = tuple(map(tidied, parts))
+    node = node if changed == parts else rebuilt(node, changed)
+    match node:
+        case Scale(factor, term) if _zero(factor) or _zero(term):
+            return _nothing(node)
+        case Scale(Number(value), term) if value == 1:
+            return term
+        case Scale(Negative(factor), term):
+            return tidied(Negative(tidied(Scale(factor, term))))
+        case Contract(factors) if any(map(_zero, factors)):
+            return _nothing(node)
+        case Contract((Scale(factor, term), *others)):
+            return Scale(factor, Contract((term, *others)))
+        case Quotient(above, _) if _zero(above):
+            return _nothing(node)
+        case Negative(Negative(term)):
+            return term
+        case Negative(Sum(terms)):
+            return Sum(tuple(tidied(Negative(term)) for term in terms))
+        case Negative(term) if _zero(term):
+            return _nothing(node)
+        case Sum(terms):
+            kept = _without_opposites([term for term in terms if not _zero(term)])
+            return added(kept) if kept else _nothing(node)
+    return node
+
+
+def _without_opposites(terms: list[Node]) -> list[Node]:
+    kept: list[Node] = []
+    for term in terms:
+        opposite = term.term if isinstance(term, Negative) else Negative(term)
+        if opposite in kept:
+            kept.remove(opposite)
+        else:
+            kept.append(term)
+    return kept
+
+
+def _zero(node: Node) -> bool:
+    return isinstance(node, Zero) or node == Number(Fraction(0))
+
+
+def _nothing(like: Node) -> Node:
+    return Number(Fraction(0)) if like.is_scalar else Zero(*like.shape)

@@ -1,0 +1,156 @@
+"""What can come out of a decision."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any, ClassVar
+
+from chasles.display import Displayed
+
+__all__ = [
+    "Assumed",
+    "Contradictory",
+    "Counterexample",
+    "Defined",
+    "Fails",
+    "Holds",
+    "HoldsUnder",
+    "IllFormed",
+    "Posed",
+    "Undecided",
+    "Verdict",
+]
+
+Point = Mapping[str, Fraction]
+
+
+@dataclass(frozen=True, slots=True)
+class Counterexample(Displayed):
+    """An exact point that satisfies every hypothesis and at which one entry of the two sides differs.
+
+    `left` and `right` are exact: rational numbers, or polynomials in pi where the angle itself occurs.
+    """
+
+    at: Point
+    entry: tuple[int, int]
+    left: str
+    right: str
+    goal: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict(Displayed):
+    """The outcome of a decision; `name` is its one word."""
+
+    name: ClassVar[str] = "verdict"
+
+    @property
+    def true(self) -> bool:
+        """Whether the statement may stand as printed."""
+        return True
+
+
+@dataclass(frozen=True, slots=True)
+class Defined(Verdict):
+    """A definition that fits together; nothing to decide."""
+
+    name: ClassVar[str] = "defined"
+
+
+@dataclass(frozen=True, slots=True)
+class Posed(Verdict):
+    """A condition, with a point that satisfies it."""
+
+    name: ClassVar[str] = "posed"
+    witness: Point
+
+
+@dataclass(frozen=True, slots=True)
+class Assumed(Verdict):
+    """A postulate."""
+
+    name: ClassVar[str] = "assumed"
+
+
+@dataclass(frozen=True, slots=True)
+class Holds(Verdict):
+    """Proved without any hypothesis. `certificate` is re-checked by `chasles.checker.certificate`."""
+
+    name: ClassVar[str] = "holds"
+    certificate: Mapping[str, Any] = field(repr=False)
+    witness: Point = field(repr=False)
+    unused: tuple[str, ...] = ()
+
+    @property
+    def needs(self) -> tuple[str, ...]:
+        return ()
+
+
+@dataclass(frozen=True, slots=True)
+class HoldsUnder(Verdict):
+    """Proved from the hypotheses `needs`; those in `unused` are declared and not needed."""
+
+    name: ClassVar[str] = "holds-under"
+    needs: tuple[str, ...]
+    certificate: Mapping[str, Any] = field(repr=False)
+    witness: Point = field(repr=False)
+    unused: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Fails(Verdict):
+    """Refuted by an exact counterexample."""
+
+    name: ClassVar[str] = "fails"
+    counterexample: Counterexample
+
+    @property
+    def true(self) -> bool:
+        return False
+
+
+@dataclass(frozen=True, slots=True)
+class IllFormed(Verdict):
+    """The two sides, or the parts of one, do not fit together: there is nothing to decide as printed."""
+
+    name: ClassVar[str] = "ill-formed"
+    reason: str
+
+    @property
+    def true(self) -> bool:
+        return False
+
+
+@dataclass(frozen=True, slots=True)
+class Contradictory(Verdict):
+    """Nothing satisfies `hypotheses`, of which none can be spared: what is said under them is said of nothing.
+
+    `certificate` says why, where there is one, and is re-checked by `chasles.checker.certificate`.
+    """
+
+    name: ClassVar[str] = "contradictory"
+    hypotheses: tuple[str, ...]
+    certificate: Mapping[str, Any] | None = None
+
+    @property
+    def true(self) -> bool:
+        return False
+
+    @property
+    def reason(self) -> str:
+        """What contradicts what, in one clause."""
+        return f"nothing satisfies {' and '.join(self.hypotheses)}"
+
+
+@dataclass(frozen=True, slots=True)
+class Undecided(Verdict):
+    """Neither proved nor refuted: a gap of the procedure, which makes the build red."""
+
+    name: ClassVar[str] = "undecided"
+    reason: str
+
+    @property
+    def true(self) -> bool:
+        return False
