@@ -24,7 +24,7 @@ from chasles.bounds.cases import cases
 from chasles.bounds.covering import Boxes, bounds_over, covered, largest
 from chasles.bounds.intervals import Interval
 from chasles.bounds.norms import against_largest
-from chasles.bounds.outline import NoBound, Outline, is_power_of_two, outlined
+from chasles.bounds.outline import NoBound, Outline, outlined
 from chasles.bounds.pieces import NEAR, face_values
 from chasles.bounds.termwise import shares
 from chasles.cli import emission
@@ -33,7 +33,7 @@ from chasles.decisions.session import Judge
 from chasles.lowering.builder import Builder
 from chasles.lowering.declaration import requested
 from chasles.lowering.lower import program_of
-from chasles.lowering.program import Argument, Op, Program, Result, Step
+from chasles.lowering.program import Argument, Op, Program, Result, Step, is_power_of_two
 from chasles.lowering.request import Request
 from chasles.statements import load
 

@@ -14,7 +14,6 @@ from chasles.lowering.branches import choices_of
 from chasles.lowering.cases import largest_of, oriented
 from chasles.lowering.declaration import requested
 from chasles.lowering.equality import differences
-from chasles.lowering.evaluate import run
 from chasles.lowering.lower import lower, program_of
 from chasles.lowering.program import Op
 from chasles.lowering.refusal import LoweringError
@@ -24,6 +23,8 @@ from chasles.lowering.scales import is_scale
 from chasles.statements import Branch, Definition, Inverse, Kernel, half_turn, symmetric, unit
 from chasles.verdict import Defined, Undecided
 from chasles.vocabulary import Symbol, column, cos, dot, norm, number, scalar, sin, square, tr, uniform, vect, vector
+
+from ..programs import run
 
 e, phi, Q = vector("e", "e", "axis"), scalar("phi", r"\phi", "angle"), square("Q", "Q", "rotation")
 

@@ -11,12 +11,13 @@ from hypothesis import strategies as st
 
 from chasles.lowering.builder import Builder
 from chasles.lowering.cost import WEIGHTS, cost
-from chasles.lowering.evaluate import FLOATS, decimals, fractions, run
+from chasles.lowering.evaluate import decimals
 from chasles.lowering.passes.guard import guarded
 from chasles.lowering.passes.prune import pruned
-from chasles.lowering.passes.share import shared
 from chasles.lowering.program import ARITY, FREE_OF_CHARGE, Argument, Op, Program, Result, Step
 from chasles.lowering.refusal import LoweringError
+
+from ..programs import FLOATS, fractions, run, shared
 
 ARGUMENTS = (Argument("x", (4,), "numbers"),)
 BINARY = {

@@ -12,10 +12,11 @@ from chasles.lowering.equality import differences
 from chasles.lowering.lower import program_of
 from chasles.lowering.passes.guard import guarded
 from chasles.lowering.passes.prune import pruned
-from chasles.lowering.passes.share import shared
 from chasles.lowering.program import Argument, Op, Program, Result, Step
 from chasles.lowering.request import Output, composed
 from chasles.vocabulary import Zero, cos, norm, scalar, sin, vector
+
+from ..programs import shared
 
 SLIPS = {
     Op.ADD: Op.SUBTRACT,

@@ -7,11 +7,13 @@ from fractions import Fraction
 
 import pytest
 
-from chasles.lowering.evaluate import decimals, run
+from chasles.lowering.evaluate import decimals
 from chasles.lowering.lower import expanded, program_of
 from chasles.lowering.request import Output, composed
 from chasles.lowering.rounding import losses, stable
 from chasles.vocabulary import cos, dot, norm, scalar, sin, vector
+
+from ..programs import run
 
 phi, x = scalar("phi", r"\phi", "an angle"), scalar("x", "x", "a number")
 u, w = vector("u", "u", "a vector"), vector("w", "w", "a vector")

@@ -14,13 +14,14 @@ from chasles.decisions.session import Judge
 from chasles.lowering.builder import Builder
 from chasles.lowering.declaration import requested
 from chasles.lowering.equality import differences
-from chasles.lowering.evaluate import fractions, run
 from chasles.lowering.lower import program_of
 from chasles.lowering.passes import scale
 from chasles.lowering.passes.scale import scaled
 from chasles.lowering.program import Argument, Op, Program, Result
 from chasles.lowering.scales import is_scale, scale_of
 from chasles.statements import load
+
+from ..programs import fractions, run
 
 SCALED = ["plucker_line", "instant_screw_point", "instant_screw", "wrench_axis", "newton_euler_twist_rate"]
 

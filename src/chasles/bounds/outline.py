@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from chasles.lowering.program import Op, Program, Step
+from chasles.lowering.program import Op, Program, Step, is_power_of_two
 from chasles.lowering.scales import is_scale
 
-__all__ = ["NoBound", "Outline", "is_power_of_two", "outlined", "with_cases"]
+__all__ = ["NoBound", "Outline", "outlined", "with_cases"]
 
 
 class NoBound(ValueError):
@@ -221,9 +221,3 @@ def _angle(number: int, program: Program) -> tuple[int, int, Fraction]:
     if step.op is not Op.INPUT:
         raise NoBound("it takes the sine of a rounded angle")
     return step.argument, step.entry, factor
-
-
-def is_power_of_two(value: Fraction) -> bool:
-    """Whether multiplying by the value rounds nothing."""
-    above, below = value.numerator, value.denominator
-    return above > 0 and above & (above - 1) == 0 and below & (below - 1) == 0

@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 from chasles.bounds.choosing import Truth, chosen, truth
 from chasles.bounds.intervals import SAFE, Array, Interval, exactly, function_of
 from chasles.bounds.model import Model
-from chasles.bounds.outline import NoBound, Outline, is_power_of_two
+from chasles.bounds.outline import NoBound, Outline
 from chasles.bounds.places import Places, excess, half_unit, restricted, rounded
 from chasles.bounds.scaled import Scaled
-from chasles.lowering.program import Op, Step
+from chasles.lowering.program import Op, Step, is_power_of_two
 
 __all__ = ["Angles", "Running", "no_angles"]
 

@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from chasles.bounds.model import Model
-from chasles.bounds.outline import NoBound, Outline, is_power_of_two
-from chasles.lowering.program import Op, Step
+from chasles.bounds.outline import NoBound, Outline
+from chasles.lowering.program import Op, Step, is_power_of_two
 
 __all__ = ["Share", "shares"]
 

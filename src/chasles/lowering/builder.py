@@ -6,10 +6,12 @@ as on the diagonal of a cross-product matrix; x - x is left to the machine, wher
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 from math import isqrt
 
-from chasles.lowering.program import Op, Step
+from chasles.lowering.arithmetic import applied
+from chasles.lowering.program import Op, Step, is_power_of_two
 from chasles.lowering.refusal import LoweringError
 
 __all__ = ["Builder"]
@@ -31,6 +33,10 @@ class Builder:
     def steps(self) -> tuple[Step, ...]:
         """All steps so far, in the order in which they were first asked for."""
         return tuple(self._steps)
+
+    def like(self, step: Step, operands: Sequence[int]) -> int:
+        """The step that does to the operands what another one does to its own."""
+        return self.input(step.argument, step.entry) if step.op is Op.INPUT else applied(self, step, operands)
 
     def value(self, number: int) -> Fraction | None:
         """The exact value of a constant step, else None."""
@@ -115,7 +121,7 @@ class Builder:
         if inner_a is not None or inner_b is not None:
             quotient = self.divide(a if inner_a is None else inner_a, b if inner_b is None else inner_b)
             return quotient if inner_a is not None and inner_b is not None else self.negate(quotient)
-        if y is not None and _is_power_of_two(y):
+        if y is not None and is_power_of_two(abs(y)):
             return self.multiply(self.constant(1 / y), a)
         above, below = self._steps[a], self._steps[b]
         if above.op is below.op is Op.DIVIDE and above.operands[1] == below.operands[1]:
@@ -194,8 +200,3 @@ class Builder:
             number = self._numbers[step] = len(self._steps)
             self._steps.append(step)
         return number
-
-
-def _is_power_of_two(value: Fraction) -> bool:
-    above, below = abs(value.numerator), value.denominator
-    return above & (above - 1) == 0 and below & (below - 1) == 0

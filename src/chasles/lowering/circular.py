@@ -36,6 +36,9 @@ class Circular:
         above = _plus(_times(one[0], another[1]), _times(another[0], one[1]))
         return _quotient(above, _times(one[1], another[1]))
 
+    def __sub__(self, other: Circular) -> Circular:
+        return self + -other
+
     def __neg__(self) -> Circular:
         return Circular(self.powers, tuple((exponents, -q) for exponents, q in self.above), self.below)
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
 
-__all__ = ["Argument", "Op", "Program", "Result", "Step"]
+__all__ = ["Argument", "Op", "Program", "Result", "Step", "is_power_of_two"]
 
 
 class Op(StrEnum):
@@ -119,3 +119,9 @@ class Program:
     def operations(self) -> Counter[Op]:
         """How often each operation that costs time occurs."""
         return Counter(step.op for step in self.steps if step.op not in FREE_OF_CHARGE)
+
+
+def is_power_of_two(value: Fraction) -> bool:
+    """Whether multiplying by the value rounds nothing and keeps signs."""
+    above, below = value.numerator, value.denominator
+    return above > 0 and above & (above - 1) == 0 and below & (below - 1) == 0

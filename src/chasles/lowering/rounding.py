@@ -14,13 +14,14 @@ from fractions import Fraction
 from math import prod
 from typing import Any
 
-from chasles.lowering.evaluate import Arithmetic, decimals
-from chasles.lowering.program import Op, Program, Step
+from chasles.lowering.arithmetic import evaluated
+from chasles.lowering.evaluate import Decimals, decimals
+from chasles.lowering.program import Op, Program, is_power_of_two
 from chasles.lowering.request import Request
 from chasles.statements.kernel import places_of
 from chasles.vocabulary import Node
 
-__all__ = ["losses", "points_of", "stable", "steady"]
+__all__ = ["Rounded", "RunningErrors", "losses", "points_of", "stable", "steady"]
 
 DIGITS = 80
 FEW = 16
@@ -76,20 +77,12 @@ def points_of(program: Program) -> Iterator[list[list[Any]]]:
 
 
 def losses(program: Program, inputs: Sequence[Sequence[Any]]) -> list[float]:
-    """For each result a bound on its error, in roundoffs of its largest entry; infinite where it has no value."""
-    arithmetic = decimals(DIGITS)
-    running = _Running(arithmetic, inputs)
-    values: list[_Rounded] = []
-    for step in program.steps:
-        if step.op is Op.INPUT:
-            values.append(_Rounded(running.inputs[step.argument][step.entry], 0))
-        elif step.op is Op.CONSTANT:
-            values.append(_Rounded(arithmetic.constant(step.value), 0))
-        elif step.op is Op.MULTIPLY and _is_power_of_two(program.steps[step.operands[0]]):
-            factor, other = (values[k] for k in step.operands)
-            values.append(_Rounded(factor.value * other.value, abs(factor.value) * other.error))
-        else:
-            values.append(running.step(step.op, [values[k] for k in step.operands]))
+    """For each result a bound on its error, in roundoffs of its largest entry; infinite where it has no value.
+
+    The running error analysis of Higham, Accuracy and Stability of Numerical Algorithms (2002), section 3.3.
+    """
+    arithmetic = RunningErrors(decimals(DIGITS))
+    values = evaluated(program.steps, arithmetic, lambda argument, entry: Rounded(inputs[argument][entry]))
     found = []
     for result in program.results:
         size = max(abs(values[k].value) for k in result.entries)
@@ -98,73 +91,85 @@ def losses(program: Program, inputs: Sequence[Sequence[Any]]) -> list[float]:
     return found
 
 
-def _is_power_of_two(step: Step) -> bool:
-    if step.op is not Op.CONSTANT:
-        return False
-    above, below = step.value.numerator, step.value.denominator
-    return above > 0 and above & (above - 1) == 0 and below & (below - 1) == 0
+@dataclass(frozen=True, slots=True)
+class Rounded:
+    """A value, and a bound on its error in units of the roundoff; what it `only_scales` is not rounded by it."""
+
+    value: Any
+    error: Any = 0
+    only_scales: bool = False
 
 
 @dataclass(frozen=True, slots=True)
-class _Rounded:
-    """A value, and a bound on its error in units of the roundoff."""
+class RunningErrors:
+    """Numbers with bounds on their errors: what operands bring along to first order, and half a unit of the result."""
 
-    value: Any
-    error: Any
+    numbers: Decimals
 
+    def constant(self, value: Fraction) -> Rounded:
+        """A constant counts as exact."""
+        return Rounded(self.numbers.constant(value), only_scales=is_power_of_two(value))
 
-class _Running:
-    """Steps on values with their bounds."""
+    def not_a_number(self) -> Rounded:
+        """What has no value has lost all digits."""
+        return Rounded(self.numbers.not_a_number(), math.inf)
 
-    def __init__(self, arithmetic: Arithmetic, inputs: Sequence[Sequence[Any]]) -> None:
-        self.arithmetic = arithmetic
-        self.inputs = inputs
+    def add(self, x: Rounded, y: Rounded) -> Rounded:
+        """The sum."""
+        return self._rounded(x.value + y.value, x.error + y.error)
 
-    def step(self, op: Op, of: list[_Rounded]) -> _Rounded:
-        """One step; a comparison and a selection round nothing."""
-        match op:
-            case Op.NOT_A_NUMBER:
-                return _Rounded(self.arithmetic.nan, math.inf)
-            case Op.LESS:
-                return _Rounded(of[0].value < of[1].value, 0)
-            case Op.EQUAL:
-                return _Rounded(of[0].value == of[1].value, 0)
-            case Op.SELECT:
-                return of[1] if of[0].value else of[2]
-            case Op.NEGATE:
-                return _Rounded(-of[0].value, of[0].error)
-            case Op.ADD | Op.SUBTRACT:
-                value = of[0].value + of[1].value if op is Op.ADD else of[0].value - of[1].value
-                return _Rounded(value, of[0].error + of[1].error + abs(value))
-            case Op.MULTIPLY:
-                x, y = of
-                value = x.value * y.value
-                return _Rounded(value, abs(x.value) * y.error + abs(y.value) * x.error + abs(value))
-            case Op.DIVIDE:
-                return self._quotient(of[0], of[1])
-            case _:
-                return self._function(op, of)
+    def subtract(self, x: Rounded, y: Rounded) -> Rounded:
+        """The difference."""
+        return self._rounded(x.value - y.value, x.error + y.error)
 
-    def _quotient(self, x: _Rounded, y: _Rounded) -> _Rounded:
-        value = self.arithmetic.divide(x.value, y.value)
-        if not y.value:
-            return _Rounded(value, math.inf)
-        return _Rounded(value, (x.error + abs(value) * y.error) / abs(y.value) + abs(value))
+    def negate(self, x: Rounded) -> Rounded:
+        """The opposite, exactly."""
+        return Rounded(-x.value, x.error)
 
-    def _function(self, op: Op, of: list[_Rounded]) -> _Rounded:
-        value = getattr(self.arithmetic, op.value)(*(x.value for x in of))
-        match op:
-            case Op.SQUARE_ROOT:
-                carried = of[0].error / (2 * value) if value else math.inf
-            case Op.SINE:
-                carried = abs(self.arithmetic.cosine(of[0].value)) * of[0].error
-            case Op.COSINE:
-                carried = abs(self.arithmetic.sine(of[0].value)) * of[0].error
-            case _:
-                y, x = of
-                square = x.value * x.value + y.value * y.value
-                carried = (abs(x.value) * y.error + abs(y.value) * x.error) / square if square else math.inf
-        return _Rounded(value, carried + abs(value))
+    def multiply(self, x: Rounded, y: Rounded) -> Rounded:
+        """The product; that with a power of two is not rounded."""
+        if x.only_scales:
+            return Rounded(x.value * y.value, abs(x.value) * y.error)
+        return self._rounded(x.value * y.value, abs(x.value) * y.error + abs(y.value) * x.error)
+
+    def divide(self, x: Rounded, y: Rounded) -> Rounded:
+        """The quotient."""
+        value = self.numbers.divide(x.value, y.value)
+        return self._rounded(value, (x.error + abs(value) * y.error) / abs(y.value) if y.value else math.inf)
+
+    def square_root(self, x: Rounded) -> Rounded:
+        """The root."""
+        value = self.numbers.square_root(x.value)
+        return self._rounded(value, x.error / (2 * value) if value else math.inf)
+
+    def sine(self, x: Rounded) -> Rounded:
+        """The sine."""
+        return self._rounded(self.numbers.sine(x.value), abs(self.numbers.cosine(x.value)) * x.error)
+
+    def cosine(self, x: Rounded) -> Rounded:
+        """The cosine."""
+        return self._rounded(self.numbers.cosine(x.value), abs(self.numbers.sine(x.value)) * x.error)
+
+    def arctangent2(self, y: Rounded, x: Rounded) -> Rounded:
+        """The angle of the point (x, y)."""
+        square = x.value * x.value + y.value * y.value
+        carried = (abs(x.value) * y.error + abs(y.value) * x.error) / square if square else math.inf
+        return self._rounded(self.numbers.arctangent2(y.value, x.value), carried)
+
+    def less(self, x: Rounded, y: Rounded) -> Rounded:
+        """Whether the one value is below the other."""
+        return Rounded(x.value < y.value)
+
+    def equal(self, x: Rounded, y: Rounded) -> Rounded:
+        """Whether the values are equal."""
+        return Rounded(x.value == y.value)
+
+    def select(self, condition: Rounded, if_true: Rounded, if_false: Rounded) -> Rounded:
+        """One of two, unrounded."""
+        return if_true if condition.value else if_false
+
+    def _rounded(self, value: Any, carried: Any) -> Rounded:
+        return Rounded(value, carried + abs(value))
 
 
 def _angles(programs: Sequence[Program], request: Request) -> set[Node]:
@@ -210,7 +215,7 @@ def _numbers(start: int, count: int) -> list[Fraction]:
     return [Fraction((7 * k * k + 5 * k) % 31 - 15, 11) + Fraction(1, 7) for k in range(start, start + count)]
 
 
-def _angle(value: Fraction | str, arithmetic: Arithmetic) -> Any:
+def _angle(value: Fraction | str, arithmetic: Decimals) -> Any:
     if isinstance(value, Fraction):
         return arithmetic.constant(value)
     half_turn = arithmetic.arctangent2(arithmetic.constant(Fraction(0)), arithmetic.constant(Fraction(-1)))

@@ -10,15 +10,16 @@ from dataclasses import replace as with_fields
 from fractions import Fraction
 from math import gcd, isqrt, lcm
 
+from chasles.lowering.arithmetic import Operators, applied
 from chasles.lowering.builder import Builder
 from chasles.lowering.circular import Circular, constant, multiple_of_angle
-from chasles.lowering.passes.share import asked
-from chasles.lowering.program import Op, Program
+from chasles.lowering.program import Op, Program, Step
 
 __all__ = ["angle_of", "respelled"]
 
 Value = tuple[int | None, Circular]
 """A function of the angle that a step holds; of none, if it is a number."""
+RATIONAL = (Op.ADD, Op.SUBTRACT, Op.MULTIPLY, Op.NEGATE, Op.DIVIDE)
 ONE = (((0, 0), Fraction(1)),)
 
 
@@ -29,7 +30,7 @@ def respelled(program: Program, *, halved: bool) -> Program:
     for number, step in enumerate(program.steps):
         if values[number] is None or step.op is Op.CONSTANT:
             operands = [spelling.of(k) for k in step.operands]
-            spelling.place[number] = asked(spelling.builder, step, operands)
+            spelling.place[number] = spelling.builder.like(step, operands)
     entries = {entry for result in program.results for entry in result.entries}
     place = {entry: spelling.of(entry) for entry in sorted(entries)}
     results = tuple(with_fields(r, entries=tuple(place[k] for k in r.entries)) for r in program.results)
@@ -79,28 +80,18 @@ def _values(program: Program, *, halved: bool) -> list[Value | None]:
             cosine, sine = multiple_of_angle(int(times / units[angle]))
             values.append((angle, cosine if step.op is Op.COSINE else sine))
         else:
-            values.append(_combined(step.op, [value for value in known if value is not None], len(known)))
+            values.append(_combined(step, [value for value in known if value is not None], len(known)))
     return values
 
 
-def _combined(op: Op, known: list[Value], arity: int) -> Value | None:
+def _combined(step: Step, known: list[Value], arity: int) -> Value | None:
     angles = {angle for angle, _ in known if angle is not None}
     if len(known) < arity or not known or len(angles) > 1:
         return None
     angle, parts = next(iter(angles), None), [part for _, part in known]
-    match op:
-        case Op.ADD:
-            return angle, parts[0] + parts[1]
-        case Op.SUBTRACT:
-            return angle, parts[0] + -parts[1]
-        case Op.MULTIPLY:
-            return angle, parts[0] * parts[1]
-        case Op.NEGATE:
-            return angle, -parts[0]
-        case Op.DIVIDE if parts[1].above:
-            return angle, parts[0] / parts[1]
-        case _:
-            return None
+    if step.op not in RATIONAL or (step.op is Op.DIVIDE and not parts[1].above):
+        return None
+    return angle, applied(Operators(), step, parts)
 
 
 class _Spelling:

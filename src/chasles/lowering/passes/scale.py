@@ -15,7 +15,6 @@ from itertools import product
 
 from chasles.lowering.builder import Builder
 from chasles.lowering.passes.prune import pruned
-from chasles.lowering.passes.share import asked
 from chasles.lowering.program import Op, Program, Step
 from chasles.lowering.scales import scale_of
 
@@ -174,7 +173,7 @@ class _Scaling:
             self._forms[number] = self._form_of_divisor(step)
             return
         if self._bound.isdisjoint(step.operands):
-            self._place[number] = asked(self._build, step, [self._place[k] for k in step.operands])
+            self._place[number] = self._build.like(step, [self._place[k] for k in step.operands])
             form = self._combined(step)
             if number in self._divisor.leaves:
                 self._forms[number] = 1, self._divided(number)
@@ -183,7 +182,7 @@ class _Scaling:
             return
         self._bound.add(number)
         form = self._combined(step)
-        self._forms[number] = form or (0, asked(self._build, step, [self._plain(k) for k in step.operands]))
+        self._forms[number] = form or (0, self._build.like(step, [self._plain(k) for k in step.operands]))
 
     def _form_of_divisor(self, step: Step) -> Form:
         for leaf in self._divisor.leaves:
@@ -205,7 +204,7 @@ class _Scaling:
         for k in step.operands:
             if k not in self._place:
                 self._place_all(k)
-        plain = asked(build, step, [self._place[k] for k in step.operands])
+        plain = build.like(step, [self._place[k] for k in step.operands])
         return build.select(build.equal(plain, build.zero), build.zero, held)
 
     def _divided(self, leaf: int) -> int:
@@ -222,7 +221,7 @@ class _Scaling:
         for k in step.operands:
             if k not in self._place:
                 self._place_all(k)
-        self._place[number] = asked(self._build, step, [self._place[k] for k in step.operands])
+        self._place[number] = self._build.like(step, [self._place[k] for k in step.operands])
 
     def _plain(self, number: int) -> int:
         """The step itself."""
@@ -248,7 +247,7 @@ class _Scaling:
             case Op.DIVIDE:
                 return powers[0] - powers[1], build.divide(*held)
             case Op.ADD | Op.SUBTRACT if powers[0] == powers[1]:
-                return powers[0], asked(build, step, held)
+                return powers[0], build.like(step, held)
             case Op.NEGATE:
                 return powers[0], build.negate(held[0])
             case Op.SQUARE_ROOT if powers[0] % 2 == 0:
