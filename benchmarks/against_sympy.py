@@ -33,7 +33,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from tests.mutation import mutants_of
 from tests.sympy_words import in_sympy
 
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.prover.decide import decide_problem
 from chasles.statements import Claim, Hypothesis, Problem, load, problem_of
 from chasles.vocabulary import Call, Integral, Misfit, Node, Symbol, walk
@@ -68,7 +68,7 @@ class Tally:
 def questions(every: int) -> Iterator[tuple[Problem, Claim, bool]]:
     """Claims that stand, and of each one mutant that chasles refutes, with whether it is true."""
     book = load()
-    judge = Judge(book=book)
+    judge = Session(book=book)
     standing = [d.repaired for _, d in judge.decide_all(book) if isinstance(d.statement, Claim) and d.stands]
     for claim in islice(standing, 0, None, every):
         assert isinstance(claim, Claim)

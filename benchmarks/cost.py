@@ -26,7 +26,7 @@ from benchmarks.timing import interleaved
 
 from chasles import kernels as shipped
 from chasles.compiling.kernel import CompiledKernel, kernel_of
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.lowering.builder import Builder
 from chasles.lowering.cost import ANGLE, LATENCIES, WEIGHTS, cost, latency
 from chasles.lowering.lower import lower
@@ -168,7 +168,7 @@ def model() -> dict[str, dict[str, float]]:
 def programs() -> dict[str, Program]:
     """The program of every kernel."""
     book = load()
-    judge = Judge(book=book)
+    judge = Session(book=book)
     lowered = (lower(entry, judge.decide, kernel) for entry in book.entries for kernel in entry.kernels)
     return {program.name: program for program in lowered}
 

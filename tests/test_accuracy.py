@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from chasles import generated, kernels
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.lowering.lower import lower
 from chasles.lowering.program import Op, Program
 from chasles.numerics import Specification, specification_of
@@ -73,7 +73,7 @@ class Book:
     """The requests and programs of the chapter's kernels."""
 
     def __init__(self) -> None:
-        self._judge = Judge()
+        self._judge = Session()
         self._chapter: Chapter = load()
         self._made: dict[str, tuple[Specification, Program]] = {}
 

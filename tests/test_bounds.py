@@ -29,7 +29,7 @@ from chasles.bounds.pieces import NEAR, face_values
 from chasles.bounds.termwise import shares
 from chasles.cli import emission
 from chasles.cli.failures import Failure
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.lowering.builder import Builder
 from chasles.lowering.declaration import requested
 from chasles.lowering.lower import program_of
@@ -53,7 +53,7 @@ class Book:
     """The chapter's requests and programs."""
 
     def __init__(self) -> None:
-        judge, self.made = Judge(), dict[str, tuple[Request, Program]]()
+        judge, self.made = Session(), dict[str, tuple[Request, Program]]()
         for entry in load():
             for asked in entry.kernels:
                 request = requested(entry, judge.decide, asked)
@@ -627,9 +627,9 @@ def test_a_new_bound_asks_for_flint(book: Book, tmp_path: Path, monkeypatch: pyt
     entries = [entry for entry in load() if entry.name == "rotation_from_axis_angle"]
     monkeypatch.setattr(proving, "covered", missing)
     with pytest.raises(Failure, match=r"rotation_from_axis_angle .* pip install 'chasles\[fast\]'"):
-        emission.commissioned(entries, Judge(), tmp_path)
+        emission.commissioned(entries, Session(), tmp_path)
     (tmp_path / "MANIFEST.toml").write_text(MANIFEST, "utf-8")
-    (kernel,) = emission.commissioned(entries, Judge(), tmp_path)
+    (kernel,) = emission.commissioned(entries, Session(), tmp_path)
     assert kernel.bound is not None
     assert kernel.bound.as_data() == LISTED["rotation_from_axis_angle"]["bound"]
 

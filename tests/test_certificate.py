@@ -25,7 +25,7 @@ from chasles.checker.division import MOST_REPLACED
 from chasles.checker.reading import Reading
 from chasles.checker.refutation import check_counterexample
 from chasles.checker.sparse import Polynomial, exponents, variable
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.prover.decide import decide_problem
 from chasles.statements import (
     Claim,
@@ -687,9 +687,9 @@ EVERY = 3
 
 
 @cache
-def book() -> tuple[Judge, tuple[Any, ...]]:
+def book() -> tuple[Session, tuple[Any, ...]]:
     """The judge and the decisions on sentences of the book."""
-    judge = Judge(book=load())
+    judge = Session(book=load())
     return judge, tuple(judge.decide(entry.statement) for entry in sample(load(), EVERY))
 
 

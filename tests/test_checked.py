@@ -14,7 +14,7 @@ from scipy.spatial.transform import Rotation
 
 from chasles import checked, kernels
 from chasles.checked.hypotheses import TESTS
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.kernels import written_out
 from chasles.statements import load
 from chasles.targets.commission import kernel_of
@@ -240,7 +240,7 @@ def test_an_unknown_kernel_is_no_attribute() -> None:
 
 def test_every_hypothesis_of_a_kernel_is_tested_or_has_a_stand_in() -> None:
     """What is assumed of symbols that are no arguments is expected of the arguments in other words."""
-    judge, silent = Judge(), []
+    judge, silent = Session(), []
     for entry in load():
         for kernel in entry.kernels:
             emitted = kernel_of(entry, judge.decide, kernel)

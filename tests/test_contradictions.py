@@ -10,7 +10,7 @@ import pytest
 from chasles.checker.certificate import Rejected
 from chasles.checker.contradiction import check_contradiction
 from chasles.decisions.plain_data import from_data, to_data
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.prover.decide import decide_problem
 from chasles.statements import (
     Always,
@@ -171,16 +171,16 @@ EMPTY = {
 
 @pytest.mark.parametrize("name", EMPTY)
 def test_if_and_only_if_that_speaks_of_nothing_is_not_proved(name: str) -> None:
-    verdict = Judge().decide(Theorem("1", "", (EMPTY[name],), assuming=(nonzero(m), nonzero(k), unit(a)))).verdict
+    verdict = Session().decide(Theorem("1", "", (EMPTY[name],), assuming=(nonzero(m), nonzero(k), unit(a)))).verdict
     assert isinstance(verdict, Contradictory), verdict
 
 
 def test_if_and_only_if_that_speaks_of_something_is() -> None:
     turned = Iff(a, Q @ a, Q, Q.T)
-    assert isinstance(Judge().decide(Theorem("1", "", (turned,), assuming=(rotation(Q),))).verdict, HoldsUnder)
+    assert isinstance(Session().decide(Theorem("1", "", (turned,), assuming=(rotation(Q),))).verdict, HoldsUnder)
     scaled = Iff(a, m * a, m, 1 / m)
-    assert isinstance(Judge().decide(Theorem("1", "", (scaled,), assuming=(nonzero(m),))).verdict, HoldsUnder)
-    assert isinstance(Judge().decide(Theorem("1", "", (Always(a, a),), assuming=(nonzero(m),))).verdict, Holds)
+    assert isinstance(Session().decide(Theorem("1", "", (scaled,), assuming=(nonzero(m),))).verdict, HoldsUnder)
+    assert isinstance(Session().decide(Theorem("1", "", (Always(a, a),), assuming=(nonzero(m),))).verdict, Holds)
 
 
 SATISFIABLE: dict[str, Assumed] = {

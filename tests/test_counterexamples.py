@@ -7,7 +7,7 @@ from itertools import islice
 import pytest
 
 from chasles.checker.refutation import check_counterexample
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.prover.decide import decide_problem
 from chasles.statements import Claim, Theorem, load, nonzero, problem_of, symmetric, unit
 from chasles.verdict import Counterexample, Fails
@@ -80,7 +80,7 @@ def test_few_numbers_are_not_zero_and_these_are_small(claim: Claim) -> None:
 
 
 def test_the_book_is_refuted_by_numbers_to_calculate_with_by_hand() -> None:
-    judge = Judge()
+    judge = Session()
     found = []
     for entry, decision in judge.decide_all(load()):
         if isinstance(entry.statement, Claim | Theorem):

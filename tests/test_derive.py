@@ -13,7 +13,7 @@ from click.testing import CliRunner, Result
 
 from chasles.cli import main
 from chasles.decisions.memory import Memory
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.decisions.shipped import shipped
 from chasles.deriving import Passage, Road, state, steps, walk
 from chasles.statements import Claim, DeclarationError, Statement, load
@@ -62,15 +62,15 @@ OTHER_INVERSES = ("left_inverse_of_N_by_normal_equations", "left_inverse_of_L_by
 
 
 @pytest.fixture(scope="module")
-def judge() -> Judge:
+def judge() -> Session:
     """What is shipped is checked; test_shipped.py compares it with what is found."""
-    return Judge(book=load(), memory=None if WHOLE else Memory(shipped=shipped(BOOK)))
+    return Session(book=load(), memory=None if WHOLE else Memory(shipped=shipped(BOOK)))
 
 
 class Walked(dict[str, Road]):
     """The roads by name, each walked when it is asked for."""
 
-    def __init__(self, judge: Judge) -> None:
+    def __init__(self, judge: Session) -> None:
         super().__init__()
         self.judge = judge
 
@@ -80,7 +80,7 @@ class Walked(dict[str, Road]):
 
 
 @pytest.fixture(scope="module")
-def walked(judge: Judge) -> Walked:
+def walked(judge: Session) -> Walked:
     return Walked(judge)
 
 
@@ -159,7 +159,7 @@ def _wrong(node: Node) -> Node:
     return node.term if isinstance(node, Negative) else Negative(node)
 
 
-def test_a_wrong_expansion_stops_the_road(judge: Judge, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_wrong_expansion_stops_the_road(judge: Session, monkeypatch: pytest.MonkeyPatch) -> None:
     right = steps.multiplied_out
     monkeypatch.setattr(steps, "multiplied_out", lambda node: _wrong(right(node)))
     road = walk(ROADS["point_of_the_screw_axis"], judge)
@@ -170,25 +170,25 @@ def test_a_wrong_expansion_stops_the_road(judge: Judge, monkeypatch: pytest.Monk
 def test_a_wrong_coefficient_stops_the_road(monkeypatch: pytest.MonkeyPatch) -> None:
     right = state.combined
     monkeypatch.setattr(state, "combined", lambda *given: Scale(Number(2), right(*given)))  # type: ignore[arg-type]
-    road = walk(ROADS["velocities_of_a_rigid_body"], Judge(book=load()))
+    road = walk(ROADS["velocities_of_a_rigid_body"], Session(book=load()))
     assert (last(road).kind, last(road).verdict.name) == ("factor", "fails")
 
 
-def test_a_wrong_rate_stops_the_road(judge: Judge, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_wrong_rate_stops_the_road(judge: Session, monkeypatch: pytest.MonkeyPatch) -> None:
     right = steps.rate_of
     monkeypatch.setattr(steps, "rate_of", lambda node: _wrong(right(node)))
     road = walk(ROADS["accelerations_in_a_moving_frame"], judge)
     assert (last(road).kind, last(road).verdict.name) == ("differentiate", "fails")
 
 
-def test_a_wrong_substitution_stops_the_road(judge: Judge, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_wrong_substitution_stops_the_road(judge: Session, monkeypatch: pytest.MonkeyPatch) -> None:
     right = steps.put_for
     monkeypatch.setattr(steps, "put_for", lambda node, pattern, value: right(node, pattern, _wrong(value)))
     road = walk(ROADS["least_displacements"], judge)
     assert (last(road).kind, last(road).verdict.name) == ("substitute", "fails")
 
 
-def test_a_wrong_solution_stops_the_road(judge: Judge, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_wrong_solution_stops_the_road(judge: Session, monkeypatch: pytest.MonkeyPatch) -> None:
     from chasles.deriving import solving
 
     right = solving.alone
@@ -197,7 +197,7 @@ def test_a_wrong_solution_stops_the_road(judge: Judge, monkeypatch: pytest.Monke
     assert (last(road).kind, last(road).verdict.name) == ("solve", "fails")
 
 
-def test_an_ansatz_that_is_too_narrow_has_no_solution(judge: Judge) -> None:
+def test_an_ansatz_that_is_too_narrow_has_no_solution(judge: Session) -> None:
     narrow = road_of(
         Ansatz(inverse(A_screw.T @ A_screw), alpha * one),
         Substitute(s02_screw.screw_axis_matrix, both=True),
@@ -212,7 +212,7 @@ def test_an_ansatz_that_is_too_narrow_has_no_solution(judge: Judge) -> None:
 
 
 @pytest.mark.parametrize("terms", [(d_A,), (d_A, (Q - one) @ (p + a)), (d_A, (Q - one) @ p, (Q - one) @ a, d_P)])
-def test_terms_that_do_not_suffice_or_are_too_many_stop_the_road(judge: Judge, terms: tuple[Node, ...]) -> None:
+def test_terms_that_do_not_suffice_or_are_too_many_stop_the_road(judge: Session, terms: tuple[Node, ...]) -> None:
     made = road_of(
         Take(s02_screw.displacement_by_positions),
         Factor(*terms, using=(s02_screw.displacement_of_landmark, s02_screw.displacement_of_a_point)),
@@ -224,7 +224,7 @@ def test_terms_that_do_not_suffice_or_are_too_many_stop_the_road(judge: Judge, t
     assert "combination" in last(road).reason
 
 
-def test_a_wrong_print_is_reported_and_not_used(judge: Judge) -> None:
+def test_a_wrong_print_is_reported_and_not_used(judge: Session) -> None:
     right = s03_fixed_point.angular_velocity_matrix_of_vector
     wrong = replace(right, right=_wrong(right.right))
     made = road_of(
@@ -243,7 +243,7 @@ def test_a_wrong_print_is_reported_and_not_used(judge: Judge) -> None:
     assert plain(last(road).equations[0][1]) == "CPM(omega) e"
 
 
-def test_a_claim_that_fails_is_not_taken_nor_used(judge: Judge) -> None:
+def test_a_claim_that_fails_is_not_taken_nor_used(judge: Session) -> None:
     true = s02_screw.axis_is_not_turned
     wrong = Claim("wrong", omega, -omega)
     for first in (Take(wrong), Factor(e, using=(wrong,))):
@@ -253,13 +253,13 @@ def test_a_claim_that_fails_is_not_taken_nor_used(judge: Judge) -> None:
         assert not road.arrives
 
 
-def test_what_is_not_there_cannot_be_replaced(judge: Judge) -> None:
+def test_what_is_not_there_cannot_be_replaced(judge: Session) -> None:
     true = s02_screw.axis_is_not_turned
     road = walk(road_of(Consider(E @ e), Substitute(s02_screw.displacement), Compare(true), to=true), judge)
     assert "does not occur" in last(road).reason
 
 
-def test_two_identities_are_not_the_same_equation(judge: Judge) -> None:
+def test_two_identities_are_not_the_same_equation(judge: Session) -> None:
     true = s02_screw.axis_is_not_turned
     using = (s02_screw.rotation_from_axis_angle,)
     other = road_of(Consider(cos(phi) * e), Compare(true, using=using), to=true)

@@ -13,7 +13,7 @@ from chasles.derivations.x3_10_euler_angles import SEQUENCES, angles
 from scipy.spatial.transform import Rotation
 
 from chasles import kernels
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.lowering.lower import lower
 from chasles.lowering.program import Op, Program
 from chasles.statements import Kernel, load
@@ -156,7 +156,7 @@ def test_without_limits_there_is_no_number(sequence: str) -> None:
 
 
 def test_few_operations() -> None:
-    decide = Judge().decide
+    decide = Session().decide
     entries = {entry.name: entry for entry in load()}
     for sequence in SEQUENCES:
         assert arithmetic(lower(entries[f"rotation_from_euler_{sequence}"], decide)) <= 18

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from chasles.checker.certificate import Rejected, check
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.statements import (
     Claim,
     Definite,
@@ -56,7 +56,7 @@ center = Definition("c", c, integral(rho * p, rho, p, r) / m, assuming=(positive
 
 
 def _verdict(statement: Statement | Theorem) -> Verdict:
-    return Judge().decide(statement).verdict
+    return Session().decide(statement).verdict
 
 
 def over(of: Node) -> Integral:

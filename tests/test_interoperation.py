@@ -21,7 +21,7 @@ import pytest
 from scipy.spatial.transform import RigidTransform, Rotation
 
 from chasles import checked, kernels, load
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.report.records import record
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "interoperation.md"
@@ -250,11 +250,11 @@ def decisions() -> Callable[[str], list[dict[str, Any]]]:
 
     def decided(number: str) -> list[dict[str, Any]]:
         from chasles import load
-        from chasles.decisions.session import Judge
+        from chasles.decisions.session import Session
         from chasles.report.records import record
 
         book = load()
-        return [record(entry, Judge(book=book).decide(entry.statement)) for entry in book.select([number])]
+        return [record(entry, Session(book=book).decide(entry.statement)) for entry in book.select([number])]
 
     return decided
 
@@ -284,7 +284,7 @@ def test_joblib_spreads_decisions(one_after_the_other: Any) -> None:
 def test_decisions_travel_whole() -> None:
     """Not only their records: a decision and its statement come out of a pickle as they went in."""
     book = load()
-    judge = Judge(book=book)
+    judge = Session(book=book)
     for entry in book.select(NUMBERS):
         decision = judge.decide(entry.statement)
         again = pickle.loads(pickle.dumps(decision))

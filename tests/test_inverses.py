@@ -8,7 +8,7 @@ import pytest
 
 from chasles.checker.certificate import Rejected, check
 from chasles.checker.refutation import check_counterexample
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.statements import (
     Always,
     Claim,
@@ -254,7 +254,7 @@ FAILS: list[tuple[str, Node, Node, dict[str, Any]]] = [
 
 def decided(claim: Statement | Theorem) -> Verdict:
     """The verdict, checked by the checker."""
-    found = Judge().decide(claim).verdict
+    found = Session().decide(claim).verdict
     match found:
         case Holds(certificate) | HoldsUnder(_, certificate):
             check(claim, "printed", certificate)

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from chasles.checker.certificate import check
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.statements import (
     Branch,
     Chapter,
@@ -62,7 +62,7 @@ def inverse(name: str) -> Inverse:
 
 
 def verdict_on(sentence: Inverse) -> Verdict:
-    return Judge().decide(sentence).verdict
+    return Session().decide(sentence).verdict
 
 
 def changed(sentence: Inverse, place: int, **change: Any) -> Inverse:

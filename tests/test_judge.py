@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from chasles.checker.certificate import Rejected, check
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.statements import Branch, Chapter, Claim, Definition, Entry, Inverse, Section, Statement, nonzero
 from chasles.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided
 from chasles.vocabulary import LENGTH, Node, column, cross, dot, number, plain, scalar, vector
@@ -28,7 +28,7 @@ def book(*statements: Statement) -> Chapter:
 
 
 def test_a_repair_stands_in_for_a_claim_that_fails() -> None:
-    judge = Judge(book=book(wrong, product, resting))
+    judge = Session(book=book(wrong, product, resting))
     decision = judge.decide(wrong)
     assert isinstance(decision.verdict, Fails)
     assert decision.correction is not None
@@ -38,7 +38,7 @@ def test_a_repair_stands_in_for_a_claim_that_fails() -> None:
 
 
 def test_what_rests_on_it_is_decided_with_the_repair() -> None:
-    judge = Judge(book=book(wrong, product, resting))
+    judge = Session(book=book(wrong, product, resting))
     decision = judge.decide(resting)
     assert isinstance(decision.verdict, Holds)
     assert {key: used.form for key, used in decision.given.items()} == {"9.2/1": "repair", "9.1/1": "printed"}
@@ -48,7 +48,7 @@ def test_what_rests_on_it_is_decided_with_the_repair() -> None:
 
 
 def test_without_a_book_nothing_is_repaired() -> None:
-    judge = Judge()
+    judge = Session()
     assert not judge.decide(wrong).stands
     assert isinstance(judge.decide(resting).verdict, Undecided)
     with pytest.raises(TypeError, match="does not stand"):
@@ -57,7 +57,7 @@ def test_without_a_book_nothing_is_repaired() -> None:
 
 def test_a_declared_form_stands_in_where_the_search_finds_nothing() -> None:
     far = Claim("9.5", cross(x, cross(y, w)), dot(x, y) * z, corrected=dot(x, w) * y - dot(x, y) * w)
-    decision = Judge(book=book(far)).decide(far)
+    decision = Session(book=book(far)).decide(far)
     assert decision.correction is not None
     assert decision.correction.repairs == ()
     assert (decision.correction.form, decision.correction.found) == ("corrected", "declared")
@@ -66,13 +66,13 @@ def test_a_declared_form_stands_in_where_the_search_finds_nothing() -> None:
 
 def test_what_restates_or_solves_says_what_it_used() -> None:
     halved = Claim("9.6", w / 3, z, given=(product,), restates=wrong, by=number(1) / 3)
-    decision = Judge(book=book(wrong, product, halved)).decide(halved)
+    decision = Session(book=book(wrong, product, halved)).decide(halved)
     assert decision.given["9.2/1"].form == "repair"
     assert decision.verdict.true
 
 
 def test_what_cannot_be_repaired_does_not_stand() -> None:
-    decision = Judge(book=book(hopeless)).decide(hopeless)
+    decision = Session(book=book(hopeless)).decide(hopeless)
     assert not decision.stands
     assert decision.sides == hopeless.printed
 
@@ -86,7 +86,7 @@ def halving(of: Statement, value: Node, *satisfying: Statement) -> Inverse:
 def test_an_inverse_says_what_it_inverts_and_what_its_values_satisfy() -> None:
     formula = Definition("9.6", w, 2 * x)
     obeyed = Claim("9.7", x + x, w, given=(formula,))
-    decision = Judge().decide(halving(formula, w / 2, obeyed))
+    decision = Session().decide(halving(formula, w / 2, obeyed))
     assert isinstance(decision.verdict, HoldsUnder)
     assert {key: used.form for key, used in decision.given.items()} == {"9.6/1": "printed", "9.7/1": "printed"}
     check(decision.statement, "printed", decision.certificate, decision.standing)
@@ -94,7 +94,7 @@ def test_an_inverse_says_what_it_inverts_and_what_its_values_satisfy() -> None:
 
 def test_an_inverse_of_what_is_repaired_inverts_the_repair() -> None:
     slip = Claim("9.6", w, 3 * x, given=(Definition("9.5", w, 2 * x),))
-    decision = Judge(book=book(slip)).decide(halving(slip, w / 2))
+    decision = Session(book=book(slip)).decide(halving(slip, w / 2))
     assert isinstance(decision.verdict, HoldsUnder)
     assert decision.given["9.6/1"].form == "repair"
     check(decision.statement, "printed", decision.certificate, decision.standing)
@@ -104,18 +104,18 @@ def test_an_inverse_of_what_is_repaired_inverts_the_repair() -> None:
 def test_an_inverse_that_rests_on_what_does_not_stand_is_undecided(place: str) -> None:
     formula = Definition("9.6", w, 2 * x)
     sentence = halving(hopeless, w / 2) if place == "of" else halving(formula, w / 2, hopeless)
-    verdict = Judge().decide(sentence).verdict
+    verdict = Session().decide(sentence).verdict
     assert isinstance(verdict, Undecided)
     assert "rests on (9.4), which does not stand" in verdict.reason
 
 
 def test_an_inverse_whose_values_do_not_fit_is_ill_formed() -> None:
     longer = vector("longer", "longer", "of another dimension", LENGTH)
-    verdict = Judge().decide(halving(Definition("9.6", w, x + 1 * y), longer)).verdict
+    verdict = Session().decide(halving(Definition("9.6", w, x + 1 * y), longer)).verdict
     assert isinstance(verdict, IllFormed)
 
 
 def test_an_inverse_of_what_nothing_stands_in_for_is_undecided() -> None:
     torn = Definition("9.6", w, column(c, c), sic=True)
-    verdict = Judge().decide(halving(torn, w / 2)).verdict
+    verdict = Session().decide(halving(torn, w / 2)).verdict
     assert isinstance(verdict, Undecided)

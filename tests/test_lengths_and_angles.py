@@ -8,7 +8,7 @@ import pytest
 
 from chasles.checker.certificate import check
 from chasles.checker.refutation import check_counterexample
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.statements import (
     Claim,
     Condition,
@@ -34,7 +34,7 @@ quarter = Condition("1", 2 * phi, PI, on=(phi,))
 def verdict_on(left: Node, right: Node | int, **rest: Any) -> Verdict:
     """The verdict, checked again."""
     claim = Claim("2", left, number(right) if isinstance(right, int) else right, **rest)
-    verdict = Judge().decide(claim).verdict
+    verdict = Session().decide(claim).verdict
     if isinstance(verdict, Holds | HoldsUnder):
         check(claim, "printed", verdict.certificate)
     if isinstance(verdict, Fails):

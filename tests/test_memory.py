@@ -23,7 +23,7 @@ from chasles.decisions.memory import Memory
 from chasles.decisions.plain_data import from_data, to_data
 from chasles.decisions.prediction import foresee
 from chasles.decisions.processes import spread
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.statements import Claim, Hypothesis, Inverse, Statement, load, rotation
 from chasles.verdict import Fails, Holds, HoldsUnder, Undecided, Verdict
 from chasles.vocabulary import PI, Node, cos, cross, rate, scalar, square, vector, walk
@@ -43,8 +43,8 @@ def outcome(decision: Decision) -> Any:
 
 
 @pytest.fixture(scope="module")
-def decisions() -> tuple[Judge, list[Decision]]:
-    judge = Judge(book=BOOK)
+def decisions() -> tuple[Session, list[Decision]]:
+    judge = Session(book=BOOK)
     return judge, [judge.decide(entry.statement) for entry in SOME]
 
 
@@ -64,7 +64,7 @@ def as_text(value: Any) -> Any:
     return json.loads(json.dumps(value))
 
 
-def test_every_word_and_verdict_survives_as_plain_data(decisions: tuple[Judge, list[Decision]]) -> None:
+def test_every_word_and_verdict_survives_as_plain_data(decisions: tuple[Session, list[Decision]]) -> None:
     sides = [side for e in BOOK if isinstance(e.statement, Statement) for side in e.statement.printed]
     nodes = {node for side in sides for node in walk(side)}
     fitting = [node for node in nodes if node.fault is None]
@@ -78,9 +78,9 @@ def test_every_word_and_verdict_survives_as_plain_data(decisions: tuple[Judge, l
 def remembered(left: Node, right: Node, *assuming: Hypothesis) -> Verdict:
     """A verdict, recalled in another run."""
     claim = Claim("9.1", left, right, assuming=assuming)
-    judge = Judge()
+    judge = Session()
     verdict = judge.decide(claim).verdict
-    again = Judge(memory=Memory(as_text(judge.memory.as_data(10))))
+    again = Session(memory=Memory(as_text(judge.memory.as_data(10))))
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("chasles.decisions.session.decide_problem", forbidden)
         assert again.decide(claim).verdict == verdict
@@ -110,15 +110,15 @@ def test_nothing_else_is_made_of_data() -> None:
         to_data(Path("/"))
 
 
-def test_what_is_remembered_is_what_was_decided(decisions: tuple[Judge, list[Decision]]) -> None:
+def test_what_is_remembered_is_what_was_decided(decisions: tuple[Session, list[Decision]]) -> None:
     judge, found = decisions
     kept = as_text(judge.memory.as_data(10_000))
     # The claims by which a definition is repaired are decided when the repair is recalled.
-    once = Judge(book=BOOK, memory=Memory(kept))
+    once = Session(book=BOOK, memory=Memory(kept))
     for entry in SOME:
         once.decide(entry.statement)
     kept = as_text(once.memory.as_data(10_000))
-    again = Judge(book=BOOK, memory=Memory(kept))
+    again = Session(book=BOOK, memory=Memory(kept))
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("chasles.decisions.session.decide_problem", forbidden)
         patch.setattr("chasles.decisions.session.repair", forbidden)
@@ -147,9 +147,9 @@ def kept_of(decision: Decision) -> Iterator[Any]:
 def test_another_question_is_not_answered_by_the_old_answer() -> None:
     right = Claim("9.1", cross(a, b), -cross(b, a))
     wrong = Claim("9.1", cross(a, b), cross(b, a))
-    judge = Judge()
+    judge = Session()
     assert isinstance(judge.decide(right).verdict, Holds)
-    later = Judge(memory=Memory(as_text(judge.memory.as_data(10))))
+    later = Session(memory=Memory(as_text(judge.memory.as_data(10))))
     assert isinstance(later.decide(wrong).verdict, Fails)
 
 
@@ -170,17 +170,19 @@ def test_old_answers_give_way_to_new_ones() -> None:
     assert "3" not in memory.as_data(5)
 
 
-def test_foresight_changes_no_verdict(decisions: tuple[Judge, list[Decision]], monkeypatch: pytest.MonkeyPatch) -> None:
+def test_foresight_changes_no_verdict(
+    decisions: tuple[Session, list[Decision]], monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(spreading, "processors", lambda: 2)
-    judge = Judge(book=BOOK)
+    judge = Session(book=BOOK)
     foresee(judge, [entry.statement for entry in SOME])
     for entry, decision in zip(SOME, decisions[1], strict=True):
         assert outcome(judge.decide(entry.statement)) == outcome(decision)
 
 
-def test_inverses_are_foreseen(decisions: tuple[Judge, list[Decision]], monkeypatch: pytest.MonkeyPatch) -> None:
+def test_inverses_are_foreseen(decisions: tuple[Session, list[Decision]], monkeypatch: pytest.MonkeyPatch) -> None:
     inverses = [(d.statement, d) for d in decisions[1] if isinstance(d.statement, Inverse)]
-    judge = Judge(book=BOOK)
+    judge = Session(book=BOOK)
     for statement, _ in inverses:
         for given in statement.relied_on:
             judge.decide(given)

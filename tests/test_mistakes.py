@@ -17,7 +17,7 @@ from click.testing import CliRunner
 import chasles.statements.derivation as steps
 from chasles import statements, vocabulary
 from chasles.cli import main
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.statements import (
     Always,
     Branch,
@@ -190,14 +190,14 @@ def use(made: Any) -> None:
     copy.copy(made)
     match made:
         case Statement() | Theorem() | Inverse():
-            judge = Judge(budget=2)
+            judge = Session(budget=2)
             before = [Entry("before", Section("1", ""), defined)] if made is not defined else []
             Chapter("", (*before, Entry("it", Section("1", ""), made)))
             judge.decide(made)
         case Node():
             vocabulary.latex(made), vocabulary.plain(made)
         case Hypothesis() if made.subjects:
-            judge = Judge(budget=2)
+            judge = Session(budget=2)
             judge.decide(Claim("9", s, s, assuming=(made,)))
 
 

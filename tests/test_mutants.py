@@ -12,7 +12,7 @@ from itertools import islice
 import pytest
 
 from chasles.checker.refutation import check_counterexample
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.prover.decide import decide_problem
 from chasles.statements import Chapter, Claim, Problem, Statement, Theorem, load, nonzero, problem_of, unit
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, Verdict
@@ -60,7 +60,7 @@ class Tally:
         yield from (f"UNDECIDED {line}" for line in self.others)
 
 
-def sentences(chapter: Chapter, judge: Judge) -> Iterator[tuple[Claim | Theorem, str]]:
+def sentences(chapter: Chapter, judge: Session) -> Iterator[tuple[Claim | Theorem, str]]:
     """Every claim and theorem that stands, with the form in which it does."""
     for entry in chapter:
         sentence = entry.statement
@@ -71,7 +71,7 @@ def sentences(chapter: Chapter, judge: Judge) -> Iterator[tuple[Claim | Theorem,
                 yield stands, "printed"
 
 
-def problem(sentence: Claim | Theorem, form: str, judge: Judge, refused: list[str]) -> Problem | None:
+def problem(sentence: Claim | Theorem, form: str, judge: Session, refused: list[str]) -> Problem | None:
     """The problem, if the sentence can be written and makes sense."""
     try:
         return problem_of(sentence, form, judge.standing)
@@ -92,7 +92,7 @@ def refute_again(asked: Problem, shown: Counterexample) -> None:
     assert said in [(left[i - 1][j - 1], right[i - 1][j - 1]) for left, right in sides], shown
 
 
-def put_on_trial(mutant: Mutant, original: Problem, judge: Judge, tally: Tally) -> None:
+def put_on_trial(mutant: Mutant, original: Problem, judge: Session, tally: Tally) -> None:
     asked = problem(mutant.statement, "printed", judge, tally.refused)
     if asked is None:
         return
@@ -121,7 +121,7 @@ def symbols_in(asked: Problem) -> set[Symbol]:
     return {symbol for goal in asked.goals for side in (goal.left, goal.right) for symbol in symbols_of(side)}
 
 
-def confirm_alike(alike: list[Mutant], judge: Judge) -> None:
+def confirm_alike(alike: list[Mutant], judge: Session) -> None:
     """What says the same as a true statement is true: neither the values at points nor the prover miss a difference."""
     for mutant in alike:
         asked = problem(mutant.statement, "printed", judge, [])
@@ -133,7 +133,7 @@ def confirm_alike(alike: list[Mutant], judge: Judge) -> None:
 @pytest.mark.parametrize("half", ["one", "other"])
 def test_no_slip_of_the_pen_passes(half: str, record_property: Callable[[str, object], None]) -> None:
     """In two halves, every second statement in each, for two test processes: a share in each is one in the whole."""
-    chapter, judge, tally = load(), Judge(book=load()), Tally()
+    chapter, judge, tally = load(), Session(book=load()), Tally()
     letters = letters_of(chapter)
     mine = islice(sentences(chapter, judge), half == "other", None, 2)
     for place, (sentence, form) in enumerate(islice(mine, 0, None, EVERY_STATEMENT)):
@@ -167,7 +167,7 @@ def test_a_lenient_prover_would_be_noticed(monkeypatch: pytest.MonkeyPatch) -> N
     """A prover that says of everything that it holds does not get past the values."""
     claim = Claim("1", dot(e, e) * a, a, assuming=(unit(e),))
     original = problem_of(claim)
-    tally, judge = Tally(), Judge()
+    tally, judge = Tally(), Session()
     honest = decide_problem(original, claim.assuming)
 
     def lenient(asked: Problem, own: object = (), budget: float = 1.0) -> Verdict:

@@ -19,7 +19,7 @@ import chasles
 from chasles import prove
 from chasles.compiling.kernel import CompiledKernel
 from chasles.decisions.decision import Certificate
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.deriving import walk
 from chasles.display import Displayed
 from chasles.report.records import certificate_hash
@@ -37,7 +37,7 @@ HOSTILE = "<script>alert('1 & 2')</script> $x_1^2$ 100% \\input{x} #"
 
 def things() -> Iterator[tuple[str, Any]]:
     """One of each kind that is displayed, and some more."""
-    judge = Judge(book=BOOK)
+    judge = Session(book=BOOK)
     for entry in BOOK.select(NUMBERS):
         decision = judge.decide(entry.statement)
         name = f"{entry.number}/{entry.statement.part}"
@@ -213,7 +213,7 @@ def test_display_decides_and_simplifies_nothing(shown: dict[str, Any]) -> None:
 
 def test_deciding_would_be_seen() -> None:
     entry = BOOK.select(["3.4"])[0]
-    found = called(lambda: Judge().decide(entry.statement))
+    found = called(lambda: Session().decide(entry.statement))
     assert any(DECIDING.search(Path(file).as_posix()) for file in found)
     found = called(lambda: sympy.simplify(sympy.sin(X) ** 2 + sympy.cos(X) ** 2))
     assert any(DECIDING.search(Path(file).as_posix()) for file in found)
@@ -261,11 +261,11 @@ CELLS = {
 }
 OPENING = """
 import chasles, sympy
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.statements import load
 from chasles.statements.roads import roads_in
 book = load()
-judge = Judge(book=book)
+judge = Session(book=book)
 decided = judge.decide(book.select(["3.18"])[0].statement)
 repaired = judge.decide(book.select(["3.96e"])[0].statement)
 x, y = sympy.symbols("x y")

@@ -11,7 +11,7 @@ from fractions import Fraction
 import pytest
 
 from chasles.decisions.plain_data import from_data, to_data
-from chasles.decisions.session import Decision, Judge
+from chasles.decisions.session import Decision, Session
 from chasles.report.errata_page import errata_page
 from chasles.report.lost_marks import lost_marks
 from chasles.report.markdown import code, escaped
@@ -45,7 +45,7 @@ def name_of(statement: Statement) -> str:
 def decided(*statements: Statement, repaired: bool = False) -> tuple[Chapter, dict[str, Decision]]:
     listed = sorted(statements, key=lambda s: not isinstance(s, Definition))
     book = Chapter("Bars", tuple(Entry(name_of(s), SECTION, s) for s in listed))
-    judge = Judge(book=book if repaired else None)
+    judge = Session(book=book if repaired else None)
     return book, {entry.name: judge.decide(entry.statement) for entry in book}
 
 
@@ -184,12 +184,12 @@ def test_nothing_in_a_text_is_a_mark() -> None:
 
 
 @pytest.fixture(scope="module")
-def judge() -> Judge:
-    return Judge(book=load())
+def judge() -> Session:
+    return Session(book=load())
 
 
 @pytest.fixture(scope="module")
-def whole(judge: Judge) -> dict[str, str]:
+def whole(judge: Session) -> dict[str, str]:
     return pages(load(), judge)
 
 
@@ -200,7 +200,7 @@ def test_the_chapter_is_complete(whole: dict[str, str]) -> None:
     assert "\n172 numbered equations, 4 of earlier chapters, and " in whole["VERDICTS.md"]
 
 
-def test_every_slip_of_the_chapter_is_there(whole: dict[str, str], judge: Judge) -> None:
+def test_every_slip_of_the_chapter_is_there(whole: dict[str, str], judge: Session) -> None:
     for entry in load():
         part = f" part {entry.statement.part}" if entry.statement.part > 1 else ""
         heading = f"\n### ({entry.number}){part}\n"
@@ -211,8 +211,8 @@ def test_every_slip_of_the_chapter_is_there(whole: dict[str, str], judge: Judge)
 @pytest.mark.slow
 def test_the_pages_are_the_same_for_every_hash_seed(whole: dict[str, str]) -> None:
     program = (
-        "import sys; from chasles.decisions.session import Judge; from chasles.report.pages import pages\n"
-        "from chasles.statements import load; texts = pages(load(), Judge(book=load())).values()\n"
+        "import sys; from chasles.decisions.session import Session; from chasles.report.pages import pages\n"
+        "from chasles.statements import load; texts = pages(load(), Session(book=load())).values()\n"
         "sys.stdout.buffer.write(''.join(texts).encode())"
     )
     for seed in sample(("1", "2"), 2):

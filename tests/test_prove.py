@@ -21,7 +21,7 @@ from hypothesis import strategies as st
 from sympy import Abs, Eq, Matrix, Rational, cos, cot, csc, eye, pi, sec, sin, sqrt, tan, zeros
 from sympy.core.function import AppliedUndef
 
-from chasles.algebra.surds import Exact, root_of
+from chasles.algebra.surds import SurdSum, root_of
 from chasles.prove import Rejected, Untreatable, prove, recheck
 from chasles.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided
 
@@ -425,7 +425,7 @@ def test_a_witness_with_roots_of_roots_is_followed() -> None:
 
 
 def test_exact_numbers_are_those_of_sympy() -> None:
-    one = Exact.rational(Fraction(1, 2)) + Exact.root_of(Exact.rational(2) + rooted(2)) * rooted(3) - rooted(6)
+    one = SurdSum.rational(Fraction(1, 2)) + SurdSum.root_of(SurdSum.rational(2) + rooted(2)) * rooted(3) - rooted(6)
     half = sp.sympify(str(one))
     for value, wanted in ((one * one, half**2), (one**3, half**3), (one.inverse(), 1 / half)):
         assert abs(sp.N(sp.sympify(str(value)) - wanted, 40)) < Rational(1, 10**35)
@@ -434,18 +434,18 @@ def test_exact_numbers_are_those_of_sympy() -> None:
 
 
 def test_roots_that_depend_on_others_are_not_taken_for_new_ones() -> None:
-    one, other = Exact.rational(2) + rooted(2), Exact.rational(3) + rooted(2)
+    one, other = SurdSum.rational(2) + rooted(2), SurdSum.rational(3) + rooted(2)
     assert str(root_of(one)) == "sqrt(2 + sqrt(2))"
-    assert str(root_of(Exact.rational(3) + rooted(8))) == "1 + sqrt(2)"
+    assert str(root_of(SurdSum.rational(3) + rooted(8))) == "1 + sqrt(2)"
     assert root_of(one * other, [one, other]) is None
-    assert root_of(rooted(2) - Exact.rational(2)) is None
-    conjugate = root_of(Exact.rational(2) - rooted(2), [one])
+    assert root_of(rooted(2) - SurdSum.rational(2)) is None
+    conjugate = root_of(SurdSum.rational(2) - rooted(2), [one])
     assert conjugate is not None
-    assert (conjugate * Exact.root_of(one) - rooted(2)).is_zero
+    assert (conjugate * SurdSum.root_of(one) - rooted(2)).is_zero
 
 
-def rooted(square: int) -> Exact:
-    root = root_of(Exact.rational(square))
+def rooted(square: int) -> SurdSum:
+    root = root_of(SurdSum.rational(square))
     assert root is not None
     return root
 

@@ -19,7 +19,7 @@ from chasles.from_sympy import given as given_equations
 from chasles.from_sympy import reader as readers
 from chasles.from_sympy import roots
 from chasles.from_sympy.divisors import Divisor
-from chasles.from_sympy.given import Equations, Given
+from chasles.from_sympy.given import Equations, SideConditions
 from chasles.prove import Rejected, prove, recheck
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder
 
@@ -254,7 +254,7 @@ def test_a_prover_with_the_wrong_sign_of_roots(monkeypatch: pytest.MonkeyPatch) 
 def test_a_prover_that_takes_for_given_what_is_not(monkeypatch: pytest.MonkeyPatch) -> None:
     right = given_equations._state_triads
 
-    def more(result: Given) -> None:
+    def more(result: SideConditions) -> None:
         right(result)
         result.equations.append(Equations("x = y", [(x, y)], ("x = y",)))
 

@@ -8,7 +8,7 @@ from functools import cache
 
 import pytest
 
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.prover.decide import decide_problem
 from chasles.repairs.repair import Repair, repair
 from chasles.rewriting.term_basis import fit
@@ -19,7 +19,7 @@ from chasles.vocabulary import Misfit, Negative, Node, Number, Sum, Transpose, c
 from .sampling import sample
 
 CHAPTER = load()
-JUDGE = Judge(book=CHAPTER)
+JUDGE = Session(book=CHAPTER)
 BY_NAME = {entry.name: entry for entry in CHAPTER}
 BESIDE = [entry.statement for entry in CHAPTER if isinstance(entry.statement, Statement)]
 

@@ -10,7 +10,7 @@ import pytest
 from chasles.algebra.modular import MODULUS, Span, combination, multiple, rational
 from chasles.problems.context import build
 from chasles.repairs.residues import Sampled, generic_points
-from chasles.rewriting.coefficients import Function, scaled, spelled, split
+from chasles.rewriting.coefficients import AngleFunction, scaled, spelled, split
 from chasles.rewriting.places import linear_places, put, separate_sums
 from chasles.rewriting.term_basis import palette_of
 from chasles.statements import Goal, Problem
@@ -54,9 +54,9 @@ def test_a_term_is_a_coefficient_times_a_core() -> None:
     assert plain(parts.core) == "(e . w) e e^T"
     assert str(scaled(term, Fraction(1, 2))) == "-(3 - cos(phi)) (e . w) e e^T"
     assert scaled(term, Fraction(0)) is None
-    assert str(spelled([(Fraction(4), Function()), (Fraction(2), Function(cos(phi)))])) == "2 (2 + cos(phi))"
-    assert str(spelled([(Fraction(-1, 2), Function(cos(phi), dot(x, y)))])) == "-cos(phi) / [2 (x . y)]"
-    assert spelled([(Fraction(0), Function())]) is None
+    assert str(spelled([(Fraction(4), AngleFunction()), (Fraction(2), AngleFunction(cos(phi)))])) == "2 (2 + cos(phi))"
+    assert str(spelled([(Fraction(-1, 2), AngleFunction(cos(phi), dot(x, y)))])) == "-cos(phi) / [2 (x . y)]"
+    assert spelled([(Fraction(0), AngleFunction())]) is None
 
 
 def test_systems_are_solved_exactly() -> None:

@@ -10,7 +10,7 @@ import pytest
 from chasles.algebra import rings
 from chasles.prover.decide import decide_problem
 from chasles.repairs import repair as searching
-from chasles.repairs.modular_test import Trial
+from chasles.repairs.modular_test import ModularTest
 from chasles.repairs.repair import repair
 from chasles.statements import (
     Claim,
@@ -223,7 +223,7 @@ def test_only_what_the_prover_confirms_is_given(monkeypatch: pytest.MonkeyPatch)
 
 def test_candidates_that_do_not_even_agree_at_points_are_refuted(monkeypatch: pytest.MonkeyPatch) -> None:
     claim, _ = SLIPS["sign"]
-    monkeypatch.setattr(Trial, "holds", lambda *_: True)
+    monkeypatch.setattr(ModularTest, "holds", lambda *_: True)
     assert all(proves(claim, each.left, each.right) for each in repair(claim))
 
 

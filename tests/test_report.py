@@ -9,9 +9,9 @@ from xml.etree.ElementTree import fromstring
 
 import pytest
 
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.report.html.citing import place_of_number
-from chasles.report.html.page import Sources, page
+from chasles.report.html.page import PageContents, page
 from chasles.report.html.palette import DARK, LIGHT, TEXT_ON, contrast
 from chasles.report.html.trusted import Trusted
 from chasles.report.latex_page import latex_page
@@ -36,9 +36,9 @@ EVERYTHING = {
 def small(**statements: Statement) -> tuple[str, str]:
     """The page and the LaTeX of a small chapter."""
     book = Chapter("Bars & Co_1", tuple(Entry(name, SECTION, statement) for name, statement in statements.items()))
-    judge = Judge(book=book)
+    judge = Session(book=book)
     decisions = {entry.name: judge.decide(entry.statement) for entry in book}
-    return page(book, decisions, Sources(Trusted(2, 1, 0, 800))), latex_page(book, decisions)
+    return page(book, decisions, PageContents(Trusted(2, 1, 0, 800))), latex_page(book, decisions)
 
 
 @pytest.fixture(scope="module")

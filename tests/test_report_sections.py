@@ -11,7 +11,7 @@ import pytest
 
 import chasles
 from chasles.cli import reporting
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.exercises.solution import Solution
 from chasles.exercises.solving import solve_with
 from chasles.report.html.certificates import proof_in_words
@@ -19,8 +19,8 @@ from chasles.report.html.citing import Book
 from chasles.report.html.error_plots import plotted
 from chasles.report.html.exercises import worked_exercises, worked_view
 from chasles.report.html.formulas import displayed
-from chasles.report.html.measured import Curve, DamagedEvidence, Place, measured
-from chasles.report.html.page import Sources, page
+from chasles.report.html.measured import DamagedEvidence, ErrorAtAngle, ErrorCurve, measured
+from chasles.report.html.page import PageContents, page
 from chasles.report.html.trusted import Trusted
 from chasles.statements import Chapter, Claim, Entry, Section, load
 from chasles.statements.exercises import exercise_numbers
@@ -79,7 +79,7 @@ def twice(evidence: dict[str, str]) -> str:
 
     claim = Claim("9.1", x + x, 2 * x, says="Twice.", kernel=Kernel(of=(x,)))
     book = Chapter("Toys", (Entry("twice", Section("9.1", "Toys"), claim),))
-    return page(book, {"twice": Judge().decide(claim)}, Sources(Trusted(1, 0, 0, 1), MANIFEST, evidence))
+    return page(book, {"twice": Session().decide(claim)}, PageContents(Trusted(1, 0, 0, 1), MANIFEST, evidence))
 
 
 def test_every_exercise_is_worked(report: dict[str, str]) -> None:
@@ -169,8 +169,8 @@ def test_evidence_lies_beside_the_declarations(monkeypatch: pytest.MonkeyPatch, 
 
 
 def test_a_plot_has_a_panel_for_each_end() -> None:
-    near_zero = Curve("k", "k", (Place(False, 1e-8, 1.0, 1e9), Place(False, 1.0, 1.0, 1.0)))
-    both = Curve("k", "k", (*near_zero.places, Place(True, 1e-3, 1.0, inf)))
+    near_zero = ErrorCurve("k", "k", (ErrorAtAngle(False, 1e-8, 1.0, 1e9), ErrorAtAngle(False, 1.0, 1.0, 1.0)))
+    both = ErrorCurve("k", "k", (*near_zero.places, ErrorAtAngle(True, 1e-3, 1.0, inf)))
     plots = plotted((near_zero, both)).plots
     assert ["π − φ" in plot.drawing for plot in plots] == [False, True]
     assert plots[0].caption == "k: at most 1 u as emitted, at most 1e+09 u by the formula as typed."
@@ -189,7 +189,7 @@ def test_a_plot_has_a_panel_for_each_end() -> None:
 def test_a_proof_says_what_is_put_in_and_divided_by(number: str, words: str) -> None:
     book = load()
     [entry] = book.select([number])
-    certificate = Judge(book=book).decide(entry.statement).certificate
+    certificate = Session(book=book).decide(entry.statement).certificate
     assert certificate is not None
     assert words in " ".join(proof_in_words(Book(book), certificate))
 

@@ -9,8 +9,8 @@ from struct import unpack
 import pytest
 
 import chasles
-from chasles.decisions.session import Judge
-from chasles.report.html.page import Sources
+from chasles.decisions.session import Session
+from chasles.report.html.page import PageContents
 from chasles.report.html.site import site
 from chasles.report.html.trusted import checked_again
 from chasles.report.html.words import with_formulas
@@ -24,9 +24,9 @@ NUMBERS = ("3.18", "3.16", "3.57", "3.96e", "3.50")
 def files() -> dict[str, str | bytes]:
     """The site of some equations of the book."""
     chapter = Chapter("Some equations", chasles.chapter.select(NUMBERS), source="Angeles & others")
-    judge = Judge(book=chasles.chapter, memory=None)
+    judge = Session(book=chasles.chapter, memory=None)
     decisions = {entry.name: judge.decide(entry.statement) for entry in chapter}
-    return dict(site(chapter, decisions, Sources(checked_again(0, 0, 0)), "https://example.org/book"))
+    return dict(site(chapter, decisions, PageContents(checked_again(0, 0, 0)), "https://example.org/book"))
 
 
 def test_every_number_has_a_page(files: dict[str, str | bytes]) -> None:

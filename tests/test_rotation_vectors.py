@@ -8,7 +8,7 @@ import pytest
 
 from chasles.checker.certificate import Rejected, check
 from chasles.checker.refutation import check_counterexample
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.statements import Claim, Condition, Definition, nonzero, perpendicular, problem_of, unit
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, Undecided
 from chasles.vocabulary import (
@@ -130,7 +130,7 @@ FALSE: list[tuple[str, Node, Node, dict[str, Any]]] = [
 @pytest.mark.parametrize(("name", "left", "right", "more"), TRUE)
 def test_it_holds(name: str, left: Node, right: Node, more: dict[str, Any]) -> None:
     claim = Claim(name, left, right, **more)
-    found = Judge().decide(claim).verdict
+    found = Session().decide(claim).verdict
     assert isinstance(found, Holds | HoldsUnder), found
     check(claim, "printed", found.certificate)
     needs = found.needs if isinstance(found, HoldsUnder) else ()
@@ -141,14 +141,14 @@ def test_it_holds(name: str, left: Node, right: Node, more: dict[str, Any]) -> N
 @pytest.mark.parametrize(("name", "left", "right", "more"), FALSE)
 def test_it_fails_at_a_vector(name: str, left: Node, right: Node, more: dict[str, Any]) -> None:
     claim = Claim(name, left, right, **more)
-    found = Judge().decide(claim).verdict
+    found = Session().decide(claim).verdict
     assert isinstance(found, Fails), found
     check_counterexample(problem_of(claim), found.counterexample)
 
 
 def test_a_length_is_not_negative() -> None:
     claim = Claim("1", norm(p) * cos(norm(p)) * norm(r) * PI, norm(p) * norm(r) * PI)
-    found = Judge().decide(claim).verdict
+    found = Session().decide(claim).verdict
     assert isinstance(found, Fails)
     shown = found.counterexample
     assert all(value >= 0 for name, value in shown.at.items() if name.startswith("|"))
@@ -170,4 +170,4 @@ UNTREATED = [
 
 @pytest.mark.parametrize("claim", UNTREATED)
 def test_of_what_more_is_known_nothing_is_said(claim: Claim) -> None:
-    assert isinstance(Judge().decide(claim).verdict, Undecided)
+    assert isinstance(Session().decide(claim).verdict, Undecided)

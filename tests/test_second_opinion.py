@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 import sympy
 
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.numerics.enclosures import plain_context
 from chasles.statements import (
     Claim,
@@ -58,7 +58,7 @@ from .second_opinion.opinion import AGREEMENT, NoMotion, Opinion, opinion_on, ro
 
 Sentence = Statement | Theorem | Inverse
 CHAPTER = load()
-JUDGE = Judge(book=CHAPTER)
+JUDGE = Session(book=CHAPTER)
 SECTIONS = [section.number for section in CHAPTER.sections]
 NO_ROOTS = {
     "energy_by_center_of_mass",

@@ -10,7 +10,7 @@ import pytest
 from chasles import derivations
 from chasles.checker.certificate import check
 from chasles.checker.refutation import check_counterexample
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.lowering.declaration import requested
 from chasles.statements import Chapter, Entry, load, problem_of
 from chasles.statements.arrays import argument_name
@@ -53,8 +53,8 @@ def chapter() -> Chapter:
 
 
 @pytest.fixture(scope="module")
-def judge() -> Judge:
-    return Judge(book=load())
+def judge() -> Session:
+    return Session(book=load())
 
 
 def here(chapter: Chapter) -> list[Entry]:
@@ -71,7 +71,7 @@ def test_every_number_is_declared(chapter: Chapter) -> None:
     assert {"Thm 3.7.1", "Thm 3.7.2", "Ex 3.17", "Ex 3.18", "2.39", "2.40"} <= {entry.number for entry in here(chapter)}
 
 
-def test_everything_is_decided_and_one_equation_fails(chapter: Chapter, judge: Judge) -> None:
+def test_everything_is_decided_and_one_equation_fails(chapter: Chapter, judge: Session) -> None:
     decided = [(entry, judge.decide(entry.statement)) for entry in here(chapter)]
     counts = Counter(decision.verdict.name for _, decision in decided)
     assert set(counts) == {"holds", "holds-under", "defined", "posed", "assumed", "fails"}
@@ -82,14 +82,14 @@ def test_everything_is_decided_and_one_equation_fails(chapter: Chapter, judge: J
     assert not [name for name, hypotheses in unused.items() if hypotheses]
 
 
-def test_the_certificates_prove_it(chapter: Chapter, judge: Judge) -> None:
+def test_the_certificates_prove_it(chapter: Chapter, judge: Session) -> None:
     for entry in here(chapter):
         decision = judge.decide(entry.statement)
         if decision.certificate is not None:
             check(decision.repaired, "printed", decision.certificate, judge.standing)
 
 
-def test_steiner_by_dyads_fails_in_a_block_without_p(chapter: Chapter, judge: Judge) -> None:
+def test_steiner_by_dyads_fails_in_a_block_without_p(chapter: Chapter, judge: Session) -> None:
     statement = named(chapter, "steiner_by_dyads")
     decision = judge.decide(statement)
     assert isinstance(decision.verdict, Fails)
@@ -115,7 +115,7 @@ def test_steiner_by_dyads_fails_in_a_block_without_p(chapter: Chapter, judge: Ju
         ("newton_euler_twist_rate", {"det(I_C) != 0", "m > 0"}),
     ],
 )
-def test_what_is_needed(chapter: Chapter, judge: Judge, name: str, needs: set[str]) -> None:
+def test_what_is_needed(chapter: Chapter, judge: Session, name: str, needs: set[str]) -> None:
     verdict = judge.decide(named(chapter, name)).verdict
     assert isinstance(verdict, HoldsUnder)
     assert set(verdict.needs) == needs
@@ -142,14 +142,14 @@ def test_what_is_needed(chapter: Chapter, judge: Judge, name: str, needs: set[st
         "rate_of_inertia_dyad",
     ],
 )
-def test_with_the_other_sign_it_fails(chapter: Chapter, judge: Judge, name: str) -> None:
+def test_with_the_other_sign_it_fails(chapter: Chapter, judge: Session, name: str) -> None:
     statement = named(chapter, name)
     assert statement.number.startswith(("3.", "text", "Ex"))
     wrong = with_fields(statement, right=Negative(statement.right), kernel=None)
     assert isinstance(judge.decide(wrong).verdict, Fails)
 
 
-def test_slips_of_the_pen_fail(chapter: Chapter, judge: Judge) -> None:
+def test_slips_of_the_pen_fail(chapter: Chapter, judge: Session) -> None:
     coriolis = named(chapter, "moving_frame_acceleration")
     once = with_fields(coriolis, right=replace(coriolis.right, {number(2): number(1)}), kernel=None)
     dyad = named(chapter, "inertia_dyad")
@@ -162,7 +162,7 @@ def test_slips_of_the_pen_fail(chapter: Chapter, judge: Judge) -> None:
 
 
 @pytest.mark.parametrize(("name", "arguments"), KERNELS.items())
-def test_kernels(chapter: Chapter, judge: Judge, name: str, arguments: str) -> None:
+def test_kernels(chapter: Chapter, judge: Session, name: str, arguments: str) -> None:
     entry = next(entry for entry in chapter if entry.name == name)
     request = requested(entry, judge.decide)
     assert [argument_name(node) for node in request.of] == arguments.split()

@@ -8,7 +8,7 @@ import pytest
 
 from chasles.checker.certificate import check
 from chasles.checker.refutation import check_counterexample
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.statements import (
     Claim,
     Hypothesis,
@@ -170,7 +170,7 @@ CONTRADICTORY = [
 @pytest.mark.parametrize(("name", "left", "right", "assuming"), TRUE)
 def test_what_follows_has_a_witness(name: str, left: Node, right: Node, assuming: tuple[Any, ...]) -> None:
     claim = Claim(name, left, right, assuming=assuming)
-    found = Judge().decide(claim).verdict
+    found = Session().decide(claim).verdict
     assert isinstance(found, Holds | HoldsUnder), found
     check(claim, "printed", found.certificate)
 
@@ -180,7 +180,7 @@ def test_what_does_not_follow_has_a_counterexample(
     name: str, left: Node, right: Node, assuming: tuple[Any, ...]
 ) -> None:
     claim = Claim(name, left, right, assuming=assuming)
-    found = Judge().decide(claim).verdict
+    found = Session().decide(claim).verdict
     assert isinstance(found, Fails), found
     check_counterexample(problem_of(claim), found.counterexample)
 
@@ -190,4 +190,4 @@ def test_what_nothing_satisfies_proves_and_refutes_nothing(place: int, assuming:
     equations = (dot(a, a), dot(a, a)), (tr(R) + tr(Q), 2 + tr(R)), (dot(a, b), number(5))
     for left, right in sample(equations, 3, first=place % 3):
         occurring = left + sum((0 * tr(subject @ subject.T) for h in assuming for subject in h.subjects), number(0))
-        assert not Judge().decide(Claim("1", occurring, right, assuming=assuming)).verdict.true
+        assert not Session().decide(Claim("1", occurring, right, assuming=assuming)).verdict.true

@@ -21,7 +21,7 @@ from chasles.cli.answers import answers
 from chasles.decisions.kept_answers import repairs_stand, verdict_stands
 from chasles.decisions.memory import Memory
 from chasles.decisions.plain_data import from_data, to_data
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.decisions.shipped import ANSWERS, shipped
 from chasles.deriving import walk
 from chasles.exercises.solving import solve_with
@@ -69,7 +69,7 @@ def searched(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 @pytest.fixture
 def new_judge(monkeypatch: pytest.MonkeyPatch) -> None:
     """Exercises are solved with a judge of their own, who knows what is shipped and nothing else."""
-    judge = Judge(book=CHAPTER, memory=Memory(shipped=SHIPPED))
+    judge = Session(book=CHAPTER, memory=Memory(shipped=SHIPPED))
     monkeypatch.setattr("chasles.exercises.decided._judge", lambda: judge)
 
 
@@ -80,14 +80,14 @@ def book_of(*statements: Statement) -> Chapter:
 
 def kept_of(book: Chapter, *sentences: Statement) -> dict[str, Any]:
     """What a judge has to say of the sentences, as it would be shipped."""
-    judge = Judge(book=book)
+    judge = Session(book=book)
     for sentence in sentences:
         judge.decide(sentence)
     return json.loads(json.dumps(judge.memory.everything))
 
 
 def test_nothing_of_the_chapter_is_searched_for(searched: list[str]) -> None:
-    judge = Judge(book=CHAPTER, memory=Memory(shipped=SHIPPED))
+    judge = Session(book=CHAPTER, memory=Memory(shipped=SHIPPED))
     for entry in CHAPTER:
         judge.decide(entry.statement)
     assert searched == []
@@ -95,8 +95,8 @@ def test_nothing_of_the_chapter_is_searched_for(searched: list[str]) -> None:
 
 
 @pytest.fixture(scope="module")
-def walker() -> Judge:
-    return Judge(book=CHAPTER, memory=Memory(shipped=SHIPPED))
+def walker() -> Session:
+    return Session(book=CHAPTER, memory=Memory(shipped=SHIPPED))
 
 
 REFUSED = pytest.mark.xfail(reason="the checker asks of the witness what no equation speaks of", strict=False)
@@ -107,7 +107,7 @@ REFUSED = pytest.mark.xfail(reason="the checker asks of the witness what no equa
 @pytest.mark.parametrize(
     "name", [pytest.param(n, marks=REFUSED) if n == "accelerations_in_a_moving_frame" else n for n in ROADS]
 )
-def test_nothing_on_the_roads_is_searched_for(name: str, walker: Judge, searched: list[str]) -> None:
+def test_nothing_on_the_roads_is_searched_for(name: str, walker: Session, searched: list[str]) -> None:
     assert walk(ROADS[name], walker).arrives
     assert searched == []
 
@@ -122,7 +122,7 @@ def test_nothing_of_the_exercises_is_searched_for(number: str, searched: list[st
 
 def test_what_is_shipped_is_what_is_found() -> None:
     """`chasles emit --anew` writes what is found into the file."""
-    judge = Judge(book=CHAPTER)
+    judge = Session(book=CHAPTER)
     for entry in sample(CHAPTER, 8):
         judge.decide(entry.statement)
     for road in sample(ROADS.values(), 12):
@@ -135,7 +135,7 @@ def test_what_is_shipped_is_what_is_found() -> None:
 @pytest.mark.slow
 @pytest.mark.skipif(not WHOLE, reason="proves everything anew: set CHASLES_TEST_WHOLE=1")
 def test_the_whole_file_is_what_is_found() -> None:
-    assert answers(CHAPTER, Judge(book=CHAPTER))[ANSWERS] == (ROOT / "generated" / ANSWERS).read_text("utf-8")
+    assert answers(CHAPTER, Session(book=CHAPTER))[ANSWERS] == (ROOT / "generated" / ANSWERS).read_text("utf-8")
 
 
 FORGED: dict[str, Callable[[Any], Any]] = {
@@ -153,12 +153,12 @@ FORGED: dict[str, Callable[[Any], Any]] = {
 @pytest.mark.parametrize("forgery", FORGED)
 @pytest.mark.parametrize("claim", [right, wrong, long, slip], ids=lambda claim: claim.number)
 def test_a_forged_verdict_is_not_believed(claim: Claim, forgery: str, searched: list[str]) -> None:
-    true = Judge().decide(claim).verdict
+    true = Session().decide(claim).verdict
     forged = FORGED[forgery](true)
     searched.clear()
     key = Memory().key_of_verdict(problem_of(claim), claim.assuming)
     memory = Memory(shipped={key: json.loads(json.dumps(to_data(forged)))})
-    assert Judge(memory=memory).decide(claim).verdict == true
+    assert Session(memory=memory).decide(claim).verdict == true
     same = isinstance(forged, type(true)) and verdict_stands(problem_of(claim), forged)
     assert bool(searched) is not same
 
@@ -182,9 +182,9 @@ def test_nothing_that_was_spoiled_is_believed(searched: list[str]) -> None:
     assert len(found) > 5
     searched.clear()
     for claim in (right, wrong, slip, long):
-        true = Judge(book=book_of(right, wrong, slip, long)).decide(claim)
+        true = Session(book=book_of(right, wrong, slip, long)).decide(claim)
         memory = Memory(shipped={key: spoiled(data) for key, data in found.items()})
-        again = Judge(book=book_of(right, wrong, slip, long), memory=memory).decide(claim)
+        again = Session(book=book_of(right, wrong, slip, long), memory=memory).decide(claim)
         assert again.verdict.name == true.verdict.name
         assert again.sides == true.sides
 
@@ -193,35 +193,35 @@ def test_nothing_that_was_spoiled_is_believed(searched: list[str]) -> None:
                                   ["Holds", 1, 2, 3], ["Fails", 1], ["Symbol", 1, 2, 3, 4, 5, 6],
                                   ["Holds", {"branches": 1}, {}, ["tuple"]], ["Number", "1"], ["Rate", 1]])  # fmt: skip
 def test_what_is_no_answer_is_none(data: Any) -> None:
-    true = Judge(book=book_of(slip)).decide(slip)
-    keys = Judge(book=book_of(slip)).memory
-    asked = Judge(book=book_of(slip), memory=keys)
+    true = Session(book=book_of(slip)).decide(slip)
+    keys = Session(book=book_of(slip)).memory
+    asked = Session(book=book_of(slip), memory=keys)
     asked.decide(slip)
-    decision = Judge(book=book_of(slip), memory=Memory(shipped=dict.fromkeys(keys.asked, data))).decide(slip)
+    decision = Session(book=book_of(slip), memory=Memory(shipped=dict.fromkeys(keys.asked, data))).decide(slip)
     assert decision.verdict == true.verdict
     assert data == ["tuple"] or decision.correction == true.correction
 
 
 @pytest.mark.parametrize("change", ["sides", "verdict", "none of them"])
 def test_a_forged_repair_is_not_believed(change: str) -> None:
-    judge = Judge(book=book_of(slip))
+    judge = Session(book=book_of(slip))
     true = judge.decide(slip)
     key, repairs = judge.search(slip)
     (first, *_) = repairs
     forged: Any = {
         "sides": (with_fields(first, right=4 * cross(x, y)),),
-        "verdict": (with_fields(first, verdict=Judge().decide(long).verdict),),
+        "verdict": (with_fields(first, verdict=Session().decide(long).verdict),),
         "none of them": ("text",),
     }[change]
     assert not repairs_stand(slip, forged, judge.standing, (), judge.verdict_on)
     assert repairs_stand(slip, repairs, judge.standing, (), judge.verdict_on)
     if change != "none of them":
         memory = Memory(shipped={key: to_data(forged)})
-        assert Judge(book=book_of(slip), memory=memory).decide(slip).correction == true.correction
+        assert Session(book=book_of(slip), memory=memory).decide(slip).correction == true.correction
 
 
 def test_repairs_of_definitions_are_checked_by_the_claims_that_rest_on_them(searched: list[str]) -> None:
-    judge = Judge(book=CHAPTER, memory=Memory(shipped=SHIPPED))
+    judge = Session(book=CHAPTER, memory=Memory(shipped=SHIPPED))
     found = 0
     for entry in CHAPTER:
         if isinstance(entry.statement, Definition) and entry.statement.fault:
@@ -237,11 +237,11 @@ def test_repairs_of_definitions_are_checked_by_the_claims_that_rest_on_them(sear
 
 @pytest.mark.parametrize("name", ["velocities_of_a_rigid_body", "rate_of_N", "euler_zyx_body", "left_inverses_of_H"])
 def test_a_road_arrives_whatever_was_kept_of_its_combinations(name: str, searched: list[str]) -> None:
-    judge = Judge(book=CHAPTER, memory=Memory(shipped=SHIPPED))
+    judge = Session(book=CHAPTER, memory=Memory(shipped=SHIPPED))
     walk(ROADS[name], judge)
     combinations = [key for key in judge.memory.asked if isinstance(judge.memory.recalled(key), Node)]
     forged = {key: to_data(Sum((judge.memory.recalled(key), judge.memory.recalled(key)))) for key in combinations}
-    assert walk(ROADS[name], Judge(book=CHAPTER, memory=Memory(forged, SHIPPED))).arrives
+    assert walk(ROADS[name], Session(book=CHAPTER, memory=Memory(forged, SHIPPED))).arrives
     assert searched
 
 
@@ -250,7 +250,7 @@ def test_only_what_is_new_is_searched_for(searched: list[str]) -> None:
     changed = CHAPTER.select(["3.145"])[0].statement
     assert isinstance(changed, Claim)
     other = with_fields(changed, right=2 * changed.right, corrected=None, reading=None)
-    judge = Judge(book=CHAPTER, memory=Memory(shipped=SHIPPED))
+    judge = Session(book=CHAPTER, memory=Memory(shipped=SHIPPED))
     for entry in CHAPTER:
         judge.decide(other if entry.statement is changed else entry.statement)
     assert isinstance(judge.decide(other).verdict, Fails)

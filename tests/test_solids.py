@@ -11,7 +11,7 @@ import sympy as sp
 import trimesh
 
 from chasles.exact.bodies import cut_prism, joined, point_masses, regular_hexagon, whole_prism
-from chasles.exact.fields import Case, Field
+from chasles.exact.fields import Case, NumberField
 from chasles.exact.grammar import read_number
 from chasles.exact.moments import Moments
 from chasles.exact.numbers import NotDecided, is_zero
@@ -128,9 +128,9 @@ def test_integrals_over_a_wedge() -> None:
 HALF_HEXAGON = ((1, 0), ("1/2", "1/2"), ("-1/2", "1/2"), (-1, 0), ("-1/2", "-1/2"), ("1/2", "-1/2"))
 
 
-def symbolic(height_over_side: sp.Rational) -> tuple[Moments, Moments, Moments, Case, Field]:
+def symbolic(height_over_side: sp.Rational) -> tuple[Moments, Moments, Moments, Case, NumberField]:
     """The prism of Exercise 3.12 and its parts by symbols, with Y in units of sqrt(3): no root occurs."""
-    field = Field(s, h, k)
+    field = NumberField(s, h, k)
     case = Case(field, {s: sp.Rational(1), h: height_over_side, k: sp.Rational(1)})
     corners = [tuple(field(s * sp.Rational(x)) for x in corner) for corner in HALF_HEXAGON]
     solid: Solid = prism(corners, field(h), case)
@@ -158,7 +158,7 @@ def test_side_height_and_angle_may_stay_symbols(height: sp.Rational) -> None:
     assert sp.simplify(sp.Matrix(at.second) - wedge.second) == sp.zeros(3)
 
 
-def below_at(field: Field, part: Moments, values: dict) -> Moments:
+def below_at(field: NumberField, part: Moments, values: dict) -> Moments:
     read = lambda x: field.expression(x).subs(values)  # noqa: E731
     return Moments(read(part.volume), tuple(map(read, part.first)), tuple(tuple(map(read, row)) for row in part.second))
 
@@ -174,13 +174,13 @@ def test_the_hexagonal_prism_by_symbols() -> None:
 def test_a_sample_between_two_cases_is_refused() -> None:
     with pytest.raises(ValueError, match=r"boundary of the case: .* vanishes"):
         symbolic(sp.Integer(1))
-    field = Field(s, h)
+    field = NumberField(s, h)
     case = Case(field, {s: sp.Rational(1), h: sp.Rational(2)})
     assert case(1 / (field(s) - field(h))) == -1
     assert [sp.simplify(value * (s - h)) for value in case.conditions] == [1]
     assert list(case.conditions.values()) == [-1]
     assert Case(field, {s: sp.Rational(3), h: sp.Rational(2)})(1 / (field(s) - field(h))) == 1
-    field = Field(s)
+    field = NumberField(s)
     with pytest.raises(ValueError, match="gives no value to s"):
         Case(field, {})
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from chasles import kernels
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.lowering.declaration import requested
 from chasles.lowering.equality import differences
 from chasles.lowering.lower import program_of
@@ -41,7 +41,7 @@ def entry(right, kernel: Kernel) -> Entry:
 
 def made(right, kernel: Kernel):
     asked = entry(right, kernel)
-    return [kernel_of(asked, Judge().decide, variant) for variant in asked.kernels]
+    return [kernel_of(asked, Session().decide, variant) for variant in asked.kernels]
 
 
 @pytest.mark.parametrize("name", CONTRACT)
@@ -90,7 +90,7 @@ def test_what_is_not_symmetric_is_refused() -> None:
 
 def test_a_program_that_reads_the_wrong_number_is_not_equal() -> None:
     asked = entry(S @ S, Kernel(of=(S,), symmetric=(S, T)))
-    request = requested(asked, Judge().decide, asked.kernels[1])
+    request = requested(asked, Session().decide, asked.kernels[1])
     program = program_of(request)
     assert differences(request, program) == ()
     swap = {1: 3, 3: 1}

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import pytest
 
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.statements import (
     Claim,
     Condition,
@@ -183,23 +183,23 @@ def named(traps: dict[str, Claim | Theorem]) -> list[object]:
 
 @pytest.mark.parametrize("sentence", named(TRUE))
 def test_what_is_true_is_not_refuted(sentence: Claim | Theorem) -> None:
-    assert isinstance(Judge().decide(sentence).verdict, Holds | HoldsUnder | Undecided)
+    assert isinstance(Session().decide(sentence).verdict, Holds | HoldsUnder | Undecided)
 
 
 @pytest.mark.parametrize("sentence", named(FALSE))
 def test_what_is_false_is_not_proved(sentence: Claim | Theorem) -> None:
-    assert isinstance(Judge().decide(sentence).verdict, Fails | Undecided)
+    assert isinstance(Session().decide(sentence).verdict, Fails | Undecided)
 
 
 @pytest.mark.parametrize("sentence", named(IMPOSSIBLE))
 def test_what_cannot_be_is_not_decided(sentence: Claim | Theorem) -> None:
-    verdict = Judge().decide(sentence).verdict
+    verdict = Session().decide(sentence).verdict
     assert isinstance(verdict, Undecided | Contradictory), verdict
     assert verdict.reason
 
 
 def test_most_traps_are_seen_through() -> None:
     """Doubt is allowed, but not as a way out."""
-    judge = Judge()
+    judge = Session()
     doubted = [name for name, trap in (TRUE | FALSE).items() if isinstance(judge.decide(trap).verdict, Undecided)]
     assert len(doubted) <= (len(TRUE) + len(FALSE)) / 3, doubted

@@ -33,14 +33,14 @@ if {hidden!r}:
     sys.modules["flint"] = None
 from dataclasses import asdict
 from chasles.prover.decide import decide_problem
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.algebra.rings import backend
 from chasles.statements import Claim, Theorem, load, problem_of
 from chasles.vocabulary import Misfit
 from tests.mutation import mutants_of
 
 assert backend() == {backend!r}, backend()
-judge, said, count = Judge(book=load()), {{}}, 0
+judge, said, count = Session(book=load()), {{}}, 0
 
 
 def plain(verdict):

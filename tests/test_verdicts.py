@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from chasles.decisions.session import Decision, Judge
+from chasles.decisions.session import Decision, Session
 from chasles.statements import Entry, load
 from chasles.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
 
@@ -22,7 +22,7 @@ HEAD = "# The verdict on every statement; `pytest tests/test_verdicts.py --updat
 
 @pytest.fixture(scope="module")
 def decisions() -> list[tuple[Entry, Decision]]:
-    return list(Judge(book=load()).decide_all(load()))
+    return list(Session(book=load()).decide_all(load()))
 
 
 def line(entry: Entry, decision: Decision) -> str:

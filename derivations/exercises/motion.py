@@ -15,7 +15,7 @@ from chasles.derivations.s02_screw import (
 from chasles.derivations.s04_twist import natural_invariants
 
 from chasles.exact.numbers import angle
-from chasles.exercises.worksheet import Sheet, equal
+from chasles.exercises.worksheet import Worksheet, equal
 from chasles.statements import rotation
 from chasles.statements.exercise import Answer, Else, Scalar, matrix_shape, vector_shape
 from chasles.vocabulary import cos, det, number, sin
@@ -42,7 +42,7 @@ SCREW_ANSWERS = (
 )
 
 
-def is_a_rotation(sheet: Sheet) -> bool:
+def is_a_rotation(sheet: Worksheet) -> bool:
     """Whether Q is proper orthogonal, shown in two steps."""
     one = sheet.value(Q.T @ Q)
     sheet.show(Q.T @ Q, "A rigid body keeps lengths and angles: Q^T Q is to be the identity.")
@@ -50,7 +50,7 @@ def is_a_rotation(sheet: Sheet) -> bool:
     return equal(one, one**0) and sheet.satisfied(rotation(Q))
 
 
-def find_screw(sheet: Sheet) -> str:
+def find_screw(sheet: Worksheet) -> str:
     """The status; Q, which is a rotation, a and a_ are known."""
     sheet.compute(displacement_of_landmark, "The displacement of the landmark.")
     if not sheet.invert(natural_invariants, "The axis and the angle of the rotation."):

@@ -4,7 +4,7 @@ from chasles.derivations.notation import p
 
 from chasles.exact.evaluate import Value
 from chasles.exact.numbers import sign
-from chasles.exercises.worksheet import Sheet
+from chasles.exercises.worksheet import Worksheet
 from chasles.statements import Claim, Definition
 from chasles.statements.exercise import Answer, Else, Record, Scalar, Truth, Word, matrix_shape, vector_shape
 from chasles.vocabulary import (
@@ -130,7 +130,7 @@ ANSWERS = (
 )
 
 
-def with_opposite_equation(sheet: Sheet, given: dict[str, Value]) -> list[dict[str, Value]]:
+def with_opposite_equation(sheet: Worksheet, given: dict[str, Value]) -> list[dict[str, Value]]:
     """With -f for f, which is zero on the same surface, and all that follows."""
     right = sheet.answers
     signature = list(reversed(right["signature_M"]))

@@ -14,15 +14,15 @@ from chasles.exact.lines import meets_plane
 from chasles.exact.numbers import is_zero
 from chasles.exercises.data import DataError
 from chasles.exercises.draw import Draw
-from chasles.exercises.picture import Arrow, Body, Line, Picture, Point
-from chasles.exercises.worksheet import Sheet
+from chasles.exercises.picture import Arrow, DrawnBody, Line, Picture, Point
+from chasles.exercises.worksheet import Worksheet
 from chasles.statements.exercise import Answer, Datum, Else, Exercise, Record, vector_shape
 from chasles.vocabulary import det, inverse
 
 CORNERS = ("A", "B", "D", "E")
 
 
-def solve(sheet: Sheet) -> str:
+def solve(sheet: Worksheet) -> str:
     """The edges at A, as columns before and after, give Q; Q and the displacement of A give the screw."""
     before, after = sheet["before"], sheet["after"]
     sheet.given({a: before["A"], a_: after["A"]}, "The corner A before and after.")
@@ -53,7 +53,7 @@ def solve(sheet: Sheet) -> str:
         hits = {name: meets_plane(sheet.answers["p0"], sheet.answers["e"], k) for name, k in places}
         sheet.step("(c) Along the axis from P_0, until a coordinate vanishes.", *hits.items())
     sheet.answer(hits=hits)
-    bodies = (Body(edges_of(before), "before", faded=True), Body(edges_of(after), "after"))
+    bodies = (DrawnBody(edges_of(before), "before", faded=True), DrawnBody(edges_of(after), "after"))
     corners = ((before, ""), (after, "'"))
     labels = tuple(Point(places[name], name + mark) for places, mark in corners for name in CORNERS)
     arrow = Arrow(before["A"], sheet.value(d_A), "d_A")

@@ -17,8 +17,8 @@ from chasles.exact.evaluate import Value
 from chasles.exact.numbers import sign
 from chasles.exercises.data import DataError
 from chasles.exercises.draw import Draw
-from chasles.exercises.picture import Arrow, Body, Line, Picture, Point
-from chasles.exercises.worksheet import Sheet, equal
+from chasles.exercises.picture import Arrow, DrawnBody, Line, Picture, Point
+from chasles.exercises.worksheet import Worksheet, equal
 from chasles.statements.exercise import Answer, Datum, Exercise, ListOf, Record, Scalar, Tuple, Word, vector_shape
 from chasles.vocabulary import norm, vector
 
@@ -26,7 +26,7 @@ NAMES = ("P1", "P2", "P3", "P4")
 along = vector("l", "l", "from one point towards another")
 
 
-def solve(sheet: Sheet) -> str:
+def solve(sheet: Worksheet) -> str:
     """The forces are moved to the point that is asked about, which is made the origin; there they are a wrench."""
     points, near = sheet["points"], sheet["closest_to"]
     here = points[near]
@@ -60,7 +60,7 @@ def solve(sheet: Sheet) -> str:
 
 
 def add(
-    sheet: Sheet, points: dict[str, Value], here: Value, one: tuple[int, str, str, Value], sums: tuple[Value, Value]
+    sheet: Worksheet, points: dict[str, Value], here: Value, one: tuple[int, str, str, Value], sums: tuple[Value, Value]
 ) -> tuple[Value, Value]:
     """One force, and its moment about the point that is asked about, added to the sums."""
     k, start, end, size = one
@@ -85,7 +85,7 @@ def halfway(points: dict[str, Value], place: Value) -> str:
     return next(found, "")
 
 
-def picture(sheet: Sheet, total: Value, place: Value) -> Picture:
+def picture(sheet: Worksheet, total: Value, place: Value) -> Picture:
     """The tetrahedron with the forces and the axis of the wrench."""
     points = sheet["points"]
     edges = tuple((points[one], points[two]) for k, one in enumerate(NAMES) for two in NAMES[k + 1 :])
@@ -95,7 +95,7 @@ def picture(sheet: Sheet, total: Value, place: Value) -> Picture:
     )
     marks = (*(Point(points[name], name) for name in NAMES), Point(place, "P"))
     axis = Line(place, total, "axis")
-    return Picture("The forces and the axis of their wrench", (Body(edges), axis, *forces, *marks))
+    return Picture("The forces and the axis of their wrench", (DrawnBody(edges), axis, *forces, *marks))
 
 
 def instance(draw: Draw) -> dict[str, Value]:

@@ -38,7 +38,7 @@ from chasles.exact.quadrics import PARAMETER, kind_of, signature_of, transversal
 from chasles.exercises.data import DataError
 from chasles.exercises.draw import Draw
 from chasles.exercises.picture import Curve, Line, Picture, Point
-from chasles.exercises.worksheet import Sheet
+from chasles.exercises.worksheet import Worksheet
 from chasles.statements.exercise import Datum, Exercise, ListOf, Tuple, vector_shape
 from chasles.vocabulary import (
     det,
@@ -55,7 +55,7 @@ KIND = (
 )
 
 
-def solve(sheet: Sheet) -> str:
+def solve(sheet: Worksheet) -> str:
     """The three claims hold for all lines; then numbers."""
     for k, (point, way, (a, e)) in enumerate(zip((p1, p2, p3), (e1, e2, e3), sheet["lines"], strict=True), 1):
         if not any(e):
@@ -99,7 +99,7 @@ def solve(sheet: Sheet) -> str:
     return "degenerate" if is_zero(det_M4) else "quadric"
 
 
-def determinants(sheet: Sheet) -> tuple[Value, Value]:
+def determinants(sheet: Worksheet) -> tuple[Value, Value]:
     """Those of M and of the 4 x 4 matrix, from what these are as seen along the three lines."""
     sheet.state(in_directions)
     says = (

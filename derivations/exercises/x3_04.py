@@ -9,7 +9,7 @@ from chasles.exact.lines import direction_of, normal_to
 from chasles.exact.numbers import angle, is_zero
 from chasles.exercises.draw import Draw
 from chasles.exercises.picture import Arrow, Picture
-from chasles.exercises.worksheet import Sheet, equal
+from chasles.exercises.worksheet import Worksheet, equal
 from chasles.statements import Claim, Condition, rotation
 from chasles.statements.exercise import (
     Answer,
@@ -58,7 +58,7 @@ three_vectors_are_turned = Claim(
 )
 
 
-def solve(sheet: Sheet) -> str:
+def solve(sheet: Worksheet) -> str:
     """Three invariants decide whether there is a rotation; three vectors give it where it is the only one."""
     sheet.given({n_1: sheet["n1"], f_1: sheet["f1"], n_2: sheet["n2"], f_2: sheet["f2"]}, "The two measurements.")
     violated = [name for name, claim in invariance.items() if not sheet.holds(claim)]
@@ -81,7 +81,7 @@ def solve(sheet: Sheet) -> str:
     return "compatible"
 
 
-def axis_and_angle(sheet: Sheet) -> dict[str, Value]:
+def axis_and_angle(sheet: Worksheet) -> dict[str, Value]:
     """Of the rotation that is bound."""
     if not sheet.invert(natural_invariants, "Its axis and its angle."):
         return {"phi": sheet.value(PI) * 0, "e": None}
@@ -91,11 +91,11 @@ def axis_and_angle(sheet: Sheet) -> dict[str, Value]:
     return {"phi": turned, "e": sheet.value(e)}
 
 
-def with_another_rotation(sheet: Sheet, given: dict[str, Value]) -> list[dict[str, Value]]:
+def with_another_rotation(sheet: Worksheet, given: dict[str, Value]) -> list[dict[str, Value]]:
     """Where R is not unique, any that does it, with its own axis and angle."""
     if sheet.answers["unique"] is not False or given.get("R") is None:
         return []
-    trial = Sheet(sheet.data)
+    trial = Worksheet(sheet.data)
     trial.values = sheet.values | {Q: matrix_of(given["R"])}
     sides = [sheet.sides(turned, None) for turned in (moment_is_turned, force_is_turned)]
     if trial.satisfied(rotation(Q)) and all(equal(trial.value(left), trial.value(right)) for left, right in sides):
@@ -103,14 +103,14 @@ def with_another_rotation(sheet: Sheet, given: dict[str, Value]) -> list[dict[st
     return []
 
 
-def only_rotation(sheet: Sheet) -> Value:
+def only_rotation(sheet: Worksheet) -> Value:
     """From three independent vectors in both frames."""
     before, after = row(n_2, f_2, cross(n_2, f_2)), row(n_1, f_1, cross(n_1, f_1))
     says = "n, f and n x f are independent: they determine R."
     return sheet.show(after @ inverse(before), says, named="R", cites=(three_vectors_are_turned,))
 
 
-def some_rotation(sheet: Sheet) -> Value:
+def some_rotation(sheet: Worksheet) -> Value:
     """N and f are along one line, or vanish: R may be followed by any rotation about that line."""
     after, before = (direction_of(sheet[f"n{k}"], sheet[f"f{k}"]) for k in (1, 2))
     if after is None:

@@ -11,7 +11,7 @@ from chasles.derivations.s02_screw import (
 from chasles.exact.evaluate import Value
 from chasles.exercises.draw import Draw
 from chasles.exercises.picture import Arrow, Curve, Line, Picture, Point
-from chasles.exercises.worksheet import Sheet
+from chasles.exercises.worksheet import Worksheet
 from chasles.statements import Claim, Condition, unit
 from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, vector_shape
 from chasles.vocabulary import cross, dot, norm
@@ -56,7 +56,7 @@ other_points_are_farther = Claim(
 )
 
 
-def solve(sheet: Sheet) -> str:
+def solve(sheet: Worksheet) -> str:
     """(a) and (b) are claims, decided; (c) evaluates them."""
     pi, status = sheet["pi"], "line"
     sheet.given({e: pi[:3, :], n: pi[3:, :]}, "The Plücker coordinates: a direction and a moment about the origin.")

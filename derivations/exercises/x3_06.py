@@ -7,7 +7,7 @@ from chasles.derivations.s02_screw import displaced_triad_as_columns, rotation_i
 from chasles.exact.evaluate import Value
 from chasles.exercises.draw import Draw
 from chasles.exercises.picture import Arrow, Line, Picture, Point
-from chasles.exercises.worksheet import Sheet
+from chasles.exercises.worksheet import Worksheet
 from chasles.statements.exercise import Datum, Exercise, vector_shape
 
 DERIVED = (
@@ -19,7 +19,7 @@ DERIVED = (
 )
 
 
-def solve(sheet: Sheet) -> str:
+def solve(sheet: Worksheet) -> str:
     """The axes after the motion, as columns, are the rotation from the reference pose."""
     reference = dict(zip((e_1, e_2, e_3), unit_columns, strict=True))
     sheet.given({a: sheet["p"], a_: sheet["c"]}, "P in the reference pose, and C', with which it is to coincide.")

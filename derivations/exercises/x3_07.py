@@ -15,7 +15,7 @@ from chasles.exact.evaluate import Value
 from chasles.exact.lines import unit_vectors_of
 from chasles.exercises.draw import Draw
 from chasles.exercises.picture import Arrow, Line, Picture, Point
-from chasles.exercises.worksheet import Sheet, equal
+from chasles.exercises.worksheet import Worksheet, equal
 from chasles.statements import Condition
 from chasles.statements.exercise import Answer, Datum, Else, Exercise, ListOf, Scalar, Word, vector_shape
 from chasles.vocabulary import dot, norm, number
@@ -25,7 +25,7 @@ moment_is_normal_to_direction = Condition(
 )
 
 
-def solve(sheet: Sheet) -> str:
+def solve(sheet: Worksheet) -> str:
     """(3.27) is linear in e; what is left free is settled by n_A . e = 0 and |e| = 1."""
     sheet.given({a: sheet["a"], b: sheet["b"], n_A: sheet["nA"], n_B: sheet["nB"]}, "The points and the moments.")
     if not sheet.holds(moments_share_a_component, "No line has moments whose components along AB differ."):
@@ -53,7 +53,7 @@ def solve(sheet: Sheet) -> str:
     return "compatible"
 
 
-def line(sheet: Sheet, direction: Value) -> tuple[Value, Value]:
+def line(sheet: Worksheet, direction: Value) -> tuple[Value, Value]:
     """The point nearest the origin and the moment about the origin, substituted back into both measurements."""
     sheet.values[e] = direction
     array = sheet.compute(plucker_array_moved, "(c) The moment moved from A to the origin.", at={b: sheet["a"] * 0})
@@ -65,13 +65,13 @@ def line(sheet: Sheet, direction: Value) -> tuple[Value, Value]:
     return point, sheet.values[n]
 
 
-def refused(sheet: Sheet, name: str) -> str:
+def refused(sheet: Worksheet, name: str) -> str:
     """The measurements contradict each other."""
     sheet.answer(violated=[name])
     return "incompatible"
 
 
-def undetermined(sheet: Sheet) -> str:
+def undetermined(sheet: Worksheet) -> str:
     """A and B are one point: every line through some point, normal to the moment, has it."""
     says = "every unit vector e normal to n_A" if any(sheet["nA"]) else "every unit vector e"
     sheet.step(f"A and B are one point, about which the moment says nothing more: {says} is a solution.")

@@ -4,7 +4,7 @@ from chasles.derivations.notation import omega, one, p
 
 from chasles.exact.evaluate import Value
 from chasles.exercises.draw import Draw
-from chasles.exercises.worksheet import Sheet
+from chasles.exercises.worksheet import Worksheet
 from chasles.statements import Claim, Theorem
 from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, Word, vector_shape
 from chasles.statements.induction import ForAllK
@@ -64,7 +64,7 @@ no_factor_at_all = Claim(
 )
 
 
-def solve(sheet: Sheet) -> str:
+def solve(sheet: Worksheet) -> str:
     """Both formulas by induction; then the product, factor by factor, and by the formula."""
     count = int(sheet["factors"])
     sheet.state(even_number_of_factors, "An even number of factors, by induction over k; both equations hold for all.")

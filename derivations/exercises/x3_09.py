@@ -6,7 +6,7 @@ from chasles.derivations.s03_fixed_point import angular_velocity, angular_veloci
 
 from chasles.exercises.picture import Graph, Picture
 from chasles.exercises.series import FUNCTIONS, PHI, leading_term
-from chasles.exercises.worksheet import Sheet
+from chasles.exercises.worksheet import Worksheet
 from chasles.statements import Claim, unit
 from chasles.statements.exercise import Exercise
 from chasles.vocabulary import cos, cross, paren, rate, sin
@@ -31,7 +31,7 @@ what_is_no_rate = Claim(
 )
 
 
-def solve(sheet: Sheet) -> str:
+def solve(sheet: Worksheet) -> str:
     """Omega - d(phi e)/dt has two terms; each is expanded in phi."""
     sheet.state(angular_velocity_of_axis_and_angle)
     sheet.state(what_is_no_rate, "The first term and one part of the second are the rate of phi e; what is left is:")

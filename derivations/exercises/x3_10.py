@@ -9,7 +9,7 @@ from chasles.exercises.data import DataError
 from chasles.exercises.draw import Draw
 from chasles.exercises.euler import conditioning, definitions_of, singular_set, symbolic, symbols_by_name
 from chasles.exercises.picture import Picture
-from chasles.exercises.worksheet import Sheet
+from chasles.exercises.worksheet import Worksheet
 from chasles.statements.exercise import Answer, Datum, Else, Exercise, Scalar, Truth, Word, matrix_shape, vector_shape
 from chasles.statements.roads import roads_in
 from chasles.vocabulary import FREQUENCY, inverse, number, vector
@@ -20,7 +20,7 @@ rates = vector("theta_dot", r"\dot{\boldsymbol{\theta}}", "rates of the Euler an
 omega_body = vector("omega_body", r"\boldsymbol{\omega}_{\text{body}}", "angular velocity in the body", FREQUENCY)
 
 
-def solve(sheet: Sheet) -> str:
+def solve(sheet: Worksheet) -> str:
     """The roads find W and det W in both frames; angles and rates are put in."""
     if sheet["angles"] is None and (sheet["rates"] is not None or sheet["omega"] is not None):
         raise DataError("angles: expected, as rates or omega are given")
@@ -72,7 +72,7 @@ def solve(sheet: Sheet) -> str:
     return "singular" if singular else "ok"
 
 
-def forward(sheet: Sheet, W_fixed: Value, W_body: Value) -> None:
+def forward(sheet: Worksheet, W_fixed: Value, W_body: Value) -> None:
     """The angular velocity from the rates."""
     given = sheet["rates"]
     in_fixed, in_body = W_fixed * given, W_body * given
@@ -81,7 +81,7 @@ def forward(sheet: Sheet, W_fixed: Value, W_body: Value) -> None:
     sheet.answer(omega_fixed=in_fixed, omega_body=in_body)
 
 
-def backward(sheet: Sheet, W_fixed: Value, singular: bool) -> None:
+def backward(sheet: Worksheet, W_fixed: Value, singular: bool) -> None:
     """The rates from the angular velocity in the fixed frame."""
     sheet.given({omega: sheet["omega"]}, "The angular velocity, in the fixed frame.")
     if singular:

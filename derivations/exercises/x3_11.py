@@ -15,9 +15,8 @@ from chasles.exact.principal_axes import CHOICE_OF_AXES, columns_of, principal_a
 from chasles.exact.spectra import diagonal, each_eigenvalue, eigenvalues
 from chasles.exercises.draw import Draw
 from chasles.exercises.outlines import prism_edges
-from chasles.exercises.picture import Arrow, Picture, Point
-from chasles.exercises.picture import Body as Drawn
-from chasles.exercises.worksheet import Sheet
+from chasles.exercises.picture import Arrow, DrawnBody, Picture, Point
+from chasles.exercises.worksheet import Worksheet
 from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, matrix_shape, vector_shape
 
 UNIT_DENSITY = "The density is one: a mass stands for a volume, and a moment of inertia is per unit of density."
@@ -34,7 +33,7 @@ TETRAHEDRA = (
 )
 
 
-def mass_properties(sheet: Sheet, body: Body, whose: str, way: str = "Added up with their signs, they are") -> None:
+def mass_properties(sheet: Worksheet, body: Body, whose: str, way: str = "Added up with their signs, they are") -> None:
     """Bind mass, center of mass and centroidal moment of inertia of a body, whose integrals are known.
 
     The integral about the center of mass and the one about the origin are found apart; Steiner's theorem relates them.
@@ -55,7 +54,7 @@ def mass_properties(sheet: Sheet, body: Body, whose: str, way: str = "Added up w
     )
 
 
-def principal(sheet: Sheet, whose: str) -> tuple[Value, Value, Value]:
+def principal(sheet: Worksheet, whose: str) -> tuple[Value, Value, Value]:
     """Principal moments (ascending), squares of the radii of gyration, and axes (rows), of what is bound."""
     matrix, total = sheet.values[I_C], sheet.values[m]
     moments = each_eigenvalue(matrix)
@@ -81,7 +80,7 @@ def principal(sheet: Sheet, whose: str) -> tuple[Value, Value, Value]:
 
 
 def drawn_axes(
-    sheet: Sheet, axes: Value, size: Value, name: str = "C", labelled: bool = True
+    sheet: Worksheet, axes: Value, size: Value, name: str = "C", labelled: bool = True
 ) -> tuple[Arrow | Point, ...]:
     """The principal axes, from the center of mass that is bound."""
     center, rows = sheet.values[c], columns_of(axes)
@@ -89,7 +88,7 @@ def drawn_axes(
     return (Point(center, name), *arrows)
 
 
-def solve(sheet: Sheet) -> str:
+def solve(sheet: Worksheet) -> str:
     """The integrals are those of a prism; the rest is Section 3.8."""
     side, height = sheet["side"], sheet["height"]
     corners = regular_hexagon(side)
@@ -98,7 +97,7 @@ def solve(sheet: Sheet) -> str:
     moments, radii, axes = principal(sheet, "the prism")
     sheet.answer(V=sheet.values[m], centroid=sheet.values[c], I_C_over_rho=sheet.values[I_C])
     sheet.answer(moments_over_rho=moments, axes=axes, k2=radii)
-    items = (Drawn(prism_edges(corners, height)), *drawn_axes(sheet, axes, side))
+    items = (DrawnBody(prism_edges(corners, height)), *drawn_axes(sheet, axes, side))
     sheet.picture = Picture("The prism and its principal axes", items)
     return "ok"
 

@@ -26,16 +26,15 @@ from chasles.exact.principal_axes import CHOICE_OF_AXES
 from chasles.exercises.data import DataError
 from chasles.exercises.draw import Draw
 from chasles.exercises.outlines import prism_edges, section_of
-from chasles.exercises.picture import Arrow, Curve, Picture, Point
-from chasles.exercises.picture import Body as Drawn
-from chasles.exercises.worksheet import Sheet
+from chasles.exercises.picture import Arrow, Curve, DrawnBody, Picture, Point
+from chasles.exercises.worksheet import Worksheet
 from chasles.statements.exercise import Answer, Datum, Else, Exercise, Scalar, matrix_shape, vector_shape
 
 PARTS = ("wedge", "rest")
 WORDS = ("undetermined", "infinite")
 
 
-def solve(sheet: Sheet) -> str:
+def solve(sheet: Worksheet) -> str:
     """Both parts by the same integrals; together they are the prism."""
     side, height = sheet["side"], sheet["height"]
     slope, upward, offset = cutting_plane(sheet)
@@ -52,7 +51,7 @@ def solve(sheet: Sheet) -> str:
     edges = prism_edges(corners, height)
     # Four colours take turns: with the section between the two sets of axes, like axes are alike.
     drawn = (
-        Drawn(edges),
+        DrawnBody(edges),
         *part(sheet, "wedge", wedge, side),
         Curve(section_of(edges, upward, offset), "section"),
         *part(sheet, "rest", rest, side),
@@ -62,7 +61,7 @@ def solve(sheet: Sheet) -> str:
     return "ok"
 
 
-def cutting_plane(sheet: Sheet) -> tuple[Value, Value, Value]:
+def cutting_plane(sheet: Worksheet) -> tuple[Value, Value, Value]:
     """The slope dZ/dY of the plane, its upward normal, and its offset along that."""
     angle = sheet["angle_deg"]
     if compare(angle, 0) <= 0 or compare(angle, 90) >= 0:
@@ -78,7 +77,7 @@ def cutting_plane(sheet: Sheet) -> tuple[Value, Value, Value]:
     return slope, upward, offset
 
 
-def part(sheet: Sheet, name: str, body: Body, size: Value) -> tuple[Arrow | Point, ...]:
+def part(sheet: Worksheet, name: str, body: Body, size: Value) -> tuple[Arrow | Point, ...]:
     """The answers for one part; what is drawn of it."""
     whose = f"the {name}"
     mass_properties(sheet, body, whose)
@@ -100,7 +99,7 @@ def part(sheet: Sheet, name: str, body: Body, size: Value) -> tuple[Arrow | Poin
     return drawn_axes(sheet, axes, size, f"C_{name[0]}", labelled=name == "wedge")
 
 
-def together(sheet: Sheet, whole: Body, wedge: Body, rest: Body) -> None:
+def together(sheet: Worksheet, whole: Body, wedge: Body, rest: Body) -> None:
     """The parts add up to the prism: masses, first moments, and moments of inertia about its center of mass."""
     both = joined(wedge, rest)
     sheet.check((both.mass, whole.mass), "The volumes of the parts add up to that of the prism.")

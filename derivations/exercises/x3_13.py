@@ -8,7 +8,7 @@ from chasles.exact.bodies import point_masses
 from chasles.exact.evaluate import Value
 from chasles.exercises.draw import Draw
 from chasles.exercises.picture import Picture, Point
-from chasles.exercises.worksheet import Sheet
+from chasles.exercises.worksheet import Worksheet
 from chasles.statements import Claim, Definition
 from chasles.statements.exercise import Answer, Datum, Exercise, ListOf, Scalar, matrix_shape, vector_shape
 from chasles.vocabulary import LENGTH, norm, square, tr
@@ -40,7 +40,7 @@ one_more_point = Claim(
 )
 
 
-def solve(sheet: Sheet) -> str:
+def solve(sheet: Worksheet) -> str:
     """The interpretation is a claim; the rest is Section 3.8."""
     points = sheet["points"]
     body = point_masses(sheet["m"], points)

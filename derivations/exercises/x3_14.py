@@ -10,7 +10,7 @@ from chasles.exercises.draw import Draw
 from chasles.exercises.inertia_data import require_symmetric
 from chasles.exercises.outlines import axes_to_draw
 from chasles.exercises.picture import Arrow, Curve, Picture, Point
-from chasles.exercises.worksheet import Sheet, equal
+from chasles.exercises.worksheet import Worksheet, equal
 from chasles.statements import Claim, Definite, Theorem, rotation
 from chasles.statements.exercise import Answer, Datum, Exercise, Truth, matrix_shape, vector_shape
 from chasles.vocabulary import column, det, dot, number, paren, tr
@@ -57,7 +57,7 @@ only_bodies_have_it = Theorem(
 )
 
 
-def solve(sheet: Sheet) -> str:
+def solve(sheet: Worksheet) -> str:
     """Equal invariants are necessary; a rotation that takes one result into the other shows that they suffice."""
     found = {name: observer(sheet, name) for name in ("A", "B")}
     compatible = equal(found["A"][0], found["B"][0])
@@ -90,7 +90,7 @@ def solve(sheet: Sheet) -> str:
     return "ok"
 
 
-def observer(sheet: Sheet, name: str) -> tuple[Value, bool, bool]:
+def observer(sheet: Worksheet, name: str) -> tuple[Value, bool, bool]:
     """What one observer's matrix says: its invariants, whether a body can have it, whether that body is planar."""
     at = {I_C: require_symmetric(name, sheet[name])}
     triple = sheet.show(column(tr(I_C), second, det(I_C)), f"The invariants, as {name} has them.", at=at)
@@ -105,7 +105,7 @@ def observer(sheet: Sheet, name: str) -> tuple[Value, bool, bool]:
     return triple, negative == 0, negative == 0 and null > 0
 
 
-def show_rotation(sheet: Sheet) -> None:
+def show_rotation(sheet: Worksheet) -> None:
     """A rotation that takes the matrix of B into that of A, where square roots express one."""
     if isinstance(sheet.answers["eigenvalues_A"], list):
         sheet.step("Equal characteristic polynomials: both are the same diagonal matrix in their principal axes.")

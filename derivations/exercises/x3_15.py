@@ -11,7 +11,7 @@ from chasles.exercises.draw import Draw
 from chasles.exercises.inertia_data import require_inertia
 from chasles.exercises.outlines import axes_to_draw
 from chasles.exercises.picture import Arrow, Curve, Picture, Point
-from chasles.exercises.worksheet import Sheet
+from chasles.exercises.worksheet import Worksheet
 from chasles.statements import Claim, Definition, perpendicular, symmetric
 from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, Truth, matrix_shape, vector_shape
 from chasles.vocabulary import CPM, cross, det, dot, norm, paren, row
@@ -73,7 +73,7 @@ share_all = cross(r_C, I_C @ r_C)
 share_one = det(row(r_C, I_C @ r_C, I_C @ I_C @ r_C))
 
 
-def solve(sheet: Sheet) -> str:
+def solve(sheet: Worksheet) -> str:
     """Two polynomials in I_C and d decide; the moments follow."""
     sheet.given({I_C: require_inertia("I_C", sheet["I_C"]), m: sheet["m"], c: sheet.value(zero), r_C: sheet["d"]})
     sheet.compute(point)
@@ -96,7 +96,7 @@ def solve(sheet: Sheet) -> str:
     return "ok"
 
 
-def drawn(sheet: Sheet) -> Picture:
+def drawn(sheet: Worksheet) -> Picture:
     """C and P with the principal axes at each."""
     size = sheet.value(norm(r_C)) / 2 if any(sheet["d"]) else 1
     center, other = sheet.values[c], sheet.values[a]

@@ -12,7 +12,7 @@ from chasles.exercises.draw import Draw
 from chasles.exercises.inertia_data import require_inertia
 from chasles.exercises.outlines import axes_to_draw
 from chasles.exercises.picture import Arrow, Picture, Point
-from chasles.exercises.worksheet import Refuted, Sheet
+from chasles.exercises.worksheet import Refuted, Worksheet
 from chasles.statements import Claim, Definite, Definition, Minimum, Theorem
 from chasles.statements.exercise import Answer, Datum, Exercise, ListOf, Scalar, Truth, matrix_shape, vector_shape
 from chasles.vocabulary import cross, norm, paren
@@ -70,7 +70,7 @@ not_only_there = Claim(
 )
 
 
-def solve(sheet: Sheet) -> str:
+def solve(sheet: Worksheet) -> str:
     """The moments at each point, and whether the smallest is that at C."""
     sheet.given({I_C: require_inertia("I_C", sheet["I_C"]), m: sheet["m"], c: sheet.value(zero)})
     sheet.state(greater_by_a_square)
@@ -98,7 +98,7 @@ def solve(sheet: Sheet) -> str:
     return "ok"
 
 
-def moments_at(sheet: Sheet, d: Value) -> Value:
+def moments_at(sheet: Worksheet, d: Value) -> Value:
     """The principal moments at one point."""
     at = {r_C: d}
     at |= {a: sheet.compute(point, at=at)}

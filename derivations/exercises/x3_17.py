@@ -12,7 +12,7 @@ from chasles.derivations.s08_dynamics import (
 from chasles.exercises.formulas import Proofs
 from chasles.exercises.picture import Picture
 from chasles.exercises.turning import graph_of_rate
-from chasles.exercises.worksheet import Sheet
+from chasles.exercises.worksheet import Worksheet
 from chasles.statements import Claim, Statement
 from chasles.statements.exercise import Exercise
 from chasles.vocabulary import rate
@@ -45,7 +45,7 @@ STEPS = (
 )
 
 
-def proved(sheet: Sheet, steps: tuple[tuple[Statement, str], ...]) -> str:
+def proved(sheet: Worksheet, steps: tuple[tuple[Statement, str], ...]) -> str:
     """Each step is decided where it is cited; the answers say what is proved, and under which hypotheses."""
     proofs = []
     for statement, says in steps:
@@ -58,7 +58,7 @@ def proved(sheet: Sheet, steps: tuple[tuple[Statement, str], ...]) -> str:
     return "ok"
 
 
-def solve(sheet: Sheet) -> str:
+def solve(sheet: Worksheet) -> str:
     """A road of decided steps."""
     sheet.picture = Picture("A moment of inertia in fixed axes, and its rate", (graph_of_rate(),))
     return proved(sheet, STEPS)

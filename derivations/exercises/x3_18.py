@@ -13,7 +13,7 @@ from chasles.derivations.s08_dynamics import (
 
 from chasles.exercises.picture import Picture
 from chasles.exercises.turning import graph_of_difference
-from chasles.exercises.worksheet import Sheet
+from chasles.exercises.worksheet import Worksheet
 from chasles.statements import Claim, symmetric
 from chasles.statements.exercise import Exercise
 from chasles.vocabulary import number, paren, rate
@@ -79,7 +79,7 @@ STEPS = (
 )
 
 
-def solve(sheet: Sheet) -> str:
+def solve(sheet: Worksheet) -> str:
     """A road of decided steps."""
     sheet.picture = Picture("Equal for every x: their difference is skew-symmetric", (graph_of_difference(),))
     return proved(sheet, STEPS)

@@ -7,14 +7,14 @@ from chasles.exact.evaluate import Value
 from chasles.exercises.data import DataError
 from chasles.exercises.draw import Draw
 from chasles.exercises.picture import Arrow, Picture, Point
-from chasles.exercises.worksheet import Sheet
+from chasles.exercises.worksheet import Worksheet
 from chasles.statements import rotation
 from chasles.statements.exercise import Answer, Datum, Exercise, matrix_shape, vector_shape
 
 OTHER = "stands in: the book shows the frames and the points only in a figure of another chapter"
 
 
-def solve(sheet: Sheet) -> str:
+def solve(sheet: Worksheet) -> str:
     """(3.106) moves the moment from S to P; R turns both vectors into F_2."""
     sheet.given(
         {moment_A: sheet["n"], force: sheet["f"], a: sheet["r"] * 0, p: sheet["r"]},

@@ -29,7 +29,7 @@ from chasles.exercises.draw import Draw
 from chasles.exercises.inertia_data import require_inertia
 from chasles.exercises.outlines import axes_to_draw
 from chasles.exercises.picture import Arrow, Picture, Point
-from chasles.exercises.worksheet import Sheet, equal
+from chasles.exercises.worksheet import Worksheet, equal
 from chasles.statements import Claim
 from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, Truth, matrix_shape, vector_shape
 from chasles.vocabulary import column, det, matrix, paren
@@ -47,7 +47,7 @@ P_node = column(C - A, one)
 probe = column(one, C - A)
 
 
-def solve(sheet: Sheet) -> str:
+def solve(sheet: Worksheet) -> str:
     """(3.147) and its consequences, at the values."""
     sheet.given({I_C: require_inertia("I_C", sheet["I_C"]), m: sheet["m"], c: sheet["c"], a: sheet["a"]})
     derive(sheet)
@@ -72,7 +72,7 @@ def solve(sheet: Sheet) -> str:
     return "ok"
 
 
-def derive(sheet: Sheet) -> None:
+def derive(sheet: Worksheet) -> None:
     """(3.147), from the kinetic energy as a quadratic form of the twist at A."""
     for statement in (twist_at_center_of_mass_from_A, inertia_dyad_moved, energy_by_twist_at_A):
         sheet.state(statement)
@@ -84,7 +84,7 @@ def derive(sheet: Sheet) -> None:
     sheet.check(inertia_dyad_moved, "The dyad at A is congruent to that at C.")
 
 
-def decompose(sheet: Sheet) -> dict[str, object]:
+def decompose(sheet: Worksheet) -> dict[str, object]:
     """What Steiner's theorem becomes: the hint's decomposition, which exists at C alone, and one that does."""
     positive, negative, null = found = signature(sheet.value(M_A - M_C))
     says = (
@@ -113,7 +113,7 @@ def decompose(sheet: Sheet) -> dict[str, object]:
     return {"B": first, "P": second, "signature_MA_minus_MC": list(found), "hint_decomposition_exists": exists}
 
 
-def with_rotated_factor(sheet: Sheet, given: dict[str, Value]) -> list[dict[str, Value]]:
+def with_rotated_factor(sheet: Worksheet, given: dict[str, Value]) -> list[dict[str, Value]]:
     """P P^T is what counts: P R, with any orthogonal R, is as good as P."""
     if "P" in given and equal(product(given["P"], given["P"].T), product(sheet.answers["P"], sheet.answers["P"].T)):
         return [{"P": given["P"]}]

@@ -18,12 +18,12 @@ from chasles.exact.evaluate import Value
 from chasles.exact.numbers import is_zero, root, sign
 from chasles.exercises.draw import Draw
 from chasles.exercises.picture import Arrow, Picture
-from chasles.exercises.worksheet import Sheet
+from chasles.exercises.worksheet import Worksheet
 from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, Truth, Word, vector_shape
 from chasles.vocabulary import dot, rate
 
 
-def solve(sheet: Sheet) -> str:
+def solve(sheet: Worksheet) -> str:
     """The claims, at the values; and what the exercise's last sentence says of them."""
     alpha = rate(omega)
     sheet.given({omega: sheet["omega"], alpha: sheet["alpha"], r_C: sheet["r"]})
@@ -51,7 +51,7 @@ def solve(sheet: Sheet) -> str:
     return "ok"
 
 
-def accelerations(sheet: Sheet) -> Value:
+def accelerations(sheet: Worksheet) -> Value:
     """The product of the two accelerations of a point at r: from the matrices, and from the vectors."""
     tangential = sheet.show(rate(Omega) @ r_C, "The tangential acceleration of a point at r, relative to another.")
     centripetal = sheet.show(Omega**2 @ r_C, "Its centripetal acceleration.", cites=(acceleration_by_matrices,))

@@ -9,12 +9,12 @@ from functools import cache
 
 from chasles.decisions.decision import Decisions
 from chasles.decisions.recalled import judge_of, retained
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.deriving import Road, walk
 from chasles.repairs.repair import Repair
 from chasles.several import Several
 from chasles.statements import Chapter, load
-from chasles.statements.citing import Unknown, derivations_cited, statements_cited
+from chasles.statements.citing import UnknownNumber, derivations_cited, statements_cited
 from chasles.statements.packages import BOOK
 from chasles.statements.roads import roads
 
@@ -59,7 +59,7 @@ def derive(number: str, chapter: Named = BOOK) -> Road:
     book, judge = _asked(number, chapter)
     found = derivations_cited(roads(book.package), [number])
     if len(found) > 1:
-        raise Unknown(f"{len(found)} roads lead to {number}: name one of {', '.join(found)}")
+        raise UnknownNumber(f"{len(found)} roads lead to {number}: name one of {', '.join(found)}")
     [road] = found.values()
     walked = walk(road, judge)
     retained(judge.memory)
@@ -72,7 +72,7 @@ def __getattr__(name: str) -> Chapter:
     raise AttributeError(f"module 'chasles.asking' has no attribute {name!r}")
 
 
-def _asked(number: str, chapter: Named) -> tuple[Chapter, Judge]:
+def _asked(number: str, chapter: Named) -> tuple[Chapter, Session]:
     """The chapter, and the judge who decides its statements."""
     if not isinstance(number, str):
         raise TypeError(f"a number is given as text, since 3.1 is not 3.10: {str(number)!r}, and not {number!r}")
@@ -83,5 +83,5 @@ def _asked(number: str, chapter: Named) -> tuple[Chapter, Judge]:
     return known
 
 
-_judges: dict[int, tuple[Chapter, Judge]] = {}
+_judges: dict[int, tuple[Chapter, Session]] = {}
 _loaded = cache(load)

@@ -8,7 +8,7 @@ from typing import Any
 
 from chasles.checker.certificate import check
 from chasles.checker.refutation import check_counterexample
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.prove import Rejected, Untreatable, prove, recheck
 from chasles.statements import Statement, Theorem, problem_of
 from chasles.verdict import Fails
@@ -69,7 +69,7 @@ def rejection(question: Equation, verdict: Any) -> str | None:
 def ask_statement(statement: Statement | Theorem) -> Answer:
     """The product's verdict on a declared statement as it stands."""
     try:
-        verdict = Judge(budget=WORK).decide(statement).verdict
+        verdict = Session(budget=WORK).decide(statement).verdict
     except Exception as error:
         return Answer("crash", None, f"{type(error).__name__}: {error}")
     return Answer(verdict.name, verdict, getattr(verdict, "reason", ""))

@@ -158,13 +158,13 @@ def test_the_summary_adds_up(installed) -> None:
 
 
 def test_the_summary_has_a_row_for_each_section_and_a_total(monkeypatch: pytest.MonkeyPatch) -> None:
-    from chasles.decisions.session import Judge
+    from chasles.decisions.session import Session
     from chasles.report.screen import Screen
     from chasles.report.summary import summary_table, tallies
 
     whole = load()
     entries = sample(whole.entries, 3)
-    found = tallies(list(Judge(book=whole).decide_all(entries)))
+    found = tallies(list(Session(book=whole).decide_all(entries)))
     assert [tally.number for tally in found] == list(dict.fromkeys(entry.section.number for entry in whole.entries))
     assert sum(sum(tally.verdicts.values()) for tally in found) == len(entries)
     (table,) = summary_table(Screen(), found)

@@ -7,7 +7,7 @@ from importlib import import_module
 
 import pytest
 
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.exercises.solving import solve
 from chasles.statements import Claim, Theorem
 from chasles.verdict import Fails
@@ -31,12 +31,12 @@ DECLARED = declared()
 
 
 @pytest.fixture(scope="module")
-def judge() -> Judge:
-    return Judge()
+def judge() -> Session:
+    return Session()
 
 
 @pytest.mark.parametrize("name", DECLARED)
-def test_a_claim_is_decided(name: str, judge: Judge) -> None:
+def test_a_claim_is_decided(name: str, judge: Session) -> None:
     verdict = judge.decide(DECLARED[name]).verdict
     if name.endswith(FAILING):
         assert isinstance(verdict, Fails)
@@ -46,7 +46,7 @@ def test_a_claim_is_decided(name: str, judge: Judge) -> None:
 
 
 @pytest.mark.parametrize("name", [name for name, one in DECLARED.items() if isinstance(one, Claim)])
-def test_a_claim_with_the_other_sign_fails(name: str, judge: Judge) -> None:
+def test_a_claim_with_the_other_sign_fails(name: str, judge: Session) -> None:
     claim = DECLARED[name]
     if judge.decide(with_fields(claim, right=Negative(claim.right), corrected=None)).verdict.true:
         # Then both sides are zero.

@@ -16,7 +16,7 @@ import sympy as sp
 from chasles.exact.roots import Root
 from chasles.exercises import agreement, grading
 from chasles.exercises.data import DataError
-from chasles.exercises.worksheet import Sheet
+from chasles.exercises.worksheet import Worksheet
 from chasles.statements.exercise import Answer, Exercise, ListOf, Record, Scalar, Shape, Truth, Word, matrix_shape
 
 NUMBERS = {
@@ -91,7 +91,7 @@ def shape_of(expected: Any) -> Shape:
 def marked(module: ModuleType, expected: Any, given: Any, more: dict[str, Any]) -> bool:
     """Whether the only answer of an exercise gets its mark."""
 
-    def solve(sheet: Sheet) -> str:
+    def solve(sheet: Worksheet) -> str:
         sheet.answer(x=expected)
         return "ok"
 
@@ -116,7 +116,7 @@ def test_decimals_are_not_what_they_are_near_to(text: str, digits: int) -> None:
 
 
 def test_signs_turn_together_and_nothing_else_does() -> None:
-    def solve(sheet: Sheet) -> str:
+    def solve(sheet: Worksheet) -> str:
         sheet.answer(x=sp.sqrt(2), y=sp.sqrt(3), z=sp.sqrt(5))
         return "ok"
 

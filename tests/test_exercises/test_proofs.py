@@ -9,7 +9,7 @@ import sympy as sp
 from chasles.derivations.exercises.x3_08 import even, formula_of_even, power, sign, squared, twice
 from chasles.derivations.notation import p
 
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.exercises.data import DataError
 from chasles.exercises.solving import solve
 from chasles.exercises.worksheet_html import as_html
@@ -65,7 +65,7 @@ def test_an_induction_with_a_wrong_base_or_step_fails(change: dict) -> None:
         (ForAllK(even, formula_of_even, **right), True),
         (ForAllK(even, formula_of_even, **right | change), False),
     ):
-        assert Judge().decide(Theorem("9.1", "A try.", (form,))).verdict.true is holds
+        assert Session().decide(Theorem("9.1", "A try.", (form,))).verdict.true is holds
 
 
 def test_letters_need_both_values() -> None:

@@ -18,12 +18,12 @@ from click.testing import CliRunner
 from sympy.polys.polyerrors import PolynomialError
 
 from chasles.cli import main
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.exact.evaluate import DividesByZero, NoValue, column_of, evaluate, matrix_of
 from chasles.exact.linear import kernel_of, rank_of, solve_linear
 from chasles.exercises.data import DataError
 from chasles.exercises.solving import solve_with
-from chasles.exercises.worksheet import HypothesisFails, Refuted, Sheet, equal
+from chasles.exercises.worksheet import HypothesisFails, Refuted, Worksheet, equal
 from chasles.report.html.exercises import worked_view
 from chasles.statements import Claim, Condition, load, rotation
 from chasles.statements.exercises import exercise_numbers
@@ -76,7 +76,7 @@ def test_what_has_no_value_is_named() -> None:
 
 
 def test_a_step_binds_the_left_side_and_cites_the_number() -> None:
-    sheet = Sheet({})
+    sheet = Worksheet({})
     sheet.given({a: column_of(1, 2, 3), a_: column_of(1, 1, 1)})
     assert same(sheet.compute(displacement_of_landmark), sp.Matrix([0, -1, -2]))
     assert same(sheet.value(d_A), sp.Matrix([0, -1, -2]))
@@ -85,7 +85,7 @@ def test_a_step_binds_the_left_side_and_cites_the_number() -> None:
 
 
 def test_a_hypothesis_that_does_not_hold_is_refused() -> None:
-    sheet = Sheet({})
+    sheet = Worksheet({})
     identity = matrix_of(sp.eye(3))
     sheet.given({Q: identity, a: column_of(1, 0, 0), a_: column_of(1, 0, 0), phi: sp.Integer(0)})
     with pytest.raises(HypothesisFails, match="phi != 0 does not hold"):
@@ -99,7 +99,7 @@ def test_a_hypothesis_that_does_not_hold_is_refused() -> None:
 
 
 def test_a_check_that_fails_is_a_defect() -> None:
-    sheet = Sheet({})
+    sheet = Worksheet({})
     sheet.given({a: column_of(1, 2, 3), a_: column_of(1, 1, 1), d_A: column_of(0, -1, -3)})
     with pytest.raises(Refuted, match=r"so it is: \(0, -1, -3\) is not \(0, -1, -2\)"):
         sheet.check(displacement_of_landmark, "so it is")
@@ -107,7 +107,7 @@ def test_a_check_that_fails_is_a_defect() -> None:
 
 
 def test_a_false_claim_cannot_be_used() -> None:
-    sheet = Sheet({})
+    sheet = Worksheet({})
     wrong = Claim("9.1", dot(a, a), number(0), says="A vector has no length.")
     sheet.given({a: column_of(0, 0, 0)})
     with pytest.raises(TypeError, match="does not stand"):
@@ -119,7 +119,7 @@ def test_a_false_claim_cannot_be_used() -> None:
 
 
 def test_a_corrected_form_stands_in_for_a_print_that_fails() -> None:
-    sheet = Sheet({})
+    sheet = Worksheet({})
     slip = Claim("9.3", cross(a, a_), cross(a_, a), says="Crosses commute.", corrected=-cross(a_, a))
     sheet.given({a: column_of(1, 0, 0), a_: column_of(0, 1, 0)})
     assert sheet.holds(slip)
@@ -127,7 +127,7 @@ def test_a_corrected_form_stands_in_for_a_print_that_fails() -> None:
 
 
 def test_linear_conditions_are_solved_for_all_solutions() -> None:
-    sheet = Sheet({})
+    sheet = Worksheet({})
     sheet.given({a: column_of(0, 0, 2), a_: column_of(0, 1, 0)})
     on_axis = Condition("9.4", cross(a, p), norm(a) * a_, says="P is somewhere.", on=(p,))
     found = sheet.solve(on_axis, p)
@@ -152,7 +152,7 @@ def test_an_inverse_makes_the_first_entry_positive(axis: tuple) -> None:
     u = sp.Matrix(axis) / sp.sqrt(sum(x * x for x in axis))
     turned = replace(natural_invariants, branches=(natural_invariants.branches[0], *natural_invariants.branches[:0:-1]))
     for inverted in (natural_invariants, turned):
-        sheet = Sheet({})
+        sheet = Worksheet({})
         sheet.given({Q: matrix_of(2 * u * u.T - sp.eye(3))})
         assert sheet.invert(inverted)
         assert same(sheet.value(e), u)
@@ -160,7 +160,7 @@ def test_an_inverse_makes_the_first_entry_positive(axis: tuple) -> None:
 
 def test_a_displacement_of_any_point() -> None:
     """The chapter's claims hold of free symbols too."""
-    sheet = Sheet({})
+    sheet = Worksheet({})
     x = sp.Matrix(sp.symbols("x y z", real=True))
     sheet.given({Q: TURN, a: column_of(1, 0, 0), a_: column_of(0, 0, 1), p: matrix_of(x)})
     sheet.compute(displacement_of_landmark)
@@ -187,7 +187,7 @@ def undecided(monkeypatch: pytest.MonkeyPatch) -> None:
     """Nothing can be decided."""
     monkeypatch.setattr("chasles.decisions.session.decide_problem", lambda *_: Undecided("it is beyond the prover"))
     monkeypatch.setattr("chasles.decisions.session.repair", lambda *_, **__: ())
-    judge = Judge(book=load())
+    judge = Session(book=load())
     monkeypatch.setattr("chasles.exercises.decided._judge", lambda: judge)
 
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.lowering.declaration import requested
 from chasles.lowering.lower import program_of
 from chasles.statements import (
@@ -216,7 +216,7 @@ class Book:
     natural_invariants = natural_invariants
 
     def __init__(self):
-        self.judge = Judge()
+        self.judge = Session()
         self._made = {}
 
     def request(self, name):

@@ -10,7 +10,7 @@ import pytest
 
 from chasles import kernels
 from chasles.bounds import bound_of
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.lowering.builder import Builder
 from chasles.lowering.declaration import requested
 from chasles.lowering.equality import differences
@@ -28,7 +28,7 @@ SCALED = ["plucker_line", "instant_screw_point", "instant_screw", "wrench_axis",
 
 @pytest.fixture(scope="module")
 def book():
-    judge, entries = Judge(), {entry.name: entry for entry in load()}
+    judge, entries = Session(), {entry.name: entry for entry in load()}
     return lambda name: requested(entries[name], judge.decide)
 
 

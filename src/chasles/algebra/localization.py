@@ -12,11 +12,11 @@ from fractions import Fraction
 from chasles.algebra.rings import Polynomial, Ring
 from chasles.algebra.work_limit import afford, spend
 
-__all__ = ["Field", "Ratio"]
+__all__ = ["Localization", "Ratio"]
 
 
 @dataclass(slots=True)
-class Field:
+class Localization:
     """A ring together with the atoms that may be divided by, in the order in which they were declared."""
 
     ring: Ring
@@ -45,7 +45,7 @@ class Field:
 class Ratio:
     """numerator / product of atom_k ** denominator[k]; trailing zeros of the exponents are left out."""
 
-    field: Field
+    field: Localization
     numerator: Polynomial
     denominator: tuple[int, ...]
 

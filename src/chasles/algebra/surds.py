@@ -15,17 +15,17 @@ from math import gcd, isqrt
 
 from chasles.algebra.squarefree import primes_of, squarefree
 
-__all__ = ["Exact", "root_of", "square_root"]
+__all__ = ["SurdSum", "root_of", "square_root"]
 
 MOST_NESTED = 3
-Nested = frozenset["Exact"]
+Nested = frozenset["SurdSum"]
 Key = tuple[Fraction | int, int, Nested]
 NONE: Nested = frozenset()
 ONE: Key = (0, 1, NONE)
 
 
 @dataclass(frozen=True, slots=True)
-class Exact:
+class SurdSum:
     """The sum of coefficient * theta ** power * sqrt(radicand) * the roots of the `nested` numbers, by that key."""
 
     terms: Mapping[Key, Fraction]
@@ -34,51 +34,51 @@ class Exact:
         return hash(frozenset(self.terms.items()))
 
     @classmethod
-    def rational(cls, value: Fraction | int) -> Exact:
+    def rational(cls, value: Fraction | int) -> SurdSum:
         """A rational number."""
         return cls({ONE: Fraction(value)} if value else {})
 
     @classmethod
-    def theta(cls) -> Exact:
+    def theta(cls) -> SurdSum:
         """The transcendental number itself."""
         return cls({(1, 1, NONE): Fraction(1)})
 
     @classmethod
-    def root_of(cls, inside: Exact) -> Exact:
+    def root_of(cls, inside: SurdSum) -> SurdSum:
         """The root of a number, by itself."""
         return cls({(0, 1, frozenset({inside})): Fraction(1)})
 
-    def __add__(self, other: Exact) -> Exact:
+    def __add__(self, other: SurdSum) -> SurdSum:
         total = dict(self.terms)
         for key, coefficient in other.terms.items():
             total[key] = total.get(key, Fraction(0)) + coefficient
-        return Exact({key: c for key, c in total.items() if c})
+        return SurdSum({key: c for key, c in total.items() if c})
 
-    def __neg__(self) -> Exact:
-        return Exact({key: -c for key, c in self.terms.items()})
+    def __neg__(self) -> SurdSum:
+        return SurdSum({key: -c for key, c in self.terms.items()})
 
-    def __sub__(self, other: Exact) -> Exact:
+    def __sub__(self, other: SurdSum) -> SurdSum:
         return self + (-other)
 
-    def __mul__(self, other: Exact) -> Exact:
+    def __mul__(self, other: SurdSum) -> SurdSum:
         total: dict[Key, Fraction] = {}
-        squares = Exact({})
+        squares = SurdSum({})
         for (i, m, one), a in self.terms.items():
             for (j, n, another), b in other.terms.items():
                 shared = gcd(m, n)
                 key = i + j, m * n // shared**2, one ^ another
                 if one & another:
-                    squares = squares + _product(one & another) * Exact({key: a * b * shared})
+                    squares = squares + _product(one & another) * SurdSum({key: a * b * shared})
                 else:
                     total[key] = total.get(key, Fraction(0)) + a * b * shared
-        plain = Exact({key: c for key, c in total.items() if c})
+        plain = SurdSum({key: c for key, c in total.items() if c})
         return plain + squares if squares.terms else plain
 
-    def __pow__(self, exponent: int) -> Exact:
+    def __pow__(self, exponent: int) -> SurdSum:
         rational = self.as_rational
         if rational is not None:
-            return Exact.rational(rational**exponent)
-        total, square = Exact.rational(1), self
+            return SurdSum.rational(rational**exponent)
+        total, square = SurdSum.rational(1), self
         while exponent:
             total = total * square if exponent % 2 else total
             square, exponent = square * square, exponent // 2
@@ -100,11 +100,11 @@ class Exact:
         """Whether the transcendental number does not occur."""
         return not any(power for power, _, _ in self.terms)
 
-    def inverse(self) -> Exact | None:
+    def inverse(self) -> SurdSum | None:
         """One over the number; None for zero and for sums that contain the transcendental number."""
         if len(self.terms) == 1 and not next(iter(self.terms))[2]:
             (((power, radicand, _), c),) = self.terms.items()
-            return Exact({(-power, radicand, NONE): 1 / (c * radicand)})
+            return SurdSum({(-power, radicand, NONE): 1 / (c * radicand)})
         if not self.terms or not self.is_algebraic:
             return None
         # Of x = a + b sqrt(p) the inverse is the conjugate a - b sqrt(p) over a^2 - p b^2, where sqrt(p) is gone.
@@ -112,13 +112,13 @@ class Exact:
         below = (self * conjugate).inverse()
         return None if below is None else conjugate * below
 
-    def _conjugate(self) -> Exact:
+    def _conjugate(self) -> SurdSum:
         """The number with the sign of one of the roots in it changed, nested ones first."""
         nested = next((one for _, _, roots in self.terms for one in roots), None)
         if nested is not None:
-            return Exact({key: -c if nested in key[2] else c for key, c in self.terms.items()})
+            return SurdSum({key: -c if nested in key[2] else c for key, c in self.terms.items()})
         prime = next((primes_of(n)[0] for _, n, _ in self.terms if n != 1), 2)
-        return Exact({key: -c if key[1] % prime == 0 else c for key, c in self.terms.items()})
+        return SurdSum({key: -c if key[1] % prime == 0 else c for key, c in self.terms.items()})
 
     @property
     def is_negative(self) -> bool:
@@ -136,7 +136,7 @@ class Exact:
         below = above = Fraction(0)
         for (_, radicand, nested), c in self.terms.items():
             least, most = Fraction(abs(c)), Fraction(abs(c))
-            for inside in (Exact.rational(radicand), *nested):
+            for inside in (SurdSum.rational(radicand), *nested):
                 low, high = inside._bounds(digits) if inside.as_rational is None else (inside.as_rational,) * 2
                 least *= Fraction(isqrt(int(max(low, Fraction(0)) * 4**digits)), 2**digits)
                 most *= Fraction(isqrt(int(high * 4**digits)) + 2, 2**digits)
@@ -163,24 +163,24 @@ class Exact:
         return self.text()
 
 
-def _product(factors: Iterable[Exact]) -> Exact:
-    total = Exact.rational(1)
+def _product(factors: Iterable[SurdSum]) -> SurdSum:
+    total = SurdSum.rational(1)
     for factor in factors:
         total = total * factor
     return total
 
 
-def square_root(value: Fraction) -> Exact | None:
+def square_root(value: Fraction) -> SurdSum | None:
     """The square root of a rational number; None if it is negative or has large unknown factors."""
     if value < 0:
         return None
     if value == 0:
-        return Exact({})
+        return SurdSum({})
     parts = squarefree(value.numerator * value.denominator)
-    return None if parts is None else Exact({(0, parts[1], NONE): Fraction(parts[0], value.denominator)})
+    return None if parts is None else SurdSum({(0, parts[1], NONE): Fraction(parts[0], value.denominator)})
 
 
-def root_of(value: Exact, beside: Iterable[Exact] = ()) -> Exact | None:
+def root_of(value: SurdSum, beside: Iterable[SurdSum] = ()) -> SurdSum | None:
     """The square root of a number, beside which roots of others are in use; None if none is known to be exact.
 
     The transcendental number counts as positive.
@@ -189,7 +189,7 @@ def root_of(value: Exact, beside: Iterable[Exact] = ()) -> Exact | None:
         (((power, radicand, nested), coefficient),) = value.terms.items()
         root = square_root(coefficient) if power and radicand == 1 and not nested else None
         if root is not None:
-            return root * Exact({(Fraction(power) / 2, 1, NONE): Fraction(1)})
+            return root * SurdSum({(Fraction(power) / 2, 1, NONE): Fraction(1)})
     rational = value.as_rational
     if rational is not None:
         return square_root(rational)
@@ -202,15 +202,15 @@ def root_of(value: Exact, beside: Iterable[Exact] = ()) -> Exact | None:
     for other in others:
         together = value * other
         root = square_root(together.as_rational) if together.as_rational is not None else _denested(together)
-        inverse = Exact.root_of(other).inverse()
+        inverse = SurdSum.root_of(other).inverse()
         if root is not None and inverse is not None:
             return root * inverse
     sums = (_product((value, *some)) for size in range(len(others) + 1) for some in combinations(others, size))
     independent = len(others) < MOST_NESTED and all(_is_no_square(number) for number in sums)
-    return Exact.root_of(value) if independent else None
+    return SurdSum.root_of(value) if independent else None
 
 
-def _denested(value: Exact) -> Exact | None:
+def _denested(value: SurdSum) -> SurdSum | None:
     """sqrt(a + b sqrt(n)) as a sum of roots of rational numbers, if a^2 - b^2 n is a square."""
     a = value.terms.get(ONE, Fraction(0))
     others = [(n, b) for (_, n, _), b in value.terms.items() if n != 1]
@@ -227,7 +227,7 @@ def _denested(value: Exact) -> Exact | None:
     return one + other if b > 0 else one - other
 
 
-def _is_no_square(value: Exact) -> bool:
+def _is_no_square(value: SurdSum) -> bool:
     """Whether a sum of roots is known to be no square of another: the product of its conjugates is no square."""
     if value.as_rational is not None:
         return False

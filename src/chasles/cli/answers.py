@@ -8,7 +8,7 @@ from typing import Any
 
 from chasles.cli.roads import all_roads
 from chasles.decisions.memory import Memory
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.decisions.shipped import ANSWERS, as_text
 from chasles.deriving import walk
 from chasles.report.waiting import watched
@@ -19,7 +19,7 @@ from chasles.statements.packages import BOOK
 __all__ = ["answers"]
 
 
-def answers(book: Chapter, judge: Judge) -> dict[str, str]:
+def answers(book: Chapter, judge: Session) -> dict[str, str]:
     """The file of the answers, by its name: each stands with what asks for it first, in the order of the book.
 
     What the judge has found is asked as those will ask who have it from here: all that is checked then is there too.
@@ -28,7 +28,7 @@ def answers(book: Chapter, judge: Judge) -> dict[str, str]:
     for _, ask in watched(iter(finding), len(finding), "Walking"):
         ask()
     memory = Memory(judge.memory.everything)
-    asking = list(_asking(book, Judge(book=book, memory=memory)))
+    asking = list(_asking(book, Session(book=book, memory=memory)))
     known: set[str] = set()
     groups: dict[str, dict[str, Any]] = {}
     for name, ask in asking:
@@ -41,7 +41,7 @@ def answers(book: Chapter, judge: Judge) -> dict[str, str]:
     return {ANSWERS: as_text(groups)}
 
 
-def _asking(book: Chapter, judge: Judge) -> Iterator[tuple[str, Callable[[], object]]]:
+def _asking(book: Chapter, judge: Session) -> Iterator[tuple[str, Callable[[], object]]]:
     """What asks questions: by name, and how it does."""
     for entry in book:
         yield f"({entry.number}) {entry.name}", partial(judge.decide, entry.statement)

@@ -16,12 +16,12 @@ from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.nearest import nearest
 from chasles.report.waiting import watched
 from chasles.statements import Chapter, Entry, load
-from chasles.statements.citing import Unknown, statements_cited
+from chasles.statements.citing import UnknownNumber, statements_cited
 from chasles.statements.packages import BOOK, folder_of
 from chasles.vocabulary.arguments import WrongArgument
 
 if TYPE_CHECKING:
-    from chasles.decisions.session import Decision, Judge
+    from chasles.decisions.session import Decision, Session
 
 __all__ = ["BOOK", "as_data", "chapter", "chosen", "decisions", "of_numbers", "of_sections", "only_of_the_book"]
 
@@ -99,12 +99,12 @@ def chosen(book: Chapter, numbers: Sequence[str], sections: Sequence[str]) -> tu
         return book.select((), sections)
     try:
         cited = {entry.name for entry in statements_cited(book, numbers)}
-    except Unknown as error:
+    except UnknownNumber as error:
         raise Failure(f"{error}; `chasles list` shows all", BAD_INPUT) from error
     return book.select(tuple(cited), sections)
 
 
-def decisions(entries: Sequence[Entry], judge: Judge) -> Iterator[tuple[Entry, Decision]]:
+def decisions(entries: Sequence[Entry], judge: Session) -> Iterator[tuple[Entry, Decision]]:
     """The decision on each statement, with a progress bar where it takes long."""
     return watched(judge.decide_all(entries), len(entries), "Deciding")
 

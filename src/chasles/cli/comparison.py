@@ -13,7 +13,7 @@ import numpy as np
 
 from chasles.cli.book import BOOK
 from chasles.cli.failures import BAD_INPUT, Failure, complain
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.lowering.cost import roundings
 from chasles.lowering.lower import lower
 from chasles.lowering.refusal import LoweringError
@@ -64,7 +64,7 @@ def asking(book: Chapter, names: Sequence[str]) -> list[Asked]:
 
 
 def compared(
-    asked: Sequence[Asked], kernels: ModuleType, strategies: Sequence[str], samples: int, judge: Judge
+    asked: Sequence[Asked], kernels: ModuleType, strategies: Sequence[str], samples: int, judge: Session
 ) -> Iterator[Evidence]:
     """The evidence on each kernel, precision by precision. Raises Failure where there is nothing to compare."""
     tasks = list(product(asked, PRECISIONS, strategies))
@@ -88,7 +88,7 @@ def backend_of(kernels: ModuleType) -> str:
     return getattr(kernels, "backend", "numpy")
 
 
-def _specification(entry: Entry, kernel: Kernel, judge: Judge) -> Specification:
+def _specification(entry: Entry, kernel: Kernel, judge: Session) -> Specification:
     program = lower(entry, judge.decide, kernel)
     of = entry.statement
     assert not isinstance(of, Theorem)

@@ -9,7 +9,7 @@ from chasles.bounds import Bound, bound_of, key_of, remembered
 from chasles.cli.failures import Failure
 from chasles.decisions.prediction import foresee
 from chasles.decisions.processes import spread
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.lowering.program import Program
 from chasles.lowering.request import Request
 from chasles.report.waiting import watched
@@ -24,7 +24,7 @@ A_KERNEL = 0.025
 """About how many seconds it takes to make a kernel and to prove it equal to its statement."""
 
 
-def commissioned(entries: Sequence[Entry], judge: Judge, *folders: Path) -> tuple[Kernel, ...]:
+def commissioned(entries: Sequence[Entry], judge: Session, *folders: Path) -> tuple[Kernel, ...]:
     """The kernels of all statements that ask for some; error bounds that a manifest in `folders` has are taken over.
 
     Raises Failure with a line for each kernel that is refused, and where a bound has to be proved without python-flint.
@@ -52,7 +52,7 @@ def commissioned(entries: Sequence[Entry], judge: Judge, *folders: Path) -> tupl
     return tuple(kernel for kernel in found if isinstance(kernel, Kernel))
 
 
-def _decide(judge: Judge, entries: Sequence[Entry]) -> None:
+def _decide(judge: Session, entries: Sequence[Entry]) -> None:
     """Let the judge decide all there is to decide before the work is spread, so that nothing is decided twice."""
     foresee(judge, [entry.statement for entry in entries])
     for _ in watched(judge.decide_all(entries), len(entries), "Deciding"):

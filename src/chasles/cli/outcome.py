@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from chasles.cli.book import decisions
 from chasles.decisions.prediction import foresee
-from chasles.decisions.session import Decision, Judge
+from chasles.decisions.session import Decision, Session
 from chasles.report.decisions import Decided
 from chasles.report.details import number_in_words
 from chasles.report.findings import slips_in_words
@@ -63,7 +63,9 @@ class Outcome:
             yield f"so are those on {_numbers([entry for entry, _ in rejected[SHOWN:]])}"
 
 
-def decide(entries: Sequence[Entry], book: Chapter, recheck: bool = True, anew: bool = False) -> tuple[Outcome, Judge]:
+def decide(
+    entries: Sequence[Entry], book: Chapter, recheck: bool = True, anew: bool = False
+) -> tuple[Outcome, Session]:
     """Decide the statements and, unless told otherwise, check the verdicts again without the prover.
 
     What the chapter brings along, and what was decided in an earlier run, is only checked. Where all is to be decided
@@ -88,7 +90,7 @@ def decide(entries: Sequence[Entry], book: Chapter, recheck: bool = True, anew: 
     return outcome, judge
 
 
-def _decided(entries: Sequence[Entry], judge: Judge) -> tuple[Decided, ...]:
+def _decided(entries: Sequence[Entry], judge: Session) -> tuple[Decided, ...]:
     foresee(judge, [entry.statement for entry in entries])
     return tuple(decisions(entries, judge))
 

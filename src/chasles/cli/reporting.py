@@ -15,7 +15,7 @@ from chasles.cli.recorded import manifest
 from chasles.cli.roads import all_roads
 from chasles.report.html.exercises import worked_exercises
 from chasles.report.html.measured import ERRORS, TIMES, DamagedEvidence
-from chasles.report.html.page import Sources, page
+from chasles.report.html.page import PageContents, page
 from chasles.report.html.roads import walked
 from chasles.report.html.shown import RoadView
 from chasles.report.html.site import site
@@ -72,7 +72,7 @@ def reported(book: Chapter, as_site: bool = False, address: str = "") -> Reporte
     exercises = worked_exercises(book)
     trusted = checked_again(again.certificates, again.counterexamples, len(again.rejected))
     try:
-        sources = Sources(trusted, manifest(book), _evidence(book), roads, exercises)
+        sources = PageContents(trusted, manifest(book), _evidence(book), roads, exercises)
         files: dict[str, str | bytes] = (
             dict(site(book, decisions, sources, address)) if as_site else {"index.html": page(book, decisions, sources)}
         )

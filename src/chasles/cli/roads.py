@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.statements import Chapter, DeclarationError
-from chasles.statements.citing import Unknown, derivations_cited
+from chasles.statements.citing import UnknownNumber, derivations_cited
 from chasles.statements.derivation import Derivation
 from chasles.statements.roads import roads
 from chasles.vocabulary.arguments import WrongArgument
@@ -36,5 +36,5 @@ def chosen_roads(book: Chapter, words: Sequence[str]) -> dict[str, Derivation]:
         return known
     try:
         return derivations_cited(known, words)
-    except Unknown as error:
+    except UnknownNumber as error:
         raise Failure(f"{error}; `chasles derive` names all roads", BAD_INPUT) from error

@@ -9,7 +9,7 @@ from types import ModuleType
 from typing import Any
 
 from chasles.cli.comparison import Asked, backend_of, compared
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.numerics import Evidence
 from chasles.report.evidence import is_wrong, worst_of
 from chasles.report.words import seconds
@@ -66,7 +66,7 @@ class Verification:
 
 
 def verified(
-    asked: Sequence[Asked], kernels: ModuleType, strategies: Sequence[str], samples: int, judge: Judge
+    asked: Sequence[Asked], kernels: ModuleType, strategies: Sequence[str], samples: int, judge: Session
 ) -> Verification:
     """Compare the kernels asked for at so many points of each kind, in each precision."""
     started = perf_counter()

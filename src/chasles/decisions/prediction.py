@@ -12,7 +12,7 @@ from chasles.decisions.decision import Sentence
 from chasles.decisions.kept_answers import verdict_stands
 from chasles.decisions.memory import Memory
 from chasles.decisions.processes import spread
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.repairs.repair import Repair
 from chasles.statements import Claim, Condition, Hypothesis, Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import problems_of_inverse
@@ -26,7 +26,7 @@ A_VERDICT, A_REPAIR, A_CHECK = 0.004, 0.06, 0.002
 """About how many seconds each takes."""
 
 
-def foresee(judge: Judge, sentences: Iterable[Sentence]) -> None:
+def foresee(judge: Session, sentences: Iterable[Sentence]) -> None:
     """Let the judge remember the verdicts on these sentences, and the repairs of those that do not stand."""
     memory = judge.memory
     asked = {s: {memory.key_of_verdict(*question): question for question in _questions(s)} for s in sentences}

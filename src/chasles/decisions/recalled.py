@@ -17,7 +17,7 @@ from typing import Any
 
 from chasles import cache
 from chasles.decisions.memory import Memory
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.decisions.shipped import shipped
 from chasles.statements import Chapter
 
@@ -33,9 +33,9 @@ MOST = 4096
 """Answers that are kept: some ten books of this size."""
 
 
-def judge_of(book: Chapter, anew: bool = False) -> Judge:
+def judge_of(book: Chapter, anew: bool = False) -> Session:
     """A judge who knows what the chapter brings, and what was decided in earlier runs; nothing where all is `anew`."""
-    return Judge(book=book, memory=None if anew else Memory(_recalled(), shipped(book.package)))
+    return Session(book=book, memory=None if anew else Memory(_recalled(), shipped(book.package)))
 
 
 def _recalled() -> dict[str, Any]:

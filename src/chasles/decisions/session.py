@@ -33,10 +33,10 @@ from chasles.statements.statement import Equation
 from chasles.verdict import Assumed, Defined, Holds, HoldsUnder, IllFormed, Undecided, Verdict
 from chasles.vocabulary import Misfit
 
-__all__ = ["Correction", "Decision", "Judge", "Used"]
+__all__ = ["Correction", "Decision", "Session", "Used"]
 
 
-class Judge:
+class Session:
     """Decides sentences, each once; a given claim that fails is used in the form that stands in for it.
 
     With `book`, or what loads it, what does not stand as printed is repaired: what the book says about a symbol tells

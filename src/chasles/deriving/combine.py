@@ -14,7 +14,7 @@ from chasles.algebra.modular import MODULUS, Span, combination
 from chasles.problems.context import build
 from chasles.prover.conditions import solve_conditions
 from chasles.repairs.residues import Sampled, generic_points
-from chasles.rewriting.coefficients import ONE, Function, added, spelled, times
+from chasles.rewriting.coefficients import ONE, AngleFunction, added, spelled, times
 from chasles.rewriting.term_basis import fit
 from chasles.statements import Goal, Problem
 from chasles.vocabulary import Block, Call, Node, Scale, Symbol, Zero, number, walk
@@ -57,7 +57,7 @@ def combined(node: Node, terms: Sequence[Node], problem: Problem) -> Node:
     raise NoCombination(f"{node} is no combination of {_listed(fitting)}, or one in several ways")
 
 
-def _sampled(node: Node, terms: list[Node], problem: Problem) -> tuple[Sampled, list[list[Function]]]:
+def _sampled(node: Node, terms: list[Node], problem: Problem) -> tuple[Sampled, list[list[AngleFunction]]]:
     """Values at generic points, and the functions that coefficients are made of, from simple to involved."""
     stages = list(_stages(node, terms, problem))
     everything = [node, *terms, *(f.node for stage in stages for f in stage)]
@@ -73,14 +73,14 @@ def _sampled(node: Node, terms: list[Node], problem: Problem) -> tuple[Sampled, 
     return sampled, [list(_independent(stage, sampled)) for stage in stages]
 
 
-def _independent(functions: Sequence[Function], sampled: Sampled) -> Iterator[Function]:
+def _independent(functions: Sequence[AngleFunction], sampled: Sampled) -> Iterator[AngleFunction]:
     span = Span()
     for function in functions:
         if span.add(sampled.flat(function.node)):
             yield function
 
 
-def _stages(node: Node, terms: list[Node], problem: Problem) -> Iterator[list[Function]]:
+def _stages(node: Node, terms: list[Node], problem: Problem) -> Iterator[list[AngleFunction]]:
     """Numbers; functions of angles; products of two; all of these over what may be divided by."""
     sources = [node, *terms, *(side for rule in problem.rules for side in rule)]
     sources += [side for goal in problem.conditions for side in (goal.left, goal.right)]
@@ -88,19 +88,19 @@ def _stages(node: Node, terms: list[Node], problem: Problem) -> Iterator[list[Fu
     calls: list[Node] = list(dict.fromkeys(part for part in parts if isinstance(part, Call)))
     known = {symbol for call in calls for symbol in walk(call)} | set(problem.unknowns)
     calls += dict.fromkeys(part for part in parts if _is_parameter(part) and part not in known)
-    yield [Function()]
+    yield [AngleFunction()]
     if not calls:
         return
-    single = [Function(), *map(Function, calls)]
+    single = [AngleFunction(), *map(AngleFunction, calls)]
     yield single
-    double = [*single, *(Function(Scale(a, b)) for a, b in combinations_with_replacement(calls, 2))]
+    double = [*single, *(AngleFunction(Scale(a, b)) for a, b in combinations_with_replacement(calls, 2))]
     yield double
     declared = [part for h in problem.hypotheses for part in h.nonvanishing]
     divisors = [part for part in declared if any(isinstance(p, Call) for p in walk(part))]
     for power in (1, 2):
         below = [d if power == 1 else d**2 for d in divisors]
         if below:
-            yield [*single, *(Function(f.numerator, d) for d in below for f in single)]
+            yield [*single, *(AngleFunction(f.numerator, d) for d in below for f in single)]
 
 
 def _is_parameter(node: Node) -> bool:
@@ -114,13 +114,13 @@ def _is_parameter(node: Node) -> bool:
     )
 
 
-def _times(sampled: Sampled, function: Function, column: list[int]) -> list[int]:
+def _times(sampled: Sampled, function: AngleFunction, column: list[int]) -> list[int]:
     values = [value[0][0] for value in sampled(function.node)]
     size = len(column) // len(values)
     return [entry * values[k // size] % MODULUS for k, entry in enumerate(column)]
 
 
-def _written(terms: list[Node], functions: list[Function], values: list[Fraction], sampled: Sampled) -> Node:
+def _written(terms: list[Node], functions: list[AngleFunction], values: list[Fraction], sampled: Sampled) -> Node:
     pieces = []
     for k, term in enumerate(terms):
         own = [pair for pair in zip(values[k * len(functions) :], functions, strict=False) if pair[0]]
@@ -131,14 +131,14 @@ def _written(terms: list[Node], functions: list[Function], values: list[Fraction
 
 
 def _over_one(
-    own: list[tuple[Fraction, Function]], functions: list[Function], sampled: Sampled
-) -> list[tuple[Fraction, Function]]:
+    own: list[tuple[Fraction, AngleFunction]], functions: list[AngleFunction], sampled: Sampled
+) -> list[tuple[Fraction, AngleFunction]]:
     """The coefficient as one fraction, where it is a fraction and something else beside it."""
     divisors = {function.denominator for _, function in own}
     if len(divisors) != 2 or None not in divisors:
         return own
     (divisor,) = divisors - {None}
-    above = [Function(f.numerator, divisor) for f in functions if f.denominator is None]
+    above = [AngleFunction(f.numerator, divisor) for f in functions if f.denominator is None]
     whole = spelled(own)
     assert whole is not None
     values = combination([sampled.flat(f.node) for f in above], sampled.flat(whole))

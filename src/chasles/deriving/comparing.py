@@ -14,7 +14,7 @@ from chasles.statements.derivation import Compare
 from chasles.verdict import Fails, Holds, IllFormed, Undecided, Verdict
 from chasles.vocabulary import Contract, Identity, Inverse, Negative, Node, Sum, number, replace
 
-__all__ = ["Comparison", "compare"]
+__all__ = ["PrintComparison", "compare"]
 
 FORMS = {
     "printed": "the print",
@@ -25,7 +25,7 @@ FORMS = {
 
 
 @dataclass(frozen=True, slots=True)
-class Comparison:
+class PrintComparison:
     """The form of the statement that is equal to what was found, if one is, and the verdict on the print.
 
     `chosen` are the values of free symbols for which they agree; `found` is the equation with these.
@@ -67,7 +67,7 @@ def _why(verdict: Verdict) -> str:
             return verdict.name
 
 
-def compare(step: Compare, state: State) -> Comparison:
+def compare(step: Compare, state: State) -> PrintComparison:
     """The comparison with the form that agrees, the print first."""
     statement = step.statement
     using = tuple(dict.fromkeys((*step.using, *(s for s in rules_behind_all(statement) if s is not statement))))
@@ -81,9 +81,11 @@ def compare(step: Compare, state: State) -> Comparison:
         found, chosen, verdict = _one_form(step, state, sides, using)
         printed, last = printed or verdict, verdict
         if verdict.true:
-            return Comparison(statement, found, printed, form, verdict, chosen)
+            return PrintComparison(statement, found, printed, form, verdict, chosen)
     assert printed is not None
-    return Comparison(statement, _nearest(state, without_brackets(statement.left)), printed, None, printed, (), last)
+    return PrintComparison(
+        statement, _nearest(state, without_brackets(statement.left)), printed, None, printed, (), last
+    )
 
 
 def _forms(statement: Statement, state: State) -> Iterator[tuple[str, Equation]]:

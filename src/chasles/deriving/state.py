@@ -8,7 +8,7 @@ from dataclasses import replace as with_fields
 from functools import partial
 
 from chasles.decisions.kept_answers import combination_fits
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.deriving.combine import combined
 from chasles.problems.unfold import UndeclaredDivisor
 from chasles.problems.variables import Untreatable
@@ -31,7 +31,7 @@ class State:
     """The equations reached, those solved for last, the ansatz made, and each statement as it was found on the road."""
 
     derivation: Derivation
-    judge: Judge
+    judge: Session
     equations: tuple[Equation, ...] = ()
     solved: tuple[Equation, ...] = ()
     ansatz: Ansatz | None = None

@@ -30,11 +30,11 @@ from chasles.statements.derivation import (
 from chasles.verdict import Holds, Posed, Verdict
 from chasles.vocabulary import Contract, Identity, Inverse, Negative, Node, Rate, Scale, Sum, Symbol, Vect, replace
 
-__all__ = ["Outcome", "carry_out"]
+__all__ = ["StepResult", "carry_out"]
 
 
 @dataclass(frozen=True, slots=True)
-class Outcome:
+class StepResult:
     """The equations after a step, the verdict on it, and what is done in words."""
 
     equations: tuple[Equation, ...]
@@ -42,9 +42,9 @@ class Outcome:
     reason: str
 
 
-def carry_out(step: Step, state: State) -> Outcome:
+def carry_out(step: Step, state: State) -> StepResult:
     """The step's outcome; raises TypeError for a kind of step that is not known."""
-    kinds: dict[type[Any], Callable[[Any, State], Outcome]] = {
+    kinds: dict[type[Any], Callable[[Any, State], StepResult]] = {
         Take: _take,
         Consider: _consider,
         Substitute: _substitute,
@@ -62,20 +62,20 @@ def carry_out(step: Step, state: State) -> Outcome:
     return kinds[type(step)](step, state)
 
 
-def _take(step: Take, state: State) -> Outcome:
+def _take(step: Take, state: State) -> StepResult:
     decisions = [state.judge.decide(statement) for statement in step.statements]
     verdicts = [d.correction.verdict if d.correction and not d.verdict.true else d.verdict for d in decisions]
     verdict = next((v for v in verdicts if not v.true), verdicts[0])
     said = "; ".join(f"{cited(s)} {s.says}" for s in step.statements)
-    return Outcome(tuple(map(state.sides, step.statements)), verdict, said)
+    return StepResult(tuple(map(state.sides, step.statements)), verdict, said)
 
 
-def _consider(step: Consider, state: State) -> Outcome:
+def _consider(step: Consider, state: State) -> StepResult:
     node = without_brackets(step.expression)
-    return Outcome(((node, node),), Holds({"entries": {}}, {}), f"{step.expression}")
+    return StepResult(((node, node),), Holds({"entries": {}}, {}), f"{step.expression}")
 
 
-def _substitute(step: Substitute, state: State) -> Outcome:
+def _substitute(step: Substitute, state: State) -> StepResult:
     """Each left side in turn; where it is no symbol, it is held fast as one while the step is decided."""
     if not step.statements:
         return _substitute_solved(step, state)
@@ -86,7 +86,7 @@ def _substitute(step: Substitute, state: State) -> Outcome:
         equations, decided = _put(state, equations, state.sides(statement), step, usable(statement))
         verdict = decided if verdict is None or verdict.true else verdict
     assert verdict is not None
-    return Outcome(equations, verdict, ", ".join(map(cited, step.statements)))
+    return StepResult(equations, verdict, ", ".join(map(cited, step.statements)))
 
 
 def _worked_on(equations: Sequence[Equation], both: bool) -> list[Node]:
@@ -116,7 +116,7 @@ def _put(
     return tuple(after), verdict
 
 
-def _substitute_solved(step: Substitute, state: State) -> Outcome:
+def _substitute_solved(step: Substitute, state: State) -> StepResult:
     if not state.solved:
         raise ValueError("nothing has been solved for yet")
     equations = state.equations
@@ -132,12 +132,12 @@ def _substitute_solved(step: Substitute, state: State) -> Outcome:
     neat = tuple((left, tidied(right)) for left, right in equations)
     if verdict.true and neat != equations:
         verdict = state.decide(_unchanged(equations, neat), state.environment(step.using))
-    return Outcome(neat, verdict, "what was found for " + ", ".join(str(left) for left, _ in state.solved))
+    return StepResult(neat, verdict, "what was found for " + ", ".join(str(left) for left, _ in state.solved))
 
 
-def _expand(step: Expand, state: State) -> Outcome:
+def _expand(step: Expand, state: State) -> StepResult:
     after = tuple((_worked_out(left) if step.both else left, _worked_out(right)) for left, right in state.equations)
-    return Outcome(after, state.decide(_unchanged(state.equations, after), state.environment()), "multiplied out")
+    return StepResult(after, state.decide(_unchanged(state.equations, after), state.environment()), "multiplied out")
 
 
 def _worked_out(node: Node) -> Node:
@@ -153,7 +153,7 @@ def _unchanged(equations: Sequence[Equation], after: Sequence[Equation]) -> list
     ]
 
 
-def _factor(step: Factor, state: State) -> Outcome:
+def _factor(step: Factor, state: State) -> StepResult:
     problem = state.environment(step.using)
     terms = tuple(map(without_brackets, step.terms))
     after = tuple((left, state.combination(right, terms, problem)) for left, right in state.equations)
@@ -161,10 +161,12 @@ def _factor(step: Factor, state: State) -> Outcome:
     alone = "nothing is left" if zero else "a function of angles"
     said = f"in {', '.join(map(str, step.terms))}" if step.terms else alone
     by = ", ".join(map(cited, step.using))
-    return Outcome(after, state.decide(_unchanged(state.equations, after), problem), f"{said}, by {by}" if by else said)
+    return StepResult(
+        after, state.decide(_unchanged(state.equations, after), problem), f"{said}, by {by}" if by else said
+    )
 
 
-def _factor_out(step: FactorOut, state: State) -> Outcome:
+def _factor_out(step: FactorOut, state: State) -> StepResult:
     after, goals = [], []
     for left, right in state.equations:
         matrix = before(without_brackets(step.factor), right)
@@ -172,10 +174,10 @@ def _factor_out(step: FactorOut, state: State) -> Outcome:
         goals.append(("the product is what it was", whole, right))
         after.append((left, whole) if step.named is None else (step.named, matrix))
     said = f"{step.factor} taken out" + (f"; what multiplies it is {step.named}" if step.named is not None else "")
-    return Outcome(tuple(after), state.decide(goals, state.environment()), said)
+    return StepResult(tuple(after), state.decide(goals, state.environment()), said)
 
 
-def _ansatz(step: Ansatz, state: State) -> Outcome:
+def _ansatz(step: Ansatz, state: State) -> StepResult:
     unknown, form = without_brackets(step.unknown), without_brackets(step.form)
     if isinstance(unknown, Inverse):
         equations: tuple[Equation, ...] = ((Contract((unknown.of, form)), Identity(form.shape[0])),)
@@ -184,19 +186,19 @@ def _ansatz(step: Ansatz, state: State) -> Outcome:
         equations = ((replace(left, {unknown: form}), replace(right, {unknown: form})),)
     else:
         raise ValueError(f"say what {step.unknown} is asked to satisfy")
-    return Outcome(equations, Posed({}), f"{step.unknown} is sought as {step.form}")
+    return StepResult(equations, Posed({}), f"{step.unknown} is sought as {step.form}")
 
 
-def _solve(step: Solve, state: State) -> Outcome:
+def _solve(step: Solve, state: State) -> StepResult:
     said = ", ".join(map(str, step.unknowns))
     if step.by is not None:
         equation, verdict = solve_by_multiplying(state, step.unknowns[0], step.by, step.using)
-        return Outcome((equation,), verdict, f"for {said}, multiplied by {cited(step.by)}")
+        return StepResult((equation,), verdict, f"for {said}, multiplied by {cited(step.by)}")
     if step.terms or len(step.unknowns) > 1 or state.ansatz is not None or not _moves(step.unknowns[0], state):
         equations, verdict = solve_linear_system(state, step.unknowns, step.terms, step.using)
-        return Outcome(equations, verdict, f"for {said}: a linear system, with one solution")
+        return StepResult(equations, verdict, f"for {said}: a linear system, with one solution")
     equation, verdict = solve_by_moving(state, step.unknowns[0], step.using)
-    return Outcome((equation,), verdict, f"for {said}")
+    return StepResult((equation,), verdict, f"for {said}")
 
 
 def _moves(unknown: Node, state: State) -> bool:
@@ -207,21 +209,21 @@ def _moves(unknown: Node, state: State) -> bool:
     return True
 
 
-def _differentiate(step: Differentiate, state: State) -> Outcome:
+def _differentiate(step: Differentiate, state: State) -> StepResult:
     after = tuple((_rate(left), _rate(right)) for left, right in state.equations)
     goals = [
         ("the rate", Rate(old), new)
         for before_it, behind in zip(state.equations, after, strict=True)
         for old, new in zip(before_it, behind, strict=True)
     ]
-    return Outcome(after, state.decide(goals, state.environment()), "both sides, with respect to time")
+    return StepResult(after, state.decide(goals, state.environment()), "both sides, with respect to time")
 
 
 def _rate(node: Node) -> Node:
     return multiplied_out(rate_of(carried_out(node)))
 
 
-def _multiply(step: Multiply, state: State) -> Outcome:
+def _multiply(step: Multiply, state: State) -> StepResult:
     factor = without_brackets(step.factor)
 
     def times(side: Node) -> Node:
@@ -235,17 +237,17 @@ def _multiply(step: Multiply, state: State) -> Outcome:
         for old, new in zip(state.equations, after, strict=True)
     ]
     side = "right" if step.right else "left"
-    return Outcome(after, state.decide(goals, state.environment()), f"by {step.factor}, from the {side}")
+    return StepResult(after, state.decide(goals, state.environment()), f"by {step.factor}, from the {side}")
 
 
 def _factors(node: Node) -> tuple[Node, ...]:
     return node.factors if isinstance(node, Contract) else (node,)
 
 
-def _take_vector(step: TakeVector, state: State) -> Outcome:
+def _take_vector(step: TakeVector, state: State) -> StepResult:
     after = tuple((Vect(left), Vect(right)) for left, right in state.equations)
     goals = [
         ("the difference's vector", Sum((new[0], Negative(new[1]))), Vect(Sum((old[0], Negative(old[1])))))
         for old, new in zip(state.equations, after, strict=True)
     ]
-    return Outcome(after, state.decide(goals, state.environment()), "both sides")
+    return StepResult(after, state.decide(goals, state.environment()), "both sides")

@@ -6,14 +6,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 
-from chasles.decisions.session import Judge
-from chasles.deriving.comparing import Comparison, compare
+from chasles.decisions.session import Session
+from chasles.deriving.comparing import PrintComparison, compare
 from chasles.deriving.state import Equation, State, cited
-from chasles.deriving.steps import Outcome, carry_out
+from chasles.deriving.steps import StepResult, carry_out
 from chasles.display import Displayed
 from chasles.problems.unfold import UndeclaredDivisor
 from chasles.problems.variables import Untreatable
-from chasles.repairs.residues import Singular, Unsampled
+from chasles.repairs.residues import SingularResidue, Unsampled
 from chasles.statements import Statement
 from chasles.statements.derivation import (
     Ansatz,
@@ -30,7 +30,7 @@ from chasles.vocabulary import Misfit, Symbol
 
 __all__ = ["Passage", "Road", "walk"]
 
-STUCK = (Misfit, TypeError, ValueError, LookupError, Untreatable, UndeclaredDivisor, Singular, Unsampled)
+STUCK = (Misfit, TypeError, ValueError, LookupError, Untreatable, UndeclaredDivisor, SingularResidue, Unsampled)
 """Why a step cannot be carried out: words that do not fit, nothing to work on, no such combination."""
 
 
@@ -42,7 +42,7 @@ class Passage:
     reason: str
     equations: tuple[Equation, ...]
     verdict: Verdict
-    comparison: Comparison | None = None
+    comparison: PrintComparison | None = None
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -66,16 +66,16 @@ class Road(Displayed):
         return len(self.passages) == len(self.derivation.steps) and all(map(_passable, self.passages))
 
     @property
-    def comparisons(self) -> tuple[Comparison, ...]:
+    def comparisons(self) -> tuple[PrintComparison, ...]:
         return tuple(p.comparison for p in self.passages if p.comparison is not None)
 
     @property
-    def differences(self) -> tuple[Comparison, ...]:
+    def differences(self) -> tuple[PrintComparison, ...]:
         """Where what was found is not what is printed."""
         return tuple(c for c in self.comparisons if c.form != "printed")
 
 
-def walk(derivation: Derivation, judge: Judge) -> Road:
+def walk(derivation: Derivation, judge: Session) -> Road:
     """The road of a derivation; the first step that is not true, or cannot be made, is its last."""
     road = Road(derivation, tuple(_passages(derivation, State(derivation, judge))))
     # What another time took for a combination is decided step by step; where it was none, the road is walked without.
@@ -110,7 +110,7 @@ def _passage(step: Step, state: State) -> Passage:
     return Passage(step.kind, outcome.reason, outcome.equations, outcome.verdict)
 
 
-def _move_on(step: Step, state: State, outcome: Outcome) -> None:
+def _move_on(step: Step, state: State, outcome: StepResult) -> None:
     state.equations = outcome.equations
     if state.solved and [left for left, _ in outcome.equations] == [left for left, _ in state.solved]:
         state.solved = outcome.equations
@@ -135,7 +135,7 @@ def _compared(step: Compare, state: State) -> Passage:
     return Passage(step.kind, said, (comparison.found,), comparison.verdict, comparison)
 
 
-def _as_found(statement: Statement, comparison: Comparison) -> Statement:
+def _as_found(statement: Statement, comparison: PrintComparison) -> Statement:
     """The statement that the road goes on with: what was found, in the statement's place."""
     left, right = comparison.found
     return with_fields(statement, left=left, right=right, reading=None, corrected=None, kernel=None)

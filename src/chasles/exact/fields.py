@@ -38,7 +38,7 @@ from chasles.exact.moments import Number
 from chasles.exact.numbers import NotDecided
 from chasles.exact.separation import degree_of
 
-__all__ = ["Case", "Field", "sign_of"]
+__all__ = ["Case", "NumberField", "sign_of"]
 
 MOST_TURNS = 24
 """Sines of larger denominators than pi / MOST_TURNS are independent elements: their degree as roots is too large."""
@@ -48,7 +48,7 @@ MOST_DEGREE = 12
 """Of the field: factoring a polynomial over a larger one takes minutes."""
 
 
-class Field:
+class NumberField:
     """The least field with some exact numbers in it; `roots` and `free` are what it is made of."""
 
     def __init__(self, *values: Any) -> None:
@@ -111,11 +111,11 @@ class Field:
 class Case:
     """The signs that numbers with symbols in them take at a rational sample; `conditions` are those asked for."""
 
-    def __init__(self, field: Field, sample: Mapping[Symbol, Rational]) -> None:
+    def __init__(self, field: NumberField, sample: Mapping[Symbol, Rational]) -> None:
         if missing := [str(atom) for atom in field.free if atom not in sample]:
             raise ValueError(f"the sample gives no value to {', '.join(missing)}")
         self.field, self.sample = field, sample
-        self._ground = Field(*field.roots)
+        self._ground = NumberField(*field.roots)
         self.conditions: dict[Expr, int] = {}
 
     def __call__(self, element: Number) -> int:

@@ -22,7 +22,7 @@ from chasles.exact.grounds import NotDecided, RationalFunctions
 from chasles.exact.independent import vanishes
 from chasles.exact.separation import NotAlgebraic, is_algebraic_zero
 from chasles.exact.square_roots import NotInTower, has_roots_of_atoms, in_tower, independent_atoms, is_surd, spelled
-from chasles.exact.tower import NegativeRadicand, Tower
+from chasles.exact.tower import NegativeRadicand, QuadraticTower
 
 __all__ = ["NotDecided", "angle", "compare", "decimals", "is_zero", "normal", "root", "sign"]
 
@@ -54,13 +54,13 @@ def _normal(expression: Any) -> Any:
     if expression.is_Symbol or expression == sp.pi:
         return expression
     try:
-        tower = Tower()
+        tower = QuadraticTower()
         return spelled(tower, in_tower(tower, expression))
     except NotInTower:
         atoms = independent_atoms(expression)
     if atoms is None or expression.free_symbols or not has_roots_of_atoms(expression):
         return _with_atoms(expression)
-    tower = Tower(RationalFunctions(atoms))
+    tower = QuadraticTower(RationalFunctions(atoms))
     try:
         found = spelled(tower, in_tower(tower, expression))
     except NotInTower:

@@ -14,7 +14,7 @@ import sympy as sp
 from sympy import Poly
 from sympy.polys.matrices import DomainMatrix
 
-from chasles.exact.fields import Field, sign_of
+from chasles.exact.fields import NumberField, sign_of
 from chasles.exact.numbers import is_zero, normal, root, sign
 from chasles.exact.roots import Root, X, merged, place_of, same_number
 from chasles.exact.spectra import characteristic, eigenvalues_by_block
@@ -87,7 +87,7 @@ def _row_at_root(matrix: Any, value: Root) -> list[Any]:
     With B(x) the adjugate of x 1 - matrix and p' the derivative of the characteristic polynomial, B / p' is the
     projector: the squares of the row's entries are B_ii / p', and their signs those of B_i1 / p'.
     """
-    field = Field(*matrix)
+    field = NumberField(*matrix)
     polynomial = _over(field, characteristic(matrix))
     shifted = matrix - sp.trace(matrix) * sp.eye(3)
     adjugate = matrix.adjugate()
@@ -98,7 +98,7 @@ def _row_at_root(matrix: Any, value: Root) -> list[Any]:
     return [_entry(polynomial, entries[i][i] * inverse, entries[i][0] * inverse, value, field) for i in range(3)]
 
 
-def _entry(polynomial: Poly, square: Poly, signed: Poly, value: Root, field: Field) -> Any:
+def _entry(polynomial: Poly, square: Poly, signed: Poly, value: Root, field: NumberField) -> Any:
     """The number whose square is one element of the field of the root, and whose sign is that of another."""
     square, signed = square.rem(polynomial), signed.rem(polynomial)
 
@@ -113,7 +113,7 @@ def _entry(polynomial: Poly, square: Poly, signed: Poly, value: Root, field: Fie
     return place_of(least.norm() if field.domain.is_Algebraic else least, near)
 
 
-def _characteristic_of_multiplication(element: Poly, polynomial: Poly, field: Field) -> Poly:
+def _characteristic_of_multiplication(element: Poly, polynomial: Poly, field: NumberField) -> Poly:
     columns = [(element * Poly(X**k, X, domain=field.domain)).rem(polynomial) for k in range(3)]
     rows = [[column.rep.nth(i) for column in columns] for i in range(3)]
     return Poly.from_list(DomainMatrix(rows, (3, 3), field.domain).charpoly(), X, domain=field.domain)
@@ -124,7 +124,7 @@ def _at(element: Poly, x: Any, digits: int) -> Any:
     return sum((c.evalf(digits) * x**k for (k,), c in terms), sp.Integer(0))
 
 
-def _over(field: Field, coefficients: list[Any]) -> Poly:
+def _over(field: NumberField, coefficients: list[Any]) -> Poly:
     return Poly.from_list([field(c) for c in coefficients], X, domain=field.domain)
 
 

@@ -15,7 +15,7 @@ from typing import Any
 import sympy as sp
 from sympy import CRootOf, Poly, Symbol, latex
 
-from chasles.exact.fields import Field, sign_of
+from chasles.exact.fields import NumberField, sign_of
 from chasles.exact.numbers import NotDecided, is_zero, normal, root
 from chasles.exact.square_roots import independent_atoms
 
@@ -58,7 +58,7 @@ def real_roots(coefficients: list[Any]) -> list[tuple[Any, int]]:
     """
     if len(coefficients) < 4:
         return merged([(value, 1) for value in _of_low_degree(*coefficients[1:])])
-    field = Field(*coefficients)
+    field = NumberField(*coefficients)
     found: list[tuple[Any, int]] = []
     for factor, multiplicity in _factors(coefficients, field):
         found += [(value, multiplicity) for value in _roots_of_factor(factor, field)]
@@ -109,7 +109,7 @@ def remainders(coefficients: list[Any], values: list[Any]) -> list[Any]:
             quotient.append(normal(c + value * quotient[-1]))
         found.append(quotient.pop())
         left = quotient
-    field = Field(*left)
+    field = NumberField(*left)
     rest = Poly.from_list([field(c) for c in left], X, domain=field.domain)
     product = rest.norm() if field.domain.is_Algebraic else rest
     places = dict.fromkeys(value for value in values if isinstance(value, Root))
@@ -135,12 +135,12 @@ def _value(found: Any) -> Any:
     return found.value if isinstance(found, Root) else found
 
 
-def _factors(coefficients: list[Any], field: Field) -> list[tuple[Poly, int]]:
+def _factors(coefficients: list[Any], field: NumberField) -> list[tuple[Poly, int]]:
     polynomial = Poly.from_list([field(c) for c in coefficients], X, domain=field.domain)
     return [(factor.monic(), multiplicity) for factor, multiplicity in polynomial.factor_list()[1]]
 
 
-def _roots_of_factor(factor: Poly, field: Field) -> list[Any]:
+def _roots_of_factor(factor: Poly, field: NumberField) -> list[Any]:
     _, *rest = [field.expression(c) for c in factor.rep.to_list()]
     if len(rest) < 3:
         return _of_low_degree(*rest)
@@ -159,7 +159,7 @@ def _of_quadratic(b: Any, c: Any) -> list[Any]:
     return [normal((-b - width) / 2), normal((-b + width) / 2)]
 
 
-def _halves(coefficients: list[Any], field: Field) -> tuple[tuple[Any, Any], ...]:
+def _halves(coefficients: list[Any], field: NumberField) -> tuple[tuple[Any, Any], ...]:
     """Two quadratics whose product is x^4 + b x^3 + c x^2 + d x + e, by Descartes; none if no square root splits it."""
     b, c, d, e = coefficients
     p = normal(c - 3 * b**2 / 8)

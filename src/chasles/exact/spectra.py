@@ -14,7 +14,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from chasles.exact.evaluate import column_of
-from chasles.exact.fields import Field
+from chasles.exact.fields import NumberField
 from chasles.exact.numbers import is_zero, normal, sign
 from chasles.exact.roots import Root, merged, real_roots, remainders
 
@@ -37,7 +37,7 @@ def characteristic(matrix: Any) -> list[Any]:
     if matrix.rows < 3:
         values = [-matrix.trace(), matrix.det()]
         return [sp.Integer(1), *(normal(value) for value in values[: matrix.rows])]
-    field = Field(*matrix)
+    field = NumberField(*matrix)
     rows = [[field(matrix[i, j]) for j in range(matrix.cols)] for i in range(matrix.rows)]
     coefficients = DomainMatrix(rows, matrix.shape, field.domain).charpoly()
     return [normal(field.expression(c)) for c in coefficients]

@@ -10,13 +10,13 @@ from sympy.printing.str import StrPrinter
 
 from chasles.exact.numbers import decimals, normal
 
-__all__ = ["Spelled", "as_data", "decimal_text", "latex_of", "plain_in_latex", "text_of", "words_in_latex"]
+__all__ = ["SpelledValue", "as_data", "decimal_text", "latex_of", "plain_in_latex", "text_of", "words_in_latex"]
 
 SHOWN_DIGITS = 6
 
 
 @runtime_checkable
-class Spelled(Protocol):
+class SpelledValue(Protocol):
     """A value that knows its own spellings, as a root of a polynomial does."""
 
     def as_data(self) -> Any:
@@ -56,7 +56,7 @@ def as_data(value: Any) -> Any:
             return value
         case Mapping():
             return {str(key): as_data(part) for key, part in value.items()}
-        case Spelled():
+        case SpelledValue():
             return value.as_data()
     if hasattr(value, "shape"):
         rows, columns = value.shape
@@ -77,7 +77,7 @@ def text_of(value: Any) -> str:
             return value
         case Mapping():
             return ", ".join(f"{key}: {text_of(part)}" for key, part in value.items())
-        case Spelled():
+        case SpelledValue():
             return value.as_text()
     if hasattr(value, "shape"):
         rows, columns = value.shape
@@ -97,7 +97,7 @@ def latex_of(value: Any) -> str:
         case Mapping():
             parts = (f"{words_in_latex(f'{key}: ')} {latex_of(part)}" for key, part in value.items())
             return r",\; ".join(parts)
-        case Spelled():
+        case SpelledValue():
             return value.as_latex()
     if hasattr(value, "shape"):
         order = "none" if value.has(sp.cot) else None

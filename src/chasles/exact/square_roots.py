@@ -11,7 +11,7 @@ import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from chasles.exact.grounds import reduced
-from chasles.exact.tower import Surd, Tower
+from chasles.exact.tower import QuadraticTower, Surd
 
 __all__ = ["NotInTower", "has_roots_of_atoms", "in_tower", "independent_atoms", "is_surd", "spelled"]
 
@@ -23,7 +23,7 @@ class NotInTower(ValueError):
     """The number is not made by square roots alone."""
 
 
-def in_tower(tower: Tower, expression: Any) -> Surd:
+def in_tower(tower: QuadraticTower, expression: Any) -> Surd:
     """The element of the tower that the number is; roots that the tower lacks are taken in. Raises NotInTower."""
     if expression.is_Rational:
         return tower.ground(expression)
@@ -44,7 +44,7 @@ def in_tower(tower: Tower, expression: Any) -> Surd:
     raise NotInTower(expression)
 
 
-def _of_angle(tower: Tower, function: Any) -> Surd:
+def _of_angle(tower: QuadraticTower, function: Any) -> Surd:
     (angle,) = function.args
     turns = angle / sp.pi
     if isinstance(function, sp.cot) or any(atom.has(sp.cot(angle)) for atom in tower.ground.atoms):
@@ -70,7 +70,7 @@ def _is_constructible(turns: Any, most: int) -> bool:
     return 0 < degree <= most and not degree & (degree - 1)
 
 
-def _power(tower: Tower, base: Any, above: int, below: int) -> Surd:
+def _power(tower: QuadraticTower, base: Any, above: int, below: int) -> Surd:
     if below & (below - 1):
         raise NotInTower(base)
     value = in_tower(tower, base)
@@ -83,7 +83,7 @@ def _power(tower: Tower, base: Any, above: int, below: int) -> Surd:
     return reduce(tower.multiply, [value] * abs(above), tower.ground(sp.Integer(1)))
 
 
-def spelled(tower: Tower, x: Surd) -> Any:
+def spelled(tower: QuadraticTower, x: Surd) -> Any:
     """The element as SymPy spells it: one spelling for one number."""
     if not isinstance(x, tuple):
         return tower.ground.expression(x)
@@ -110,7 +110,7 @@ def spelled(tower: Tower, x: Surd) -> Any:
 def is_surd(expression: Any) -> bool:
     """Whether the number is made by square roots alone."""
     try:
-        in_tower(Tower(), expression)
+        in_tower(QuadraticTower(), expression)
     except NotInTower:
         return False
     return True

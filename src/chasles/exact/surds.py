@@ -9,14 +9,14 @@ import sympy as sp
 
 from chasles.exact.grounds import NotDecided, RationalFunctions
 from chasles.exact.square_roots import NotInTower, in_tower, independent_atoms, spelled
-from chasles.exact.tower import Surd, Tower
+from chasles.exact.tower import QuadraticTower, Surd
 
 __all__ = ["SurdField"]
 
 
 @dataclass(frozen=True, slots=True)
 class _Element:
-    tower: Tower
+    tower: QuadraticTower
     value: Surd
 
     def _other(self, other: Any) -> Surd:
@@ -51,7 +51,7 @@ class SurdField:
         atoms = independent_atoms(*values)
         if atoms is None:
             raise NotDecided("sines and cosines that are no square roots are not told apart")
-        self.tower = Tower(RationalFunctions(atoms) if atoms else None)
+        self.tower = QuadraticTower(RationalFunctions(atoms) if atoms else None)
 
     def __call__(self, value: Any) -> _Element:
         """The element that a number stands for; NotDecided for one that is not made of those of the field."""

@@ -12,7 +12,7 @@ from typing import Any
 
 from chasles.exact.grounds import RationalFunctions, RationalNumbers
 
-__all__ = ["MOST_ROOTS", "NegativeRadicand", "Surd", "TooManyRoots", "Tower"]
+__all__ = ["MOST_ROOTS", "NegativeRadicand", "QuadraticTower", "Surd", "TooManyRoots"]
 
 Surd = Any
 """An element of the ground field, or (level, a, b)."""
@@ -28,7 +28,7 @@ class NegativeRadicand(ValueError):
     """The square root of a number less than zero."""
 
 
-class Tower:
+class QuadraticTower:
     """The rational numbers, or another ground field, with the square roots that have been taken so far."""
 
     def __init__(self, ground: RationalNumbers | RationalFunctions | None = None) -> None:

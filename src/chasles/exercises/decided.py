@@ -8,11 +8,11 @@ from typing import Any
 
 from chasles.decisions.decision import Decision, DoesNotStand
 from chasles.decisions.memory import Memory
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.decisions.shipped import shipped
 from chasles.deriving import walk
 from chasles.exercises.formulas import note, stated
-from chasles.exercises.solution import Citation, Step
+from chasles.exercises.solution import Citation, SolutionStep
 from chasles.statements import Claim, Inverse, Statement, Theorem, load
 from chasles.statements.derivation import Derivation
 from chasles.statements.packages import BOOK
@@ -31,8 +31,8 @@ class Refuted(AssertionError):
 
 
 @cache
-def _judge() -> Judge:
-    return Judge(book=load, memory=Memory(shipped=shipped(BOOK)))
+def _judge() -> Session:
+    return Session(book=load, memory=Memory(shipped=shipped(BOOK)))
 
 
 def _decided(sentence: Sentence) -> Decision:
@@ -47,7 +47,7 @@ class Decided:
     """Steps without numbers: statements, roads and refutations, for all values."""
 
     def __init__(self) -> None:
-        self.steps: list[Step] = []
+        self.steps: list[SolutionStep] = []
 
     def state(self, sentence: Statement | Theorem, says: str = "") -> None:
         """A sentence of the book, or of the exercise, as a step without numbers: it is decided, for all values."""
@@ -56,7 +56,7 @@ class Decided:
         else:
             said = [("", *self.sides(sentence))]
         lines = tuple(stated(*equation) for equation in said)
-        self.steps.append(Step(says or sentence.says, (self.cite(sentence),), lines))
+        self.steps.append(SolutionStep(says or sentence.says, (self.cite(sentence),), lines))
 
     def walk(self, road: Derivation, says: str) -> dict[str, Node]:
         """Walk a derivation of the book: each step is decided. What stands last for each left side, by its name.
@@ -71,7 +71,7 @@ class Decided:
         equations = [equation for passage in walked.passages for equation in passage.equations]
         lines = [stated("", *sides) for sides in dict.fromkeys(equations) if plain(sides[0]) != plain(sides[1])]
         shown = tuple(line for line in lines if len(line.text) <= MOST_SHOWN)
-        self.steps.append(Step(f"{says} {road.says}", (), shown))
+        self.steps.append(SolutionStep(f"{says} {road.says}", (), shown))
         return {plain(left): right for left, right in equations}
 
     def refute(self, claim: Claim, says: str) -> None:
@@ -86,7 +86,7 @@ class Decided:
             note(f"not so at {point}, all else zero: entry {found.entry[0]} is {found.left}, and {found.right}"),
         )
         citation = Citation(claim.number, claim.part, verdict.name)
-        self.steps.append(Step(f"{claim.says} {says}", (citation,), lines))
+        self.steps.append(SolutionStep(f"{claim.says} {says}", (citation,), lines))
 
     def cite(self, sentence: Sentence) -> Citation:
         """The sentence's number, and what is decided of it. Raises DoesNotStand if nothing is."""

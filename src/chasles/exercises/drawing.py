@@ -9,7 +9,7 @@ from typing import Any
 from sympy import lambdify
 
 from chasles.exact.numbers import normal
-from chasles.exercises.picture import Arrow, Body, Curve, Graph, Line, Picture, Point
+from chasles.exercises.picture import Arrow, Curve, DrawnBody, Graph, Line, Picture, Point
 
 __all__ = ["drawn"]
 
@@ -98,7 +98,7 @@ class _Drawing:
 
     def _item(self, item: Any) -> None:
         match item:
-            case Body(edges, label, faded):
+            case DrawnBody(edges, label, faded):
                 style = {"color": GREY if faded else BLACK, "linestyle": "--" if faded else "-", "linewidth": 1.2}
                 for place, (start, end) in enumerate(edges):
                     name = {"label": label} if label and place == 0 else {}
@@ -145,7 +145,7 @@ class _Drawing:
         found = []
         for item in self.picture.items:
             match item:
-                case Body(edges):
+                case DrawnBody(edges):
                     found += [(_at(start), _at(end)) for start, end in edges]
                 case Line(point, direction):
                     found.append(_clipped(_at(point), _at(direction), self.low, self.high))
@@ -179,7 +179,7 @@ def _points(picture: Picture) -> list[tuple[float, ...]]:
     found: list[tuple[float, ...]] = []
     for item in picture.items:
         match item:
-            case Body(edges):
+            case DrawnBody(edges):
                 found += [_at(end) for edge in edges for end in edge]
             case Line(point):
                 found.append(_at(point))

@@ -6,7 +6,7 @@ from typing import Any
 
 from chasles.exact.linear import Solutions
 from chasles.exact.spelling import decimal_text, latex_of, text_of, words_in_latex
-from chasles.exercises.solution import Line
+from chasles.exercises.solution import Formula
 from chasles.vocabulary import Identity, Node, Number, Zero, latex, plain
 
 __all__ = ["Proofs", "chain", "compared", "confirmed", "equation", "note", "scalar_or_matrix", "solved", "stated"]
@@ -21,32 +21,34 @@ def _written(name: Node | str) -> tuple[str, str]:
     return (plain(name), latex(name)) if isinstance(name, Node) else (name, words_in_latex(name))
 
 
-def equation(name: Node | str, value: Any) -> Line:
+def equation(name: Node | str, value: Any) -> Formula:
     """A name, or an expression, and its value."""
     text, in_latex = _written(name)
     return chain([text], [in_latex], value)
 
 
-def chain(texts: list[str], formulas: list[str], value: Any) -> Line:
+def chain(texts: list[str], formulas: list[str], value: Any) -> Formula:
     """Expressions that are equal, the last of them a value; what is written alike is written once."""
     written = dict(zip([*texts, text_of(value)], [*formulas, latex_of(value)], strict=True))
-    return Line(" = ".join(written), " = ".join(written.values()), decimal_text(value))
+    return Formula(" = ".join(written), " = ".join(written.values()), decimal_text(value))
 
 
-def compared(left: Node, right: Node, values: tuple[Any, Any], same: bool) -> tuple[Line, ...]:
+def compared(left: Node, right: Node, values: tuple[Any, Any], same: bool) -> tuple[Formula, ...]:
     """Both sides with their values, and whether these are equal."""
     if isinstance(right, Number | Zero | Identity):
         asked = "as it must be" if same else f"and must be {text_of(values[1])}"
         line = equation(left, values[0])
-        return (Line(f"{line.text}, {asked}", f"{line.latex} {words_in_latex(', ' + asked)}", line.decimals),)
+        return (Formula(f"{line.text}, {asked}", f"{line.latex} {words_in_latex(', ' + asked)}", line.decimals),)
     verdict = note("the two are equal" if same else "the two differ")
     return equation(left, values[0]), equation(right, values[1]), verdict
 
 
-def stated(label: str, left: Node, right: Node) -> Line:
+def stated(label: str, left: Node, right: Node) -> Formula:
     """An equation without numbers."""
     text, in_latex = f"{plain(left)} = {plain(right)}", f"{latex(left)} = {latex(right)}"
-    return Line(f"{label}: {text}", f"{words_in_latex(label + ': ')} {in_latex}") if label else Line(text, in_latex)
+    return (
+        Formula(f"{label}: {text}", f"{words_in_latex(label + ': ')} {in_latex}") if label else Formula(text, in_latex)
+    )
 
 
 class Proofs(list[dict[str, Any]]):
@@ -72,19 +74,19 @@ def _verdict(verdict: str, needs: list[str]) -> str:
     return f"It {verdict.partition('-')[0]}" + (f", given that {' and '.join(needs)}." if needs else ".")
 
 
-def note(text: str) -> Line:
+def note(text: str) -> Formula:
     """A line of words."""
-    return Line(text, words_in_latex(text))
+    return Formula(text, words_in_latex(text))
 
 
-def confirmed(left: Node, right: Node, value: Any) -> Line:
+def confirmed(left: Node, right: Node, value: Any) -> Formula:
     """An equation and the value of both sides."""
     if isinstance(right, Number | Zero | Identity):
-        return Line(f"{plain(left)} = {text_of(value)}", f"{latex(left)} = {latex_of(value)}")
+        return Formula(f"{plain(left)} = {text_of(value)}", f"{latex(left)} = {latex_of(value)}")
     return chain([plain(left), plain(right)], [latex(left), latex(right)], value)
 
 
-def solved(unknown: Node, found: Solutions) -> Line:
+def solved(unknown: Node, found: Solutions) -> Formula:
     """All solutions of linear equations."""
     if not found.exist:
         return note("no solution")
@@ -92,6 +94,6 @@ def solved(unknown: Node, found: Solutions) -> Line:
         return equation(unknown, scalar_or_matrix(found.one))
     ways = " + ".join(f"s_{k} {text_of(way)}" for k, way in enumerate(found.directions, 1))
     signs = " + ".join(f"s_{k} {latex_of(way)}" for k, way in enumerate(found.directions, 1))
-    return Line(
+    return Formula(
         f"{plain(unknown)} = {text_of(found.one)} + {ways}", f"{latex(unknown)} = {latex_of(found.one)} + {signs}"
     )

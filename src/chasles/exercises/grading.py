@@ -22,7 +22,7 @@ from chasles.exercises.data import DataError, exact_number
 from chasles.exercises.draw import Draw
 from chasles.exercises.solution import Solution, cited
 from chasles.exercises.solving import solved_on_sheet
-from chasles.exercises.worksheet import Sheet, equal
+from chasles.exercises.worksheet import Worksheet, equal
 from chasles.statements.exercise import Exercise
 from chasles.vocabulary import Call
 
@@ -81,14 +81,14 @@ def grade(exercise: Exercise, data: Mapping[str, Any], given: Mapping[str, Any],
     return graded(exercise, solved_on_sheet(exercise, data), given, rtol)
 
 
-def graded(exercise: Exercise, solved: tuple[Solution, Sheet], given: Mapping[str, Any], rtol: Any = None) -> Grade:
+def graded(exercise: Exercise, solved: tuple[Solution, Worksheet], given: Mapping[str, Any], rtol: Any = None) -> Grade:
     """The same where the exercise has been solved for these data."""
     solution, sheet = solved
     tolerance = None if rtol is None else exact_number(rtol, "rtol")
     if tolerance is not None and not (tolerance.is_Rational and 0 < tolerance < 1):
         raise DataError(f"rtol: expected a number between 0 and 1, and got {rtol}")
     answers = read_answers(exercise, given)
-    verdicts = _Comparison(exercise, solution, sheet, tolerance).verdicts(answers)
+    verdicts = _GradedAnswer(exercise, solution, sheet, tolerance).verdicts(answers)
     of: dict[bool | None, list[str]] = {True: [], False: [], None: []}
     for name in answers:
         of[verdicts[name]].append(name)
@@ -126,10 +126,10 @@ def _sources(solution: Solution, name: str) -> tuple[str, ...]:
 
 
 @dataclass(frozen=True)
-class _Comparison:
+class _GradedAnswer:
     exercise: Exercise
     solution: Solution
-    sheet: Sheet
+    sheet: Worksheet
     tolerance: Any
 
     def verdicts(self, answers: dict[str, Any]) -> dict[str, bool | None]:
@@ -178,7 +178,7 @@ def _badness(verdicts: Mapping[str, bool | None]) -> tuple[int, int]:
     return marks.count(False), marks.count(None)
 
 
-def _violated(exercise: Exercise, sheet: Sheet, answers: Mapping[str, Any]) -> list[str]:
+def _violated(exercise: Exercise, sheet: Worksheet, answers: Mapping[str, Any]) -> list[str]:
     """What the student's answers, substituted into what was asked, do not satisfy."""
     values = {
         node: answers[name]

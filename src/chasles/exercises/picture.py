@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-__all__ = ["Arrow", "Body", "Curve", "Graph", "Line", "Picture", "Point"]
+__all__ = ["Arrow", "Curve", "DrawnBody", "Graph", "Line", "Picture", "Point"]
 
 
 @dataclass(frozen=True, slots=True)
-class Body:
+class DrawnBody:
     """A polyhedron by its edges, each a pair of points; one that is `faded` is where it was before."""
 
     edges: tuple[tuple[Any, Any], ...]
@@ -74,6 +74,6 @@ class Picture:
     """
 
     title: str
-    items: tuple[Body | Line | Arrow | Point | Curve | Graph, ...]
+    items: tuple[DrawnBody | Line | Arrow | Point | Curve | Graph, ...]
     axes: tuple[str, str, str] = ("X", "Y", "Z")
     view: tuple[int, int] = (22, 35)

@@ -13,7 +13,7 @@ from chasles.exercises.data import DataError, exact_number, read_data, read_json
 from chasles.exercises.grading import Grade, graded, new_data
 from chasles.exercises.solution import Solution
 from chasles.exercises.solving import solved_on_sheet
-from chasles.exercises.worksheet import Sheet
+from chasles.exercises.worksheet import Worksheet
 from chasles.statements.exercise import Exercise
 from chasles.statements.exercises import UnknownExercise
 from chasles.statements.exercises import exercise as find_exercise
@@ -47,7 +47,7 @@ class Practice:
         return {key: as_data(value) for key, value in read.items() if value is not None}
 
     @cached_property
-    def _solved(self) -> tuple[Solution, Sheet]:
+    def _solved(self) -> tuple[Solution, Worksheet]:
         return solved_on_sheet(self.exercise, self.drawn)
 
     @property

@@ -13,11 +13,11 @@ from chasles.exact.spelling import as_data
 if TYPE_CHECKING:
     from chasles.exercises.picture import Picture
 
-__all__ = ["Check", "Citation", "Line", "Solution", "Step", "cited"]
+__all__ = ["Citation", "Formula", "Solution", "SolutionStep", "SubstitutionCheck", "cited"]
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class Formula:
     """A formula: as text, in LaTeX, and, where that tells more, its value in decimals."""
 
     text: str
@@ -60,20 +60,20 @@ def _form(form: str) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class SolutionStep:
     """One step: what is done and why, the equations of the book that it uses, the formulas that come of it."""
 
     says: str
     cites: tuple[Citation, ...] = ()
-    lines: tuple[Line, ...] = ()
+    lines: tuple[Formula, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
-class Check:
+class SubstitutionCheck:
     """The answer substituted into what was asked: the two sides are equal, exactly."""
 
     says: str
-    lines: tuple[Line, ...] = ()
+    lines: tuple[Formula, ...] = ()
     cites: tuple[Citation, ...] = ()
 
 
@@ -91,8 +91,8 @@ class Solution(Displayed):
     given: Mapping[str, Any]
     answers: Mapping[str, Any]
     assumptions: tuple[str, ...]
-    steps: tuple[Step, ...]
-    checks: tuple[Check, ...]
+    steps: tuple[SolutionStep, ...]
+    checks: tuple[SubstitutionCheck, ...]
     picture: Picture | None = field(default=None, repr=False)
 
     def as_data(self) -> dict[str, Any]:

@@ -11,7 +11,7 @@ from chasles.exact.numbers import NotDecided
 from chasles.exact.tower import TooManyRoots
 from chasles.exercises.data import DataError, read_data
 from chasles.exercises.solution import Solution
-from chasles.exercises.worksheet import Sheet
+from chasles.exercises.worksheet import Worksheet
 from chasles.statements.exercise import Exercise
 from chasles.statements.exercises import exercise as find_exercise
 
@@ -33,11 +33,11 @@ def solve_with(number: str, data: Mapping[str, Any]) -> Solution:
     return solved_on_sheet(find_exercise(number), data)[0]
 
 
-def solved_on_sheet(exercise: Exercise, data: Mapping[str, Any]) -> tuple[Solution, Sheet]:
+def solved_on_sheet(exercise: Exercise, data: Mapping[str, Any]) -> tuple[Solution, Worksheet]:
     """The solution, and the sheet on which it was found."""
     try:
         values = read_data(exercise, data)
-        sheet = Sheet(values)
+        sheet = Worksheet(values)
         status = exercise.solve(sheet)
     except NotDecided as error:
         raise DataError(f"{error}; give numbers that square roots express") from error

@@ -15,17 +15,17 @@ import sympy as sp
 from chasles.exact.evaluate import NoValue, evaluate, matrix_of
 from chasles.exact.linear import Solutions, solve_linear
 from chasles.exact.numbers import is_zero, normal, sign
-from chasles.exact.spelling import Spelled, text_of, words_in_latex
+from chasles.exact.spelling import SpelledValue, text_of, words_in_latex
 from chasles.exercises.decided import Decided, Refuted, Sentence
 from chasles.exercises.formulas import chain, compared, confirmed, equation, scalar_or_matrix, solved
 from chasles.exercises.picture import Picture
-from chasles.exercises.solution import Check, Line, Step
+from chasles.exercises.solution import Formula, SolutionStep, SubstitutionCheck
 from chasles.problems.variables import angle_multiples
 from chasles.statements import Hypothesis, Inverse, Statement
 from chasles.statements.statement import bare
 from chasles.vocabulary import Call, Node, latex, plain
 
-__all__ = ["HypothesisFails", "Refuted", "Sheet", "equal"]
+__all__ = ["HypothesisFails", "Refuted", "Worksheet", "equal"]
 
 
 class HypothesisFails(ValueError):
@@ -38,14 +38,14 @@ def equal(one: Any, other: Any) -> bool:
     return bool(left.shape == right.shape and all(is_zero(x - y) for x, y in zip(left, right, strict=True)))
 
 
-class Sheet(Decided):
+class Worksheet(Decided):
     """What is known, step by step. `sheet["a"]` is a datum; `sheet.values` are the values of the book's symbols."""
 
     def __init__(self, data: Mapping[str, Any]) -> None:
         super().__init__()
         self.data = data
         self.values: dict[Node, Any] = {}
-        self.checks: list[Check] = []
+        self.checks: list[SubstitutionCheck] = []
         self.tests: list[tuple[Node, Node, Mapping[Any, Any], str]] = []
         """What is substituted back: two sides, values for these alone, what it says."""
         self.answers: dict[str, Any] = {}
@@ -62,7 +62,7 @@ class Sheet(Decided):
         """Bind symbols to data, to what follows from data at once, or to expressions in the book's words."""
         known = {node: self.value(value) if isinstance(value, Node) else value for node, value in values.items()}
         self.values |= known
-        self.steps.append(Step(says, (), tuple(equation(node, value) for node, value in known.items())))
+        self.steps.append(SolutionStep(says, (), tuple(equation(node, value) for node, value in known.items())))
 
     def compute(
         self,
@@ -82,7 +82,7 @@ class Sheet(Decided):
         if not at:
             self.values[bare(left)] = value
         line = chain([plain(left), plain(right)], [latex(left), latex(right)], value)
-        self.steps.append(Step(says or statement.says, (self.cite(statement),), (line,)))
+        self.steps.append(SolutionStep(says or statement.says, (self.cite(statement),), (line,)))
         return value
 
     def holds(self, statement: Statement, says: str = "", *, at: Mapping[Any, Any] | None = None) -> bool:
@@ -91,7 +91,7 @@ class Sheet(Decided):
         values = self.value(left, at), self.value(right, at)
         same = equal(*values)
         lines = compared(left, right, values, same)
-        self.steps.append(Step(says or statement.says, (self.cite(statement),), lines))
+        self.steps.append(SolutionStep(says or statement.says, (self.cite(statement),), lines))
         return same
 
     def satisfied(self, hypothesis: Hypothesis) -> bool:
@@ -110,10 +110,10 @@ class Sheet(Decided):
         found = solve_linear(matrix, right_side)
         if found.unique:
             self.values[unknown] = scalar_or_matrix(found.one)
-        lines = [Line(f"{plain(one)} = {plain(two)}", f"{latex(one)} = {latex(two)}")
+        lines = [Formula(f"{plain(one)} = {plain(two)}", f"{latex(one)} = {latex(two)}")
                  for one, two in (self.sides(rule, None) for rule in rules)]  # fmt: skip
         lines.append(solved(unknown, found))
-        self.steps.append(Step(says or rules[0].says, tuple(map(self.cite, rules)), tuple(lines)))
+        self.steps.append(SolutionStep(says or rules[0].says, tuple(map(self.cite, rules)), tuple(lines)))
         return found
 
     def invert(self, inverse: Inverse, says: str = "") -> bool:
@@ -133,14 +133,14 @@ class Sheet(Decided):
             lines = tuple(chain([plain(node), *([plain(value)] if turn == 1 or node not in inverse.sign else [])],
                                  [latex(node), *([latex(value)] if turn == 1 or node not in inverse.sign else [])],
                                  found[node]) for node, value in branch.values)  # fmt: skip
-            self.steps.append(Step(says or inverse.says, (self.cite(inverse),), lines))
+            self.steps.append(SolutionStep(says or inverse.says, (self.cite(inverse),), lines))
             return True
         return False
 
     def step(self, says: str, *lines: tuple[Node | str, Any], cites: Iterable[Sentence] = (), **values: Any) -> None:
         """A step of its own: each line an expression of the book, or a name, with its value."""
         written = tuple(equation(node, value) for node, value in (*lines, *values.items()))
-        self.steps.append(Step(says, tuple(map(self.cite, cites)), written))
+        self.steps.append(SolutionStep(says, tuple(map(self.cite, cites)), written))
 
     def show(self, node: Node, says: str, *, named: str = "", at: Mapping[Any, Any] | None = None,
              cites: Iterable[Sentence] = ()) -> Any:  # fmt: skip
@@ -149,7 +149,7 @@ class Sheet(Decided):
         name = [named] if named else []
         in_latex = [words_in_latex(named)] if " " in named else name
         line = chain([*name, plain(node)], [*in_latex, latex(node)], value)
-        self.steps.append(Step(says, tuple(map(self.cite, cites)), (line,)))
+        self.steps.append(SolutionStep(says, tuple(map(self.cite, cites)), (line,)))
         return value
 
     def check(self, what: Statement | tuple[Any, Any], says: str, *, at: Mapping[Any, Any] | None = None,
@@ -166,7 +166,7 @@ class Sheet(Decided):
             self.tests.append((left, right, at or {}, says))
         says_more = isinstance(left, Node) and isinstance(right, Node) and plain(left) != plain(right)
         lines = (confirmed(left, right, values[1]),) if says_more else ()
-        self.checks.append(Check(says, lines, tuple(map(self.cite, cited))))
+        self.checks.append(SubstitutionCheck(says, lines, tuple(map(self.cite, cited))))
 
     def answer(self, **answers: Any) -> None:
         """The answers, by the names of the interface."""
@@ -202,7 +202,7 @@ def _matrix(value: Any) -> Any:
 def _normal(value: Any) -> Any:
     """A value with its numbers in normal form."""
     match value:
-        case Spelled():
+        case SpelledValue():
             return value
         case list() | tuple():
             return [_normal(part) for part in value]

@@ -13,7 +13,7 @@ from latex2mathml.converter import convert
 
 from chasles.exact.spelling import decimal_text, latex_of
 from chasles.exercises.formulas import Proofs
-from chasles.exercises.solution import Check, Line, Solution, Step, cited
+from chasles.exercises.solution import Formula, Solution, SolutionStep, SubstitutionCheck, cited
 
 __all__ = ["as_html", "as_page"]
 
@@ -62,13 +62,13 @@ def _parts(solution: Solution) -> Iterator[str]:
     yield "</section>"
 
 
-def _step(step: Step | Check) -> str:
+def _step(step: SolutionStep | SubstitutionCheck) -> str:
     cites = cited(step.cites)
     beside = f' <span class="cites">{escape(cites)}</span>' if cites else ""
     return f"<li>{escape(step.says)}{beside}{''.join(map(_line, step.lines))}</li>"
 
 
-def _line(line: Line) -> str:
+def _line(line: Formula) -> str:
     return f'<div class="line">{_formula(line.latex)}{_decimals(line.decimals)}</div>'
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from chasles.exact.spelling import latex_of, plain_in_latex, words_in_latex
-from chasles.exercises.solution import Check, Solution, Step, cited
+from chasles.exercises.solution import Solution, SolutionStep, SubstitutionCheck, cited
 
 __all__ = ["as_latex"]
 
@@ -29,6 +29,6 @@ def _parts(solution: Solution) -> Iterator[str]:
         yield from (rf"\[ {line.latex} \]" for line in check.lines)
 
 
-def _said(step: Step | Check) -> str:
+def _said(step: SolutionStep | SubstitutionCheck) -> str:
     cites = cited(step.cites)
     return plain_in_latex(step.says) + (f" ({plain_in_latex(cites)})" if cites else "")

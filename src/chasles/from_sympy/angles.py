@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy
 
-from chasles.from_sympy.atoms import Atoms
+from chasles.from_sympy.atoms import QuantityNames
 from chasles.from_sympy.opening import excerpt, is_atom
 from chasles.problems.variables import Untreatable
 from chasles.vocabulary import Node, Number, Scale, Sum, Symbol
@@ -22,7 +22,7 @@ LARGEST_MULTIPLE = 10_000
 class Angles:
     """Takes the arguments of sines and cosines apart; products of atoms become words of their own."""
 
-    def __init__(self, atoms: Atoms) -> None:
+    def __init__(self, atoms: QuantityNames) -> None:
         self.atoms = atoms
         self.products: dict[Symbol, dict[Symbol, int]] = {}
         self.met: set[Symbol] = set()

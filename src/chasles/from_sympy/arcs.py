@@ -15,7 +15,7 @@ from typing import Any
 import sympy
 
 from chasles.from_sympy.divisors import CIRCULAR
-from chasles.from_sympy.opening import Word
+from chasles.from_sympy.opening import FunctionSymbol
 
 __all__ = ["INVERSE", "Arc", "arc_of", "turned", "without_arcs"]
 
@@ -73,16 +73,16 @@ def _scaled(quotient: Any) -> tuple[Any, Any]:
 def _tidy(square: Any) -> Any:
     """A sum with squares of sums seen in it."""
     above, below = sympy.fraction(sympy.together(square))
-    return (sympy.factor(above) if above.has(Word) else sympy.expand(above)) / below
+    return (sympy.factor(above) if above.has(FunctionSymbol) else sympy.expand(above)) / below
 
 
 def _range(y: Any, bound: Fraction) -> tuple[Fraction, Fraction]:
     return Fraction(0) if y.is_nonnegative else -bound, Fraction(0) if y.is_nonpositive else bound
 
 
-def _split(expression: Any, arcs: Mapping[Word, Arc]) -> tuple[dict[Word, Fraction], Any]:
+def _split(expression: Any, arcs: Mapping[FunctionSymbol, Arc]) -> tuple[dict[FunctionSymbol, Fraction], Any]:
     """The rational multiples of arcs in a sum, and the rest of it."""
-    multiples: dict[Word, Fraction] = {}
+    multiples: dict[FunctionSymbol, Fraction] = {}
     rest = sympy.S.Zero
     for term in sympy.Add.make_args(sympy.expand(expression)):
         multiple, word = term.as_coeff_Mul()
@@ -109,7 +109,9 @@ def _direction(arc: Arc, multiple: Fraction) -> tuple[Any, Any]:
     return cosine / length, (sine if multiple > 0 else -sine) / length
 
 
-def _cosine_and_sine(multiples: Mapping[Word, Fraction], rest: Any, arcs: Mapping[Word, Arc]) -> tuple[Any, Any]:
+def _cosine_and_sine(
+    multiples: Mapping[FunctionSymbol, Fraction], rest: Any, arcs: Mapping[FunctionSymbol, Arc]
+) -> tuple[Any, Any]:
     cosine, sine = sympy.cos(rest), sympy.sin(rest)
     for word, multiple in multiples.items():
         x, y = _direction(arcs[word], multiple)
@@ -117,7 +119,7 @@ def _cosine_and_sine(multiples: Mapping[Word, Fraction], rest: Any, arcs: Mappin
     return cosine, sine
 
 
-def without_arcs(function: type, argument: Any, arcs: Mapping[Word, Arc]) -> Any:
+def without_arcs(function: type, argument: Any, arcs: Mapping[FunctionSymbol, Arc]) -> Any:
     """Sine, cosine, ... of an angle in which arcs occur, in terms of their cosines and sines."""
     multiples, rest = _split(argument, arcs)
     if not multiples:
@@ -128,7 +130,7 @@ def without_arcs(function: type, argument: Any, arcs: Mapping[Word, Arc]) -> Any
     return values[above] / values[below]
 
 
-def _vanishes(difference: Any, arcs: Mapping[Word, Arc]) -> tuple[Any, int] | None:
+def _vanishes(difference: Any, arcs: Mapping[FunctionSymbol, Arc]) -> tuple[Any, int] | None:
     """A cosine that is one exactly where the difference is zero, and how often that was halved."""
     multiples, rest = _split(difference, arcs)
     turn = (rest / sympy.pi).expand()
@@ -147,7 +149,7 @@ def _vanishes(difference: Any, arcs: Mapping[Word, Arc]) -> tuple[Any, int] | No
     return None
 
 
-def turned(left: Any, right: Any, arcs: Mapping[Word, Arc]) -> tuple[Any, int] | None:
+def turned(left: Any, right: Any, arcs: Mapping[FunctionSymbol, Arc]) -> tuple[Any, int] | None:
     """A cosine that is one exactly where sums of arcs are equal, and of which part of their difference it is."""
     if not arcs or not (left.has(*arcs) or right.has(*arcs)):
         return None

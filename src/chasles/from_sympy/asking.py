@@ -9,12 +9,12 @@ from typing import Any
 import sympy
 
 from chasles.from_sympy.arcs import turned
-from chasles.from_sympy.atoms import Atoms
+from chasles.from_sympy.atoms import QuantityNames
 from chasles.from_sympy.certificates import Writing
 from chasles.from_sympy.complexes import Parts
 from chasles.from_sympy.divisors import Divisor, divisor_of
 from chasles.from_sympy.elementary import Elementary
-from chasles.from_sympy.given import Equations, Given, collected, evident, impossible, orders_of
+from chasles.from_sympy.given import Equations, SideConditions, collected, evident, impossible, orders_of
 from chasles.from_sympy.opening import Entries, opened
 from chasles.from_sympy.question import Question, matrix_of
 from chasles.from_sympy.reader import Reader
@@ -64,11 +64,11 @@ def ask(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> Question | IllFormed | 
     return question
 
 
-def _rewritten(elementary: Elementary, expressions: list[Any], given: Given) -> list[Any]:
+def _rewritten(elementary: Elementary, expressions: list[Any], given: SideConditions) -> list[Any]:
     """Everything in variables that stand for exponentials and logarithms, and what roots of higher order satisfy."""
     pairs = [pair for item in given.equations for pair in item.pairs]
     found = elementary([*expressions, *(side for pair in pairs for side in pair)])
-    named = Atoms()
+    named = QuantityNames()
     for atom in elementary.atoms:
         named.word(atom)
     sides = iter(found[len(expressions) :])
@@ -86,7 +86,12 @@ class _Asking:
     """Reads everything that belongs to a question in one go, and puts it together."""
 
     def __init__(
-        self, given: Given, expressions: list[Any], declared: int, shape: tuple[int, int], elementary: Elementary
+        self,
+        given: SideConditions,
+        expressions: list[Any],
+        declared: int,
+        shape: tuple[int, int],
+        elementary: Elementary,
     ) -> None:
         self.elementary = elementary
         self.reader = reader = Reader(READINGS)

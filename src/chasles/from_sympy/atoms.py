@@ -16,7 +16,7 @@ from chasles.from_sympy.opening import excerpt, is_atom
 from chasles.problems.variables import Untreatable
 from chasles.vocabulary import PI, Symbol, scalar
 
-__all__ = ["ASSUMPTIONS", "Atoms", "nonzero_by_sign", "real_copy"]
+__all__ = ["ASSUMPTIONS", "QuantityNames", "nonzero_by_sign", "real_copy"]
 
 # What SymPy may know of a quantity that its values at a point have to respect.
 ASSUMPTIONS = (
@@ -25,7 +25,7 @@ ASSUMPTIONS = (
 )  # fmt: skip
 
 
-class Atoms:
+class QuantityNames:
     """The words that stand for a question's atoms."""
 
     def __init__(self) -> None:

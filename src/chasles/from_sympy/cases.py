@@ -15,9 +15,9 @@ from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
 from chasles.from_sympy.atoms import ASSUMPTIONS
-from chasles.from_sympy.enclosures import Unbounded, ends_of
+from chasles.from_sympy.enclosures import NotEnclosed, ends_of
 
-__all__ = ["SIGNS", "Case", "powers_in", "switches_in"]
+__all__ = ["SIGNS", "SplitCase", "powers_in", "switches_in"]
 
 SIGNS = {"+": 1, "0": 0, "-": -1}
 SWITCHES = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign, sympy.Abs)
@@ -34,7 +34,7 @@ def switches_in(expressions: Iterable[Any], *kinds: type) -> list[Any]:
 
 
 @dataclass(frozen=True, slots=True)
-class Case:
+class SplitCase:
     """What is spoken of in one case, the equations that hold there besides, and the signs that are known.
 
     `path` says of each substituted positive symbol what it stands for, `zeros` what vanishes, as the question has it,
@@ -51,7 +51,7 @@ class Case:
     values: tuple[tuple[Any, Any], ...] = ()
     _signs: dict[Any, int | None] = field(default_factory=dict)
 
-    def settled(self) -> Case:
+    def settled(self) -> SplitCase:
         """The case with every part written out whose sign is known."""
         case = self
         while True:
@@ -126,11 +126,11 @@ class Case:
         sign = self.sign(relation.lhs - relation.rhs)
         return None if sign is None else sign in HOLDING[relation.rel_op]
 
-    def split(self, factor: Any, positive: Any) -> Mapping[str, Case]:
+    def split(self, factor: Any, positive: Any) -> Mapping[str, SplitCase]:
         """The three cases of a factor of unknown sign; a positive symbol stands for its size."""
         return {name: self._with(factor, sign, positive) for name, sign in SIGNS.items()}
 
-    def _with(self, factor: Any, sign: int, positive: Any) -> Case:
+    def _with(self, factor: Any, sign: int, positive: Any) -> SplitCase:
         atom = _eliminable(factor, (*self.spoken, *self.equations))
         zeros = self.zeros if sign else (*self.zeros, self.back(factor))
         if atom is None:
@@ -144,10 +144,10 @@ class Case:
         facts += [(value, known) for known in _assumed_sign(atom)]
         path = (*self.path, (size * sign, factor * sign)) if sign else self.path
         spoken, equations = (tuple(_with_value(e, put) for e in part) for part in (self.spoken, self.equations))
-        case = Case(spoken, equations, tuple(facts), path, zeros, values=(*self.values, (atom, value)))
+        case = SplitCase(spoken, equations, tuple(facts), path, zeros, values=(*self.values, (atom, value)))
         return replace(case, excluded=self._lost(case, put))
 
-    def _lost(self, case: Case, put: Mapping[Any, Any]) -> str:
+    def _lost(self, case: SplitCase, put: Mapping[Any, Any]) -> str:
         """What is not defined where symbols have these values, that is outside of conditions; "" if nothing is."""
         for power in powers_in(self.spoken, within=False):
             sign = case.sign(power.base.xreplace(put))
@@ -239,7 +239,7 @@ def _visible(e: Any) -> int | None:
             return 0
         try:
             least, most = ends_of(e, BITS)
-        except Unbounded:
+        except NotEnclosed:
             return None
         return 1 if least > 0 else -1 if most < 0 else None
     return 1 if e.is_positive else -1 if e.is_negative else 0 if e.is_zero else None

@@ -17,14 +17,14 @@ from chasles.checker.expressions.proof import claims_of
 from chasles.checker.expressions.reading_of_proof import Proven
 from chasles.checker.sparse import ZERO, Polynomial, Rejected, parsed
 from chasles.from_sympy.elementary import Elementary
-from chasles.from_sympy.given import Given
+from chasles.from_sympy.given import SideConditions
 from chasles.from_sympy.naming import spelled, written
-from chasles.from_sympy.opening import Word, is_atom
+from chasles.from_sympy.opening import FunctionSymbol, is_atom
 from chasles.from_sympy.reader import Reader
 from chasles.from_sympy.roots import Roots
 from chasles.points.search import Search
 from chasles.problems.context import Context
-from chasles.prover.certifying import Entry
+from chasles.prover.certifying import ProvedEntry
 from chasles.vocabulary import Node, Power, Scale
 
 __all__ = ["Writing"]
@@ -43,12 +43,12 @@ class Writing:
 
     asked: tuple[Any, Any, Any, Any]
     reader: Reader
-    given: Given
+    given: SideConditions
     roots: Roots
     search: Search
     elementary: Elementary
 
-    def __call__(self, context: Context, done: list[Entry], witness: Mapping[str, Any]) -> dict[str, Any]:
+    def __call__(self, context: Context, done: list[ProvedEntry], witness: Mapping[str, Any]) -> dict[str, Any]:
         """All that the checker needs, as text."""
         ring = context.field.ring
         certificate: dict[str, Any] = {
@@ -81,7 +81,7 @@ class Writing:
     def _positive(self) -> Iterator[str]:
         """Quantities that are positive, or negative, because of logarithms."""
         for e, sign in self.elementary.signs.items():
-            if is_atom(e) and not isinstance(e, Word):
+            if is_atom(e) and not isinstance(e, FunctionSymbol):
                 yield f"{sign}*{self._name(e)}"
 
     def _name(self, atom: Any) -> str:
@@ -125,7 +125,7 @@ class Writing:
         return {key: written(value, name) for key, value in sorted(witness.items())}
 
     def _entries(
-        self, context: Context, done: list[Entry], certificate: Mapping[str, Any]
+        self, context: Context, done: list[ProvedEntry], certificate: Mapping[str, Any]
     ) -> Iterator[tuple[str, dict[str, Any]]]:
         """What is to be said of entries that do not vanish as they are read."""
         asked = Asked(*self.asked)

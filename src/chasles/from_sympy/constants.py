@@ -14,7 +14,7 @@ from typing import Any
 
 import sympy
 
-from chasles.from_sympy.enclosures import Unbounded, ends_of
+from chasles.from_sympy.enclosures import NotEnclosed, ends_of
 
 __all__ = ["is_algebraic", "is_nonnegative", "vanishes"]
 
@@ -42,7 +42,7 @@ def vanishes(e: Any) -> bool:
         return False
     try:
         least, most = ends_of(e, 2 * bits + GUARD)
-    except Unbounded:
+    except NotEnclosed:
         return False
     return max(-least, most) < Fraction(1, 2**bits) and least <= 0 <= most
 
@@ -79,5 +79,5 @@ def is_nonnegative(e: Any) -> bool:
     """Whether an expression is a number that is known not to be negative."""
     try:
         return not e.free_symbols and ends_of(e, NEAR)[0] >= 0
-    except Unbounded:
+    except NotEnclosed:
         return False

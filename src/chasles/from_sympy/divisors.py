@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy
 
-from chasles.from_sympy.opening import Signed, Word, is_atom
+from chasles.from_sympy.opening import FunctionSymbol, Signed, is_atom
 
 __all__ = ["CIRCULAR", "Divisor", "divides", "divisor_of", "in_sines", "is_reciprocal"]
 
@@ -28,7 +28,7 @@ class Divisor:
 
 def divisor_of(expression: Any) -> Divisor:
     """What is said of a divisor: of a positive symbol that it is positive; nothing of a number."""
-    named = is_atom(expression) and not (isinstance(expression, Word) and not isinstance(expression, Signed))
+    named = is_atom(expression) and not (isinstance(expression, FunctionSymbol) and not isinstance(expression, Signed))
     value = _with_cosines(expression)
     evident = (not value.free_symbols and value != 0) or bool(expression.is_nonzero and not named)
     return Divisor(f"{expression} {'> 0' if expression.is_positive else '!= 0'}", evident)

@@ -18,7 +18,7 @@ from chasles.from_sympy.arcs import INVERSE, Arc, arc_of, without_arcs
 from chasles.from_sympy.divisors import CIRCULAR
 from chasles.from_sympy.factors import factors_of, is_entire, is_evident
 from chasles.from_sympy.hyperbolic import EXPONENTIALS, LOGARITHMS
-from chasles.from_sympy.opening import Signed, Word, excerpt, is_atom
+from chasles.from_sympy.opening import FunctionSymbol, Signed, excerpt, is_atom
 from chasles.problems.variables import Untreatable
 
 __all__ = ["Elementary", "is_elementary"]
@@ -50,7 +50,7 @@ class Elementary:
         self.origins: dict[Any, Any] = {}
         self.exponents: dict[Any, Any] = {}
         self.logs: dict[Any, Any] = {}
-        self.arcs: dict[Word, Arc] = {}
+        self.arcs: dict[FunctionSymbol, Arc] = {}
         self.halvings: dict[tuple[int, int], int] = {}
         self._known: dict[Any, Any] = {}
 
@@ -114,7 +114,7 @@ class Elementary:
         unit = self.units.get(("root", e), 1)
         if unit > 1:
             self.needs |= {} if e.is_positive else {f"{e} > 0": sympy.log(e)}
-            return self._word(e ** sympy.Rational(1, unit), Word if e.is_positive else Signed) ** unit
+            return self._word(e ** sympy.Rational(1, unit), FunctionSymbol if e.is_positive else Signed) ** unit
         return self._word(e, Signed) if self.signs.get(e) == 1 and not e.is_positive else e
 
     def _meet(self, *arguments: Any) -> None:
@@ -122,7 +122,7 @@ class Elementary:
         met = map(sympy.sympify, arguments)
         self.defined |= {e: None for e in met if not all(map(is_entire, sympy.preorder_traversal(e)))}
 
-    def _word(self, origin: Any, kind: type[Word] = Word, positive: bool = True) -> Any:
+    def _word(self, origin: Any, kind: type[FunctionSymbol] = FunctionSymbol, positive: bool = True) -> Any:
         word = kind(str(origin), positive=True) if positive else kind(str(origin), real=True)
         if self.origins.setdefault(word, origin) != origin:
             raise Untreatable(f"two different symbols are called the same in {excerpt(origin)}: rename one")
@@ -163,7 +163,7 @@ class Elementary:
             return size**exponent
         key = self.logs_key(base)
         unit = self._unit(("root", key), exponent)
-        kind = Word if is_evident(size) else Signed
+        kind = FunctionSymbol if is_evident(size) else Signed
         word = self._word(self._original(size) ** sympy.Rational(1, unit), kind)
         if not is_atom(key):
             self.equations[(word**unit, size)] = None
@@ -232,7 +232,7 @@ class Elementary:
     def _learn(self, base: Any, sign: int) -> None:
         """The sign of a factor, by which an atom is written as a variable that has it."""
         original = self._original(base)
-        if isinstance(base, Word) and not is_atom(original):
+        if isinstance(base, FunctionSymbol) and not is_atom(original):
             return
         if not is_evident(base) and self.signs.setdefault(original if is_atom(original) else base, sign) != sign:
             raise Untreatable(f"where roots and logarithms of {excerpt(original)} are real, others are not")

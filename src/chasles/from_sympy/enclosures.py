@@ -18,7 +18,7 @@ from sympy.functions.elementary.piecewise import ExprCondPair
 from chasles.algebra.work_limit import check
 from chasles.from_sympy.opening import is_atom
 
-__all__ = ["Enclosures", "Unbounded", "apart", "ends_of"]
+__all__ = ["Enclosures", "NotEnclosed", "apart", "ends_of"]
 
 BITS = 200
 MARGIN = Fraction(1, 2**60)
@@ -31,7 +31,7 @@ Value = Any
 """A Fraction, which is exact, or an interval."""
 
 
-class Unbounded(Exception):
+class NotEnclosed(Exception):
     """The value is not known to exist, or no bounds for it are known."""
 
 
@@ -43,7 +43,7 @@ class Enclosures:
         self._known: dict[Any, Value] = {}
 
     def __call__(self, e: Any) -> Value:
-        """The value of an expression; raises `Unbounded` where it is not known to be defined."""
+        """The value of an expression; raises `NotEnclosed` where it is not known to be defined."""
         known = self._known.get(e)
         if known is None:
             check()
@@ -60,7 +60,7 @@ class Enclosures:
         if e is sympy.E:
             return iv.exp(1)
         if is_atom(e):
-            raise Unbounded
+            raise NotEnclosed
         if isinstance(e, sympy.Add | sympy.Mul):
             return reduce(_plus if isinstance(e, sympy.Add) else _times, map(self, e.args))
         if isinstance(e, sympy.Pow):
@@ -68,7 +68,7 @@ class Enclosures:
         if isinstance(e, sympy.Piecewise):
             return self._by_cases(e)
         if e.func not in FUNCTIONS:
-            raise Unbounded
+            raise NotEnclosed
         return FUNCTIONS[e.func](*map(self, e.args))
 
     def _by_cases(self, e: Any) -> Value:
@@ -76,10 +76,10 @@ class Enclosures:
             assert isinstance(case, ExprCondPair)
             if self.is_true(case.cond):
                 return self(case.expr)
-        raise Unbounded
+        raise NotEnclosed
 
     def is_true(self, condition: Any) -> bool:
-        """Whether a condition holds at the point; raises `Unbounded` if that is not clear."""
+        """Whether a condition holds at the point; raises `NotEnclosed` if that is not clear."""
         if condition in (sympy.true, sympy.false):
             return condition is sympy.true
         if isinstance(condition, sympy.And | sympy.Or):
@@ -88,7 +88,7 @@ class Enclosures:
         if isinstance(condition, sympy.Not):
             return not self.is_true(condition.args[0])
         if not isinstance(condition, sympy.core.relational.Relational):
-            raise Unbounded
+            raise NotEnclosed
         sign = sign_of(_plus(self(condition.lhs), -self(condition.rhs)))
         return {"==": sign == 0, "!=": sign != 0, "<": sign < 0, "<=": sign <= 0, ">": sign > 0, ">=": sign >= 0}[
             condition.rel_op
@@ -105,7 +105,7 @@ def apart(one: Value, other: Value) -> bool:
 
 
 def ends_of(number: Any, bits: int) -> tuple[Fraction, Fraction]:
-    """Between which rational numbers a number lies, computed with so many binary digits; raises `Unbounded`."""
+    """Between which rational numbers a number lies, computed with so many binary digits; raises `NotEnclosed`."""
     iv.prec = bits
     try:
         value = Enclosures({})(number)
@@ -115,20 +115,20 @@ def ends_of(number: Any, bits: int) -> tuple[Fraction, Fraction]:
 
 
 def sign_of(value: Value) -> int:
-    """The sign of a value; raises `Unbounded` if it is not clear."""
+    """The sign of a value; raises `NotEnclosed` if it is not clear."""
     if isinstance(value, Fraction):
         return (value > 0) - (value < 0)
     if not apart(value, Fraction(0)):
-        raise Unbounded
+        raise NotEnclosed
     return 1 if _ends(value)[0] > 0 else -1
 
 
 def _ends(interval: Any) -> tuple[Fraction, Fraction]:
-    """Both ends, which are dyadic numbers; raises `Unbounded` if one is infinite."""
+    """Both ends, which are dyadic numbers; raises `NotEnclosed` if one is infinite."""
     found = []
     for sign, mantissa, exponent, bits in (interval.a._mpi_[0], interval.b._mpi_[1]):
         if not mantissa and (exponent or bits):
-            raise Unbounded
+            raise NotEnclosed
         found.append(Fraction(-mantissa if sign else int(mantissa)) * Fraction(2) ** exponent)
     return found[0], found[1]
 
@@ -147,7 +147,7 @@ def _times(one: Value, other: Value) -> Value:
 
 def _over(one: Value, other: Value) -> Value:
     if sign_of(other) == 0:
-        raise Unbounded
+        raise NotEnclosed
     return one / other if type(one) is type(other) else _interval(one) / _interval(other)
 
 
@@ -155,14 +155,14 @@ def _power(base: Value, exponent: Value) -> Value:
     """A power with an integral exponent, or of a number that is not negative: its root is the one that is not."""
     if isinstance(exponent, Fraction) and exponent.denominator == 1:
         if abs(exponent) > LARGEST_EXPONENT:
-            raise Unbounded
+            raise NotEnclosed
         power = base ** abs(int(exponent))
         return power if exponent >= 0 else _over(Fraction(1), power)
     sign = sign_of(base)
     if sign == 0 and sign_of(exponent) > 0:
         return Fraction(0)
     if sign <= 0:
-        raise Unbounded
+        raise NotEnclosed
     return iv.exp(_interval(exponent) * iv.log(_interval(base)))
 
 
@@ -170,7 +170,7 @@ def _log(value: Value, base: Value = None) -> Value:
     if base is not None:
         return _over(_log(value), _log(base))
     if sign_of(value) <= 0:
-        raise Unbounded
+        raise NotEnclosed
     return Fraction(0) if value == 1 else iv.log(_interval(value))
 
 
@@ -220,7 +220,7 @@ def _asinh(value: Value) -> Value:
 
 def _acosh(value: Value) -> Value:
     if sign_of(_plus(value, Fraction(-1))) < 0:
-        raise Unbounded
+        raise NotEnclosed
     return _log(_plus(value, _root(_plus(_times(value, value), Fraction(-1)))))
 
 
@@ -266,5 +266,5 @@ FUNCTIONS: Mapping[type, Callable[..., Value]] = {
 def _whole(value: Value) -> int:
     low, high = (value, value) if isinstance(value, Fraction) else _ends(value)
     if low // 1 != high // 1:
-        raise Unbounded
+        raise NotEnclosed
     return int(low // 1)

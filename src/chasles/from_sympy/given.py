@@ -19,7 +19,7 @@ from chasles.from_sympy.side_conditions import listed
 from chasles.from_sympy.triads import Triad, triads_of
 from chasles.problems.variables import Untreatable
 
-__all__ = ["Equations", "Given", "Moving", "collected", "evident", "impossible", "orders_of"]
+__all__ = ["Equations", "Moving", "SideConditions", "collected", "evident", "impossible", "orders_of"]
 
 Pair = tuple[Any, Any]
 MOST_TERMS = 30
@@ -64,7 +64,7 @@ class Equations:
 
 
 @dataclass(slots=True)
-class Given:
+class SideConditions:
     """The given equations, what they say of angles (used by substitution), and the triads among them.
 
     `stated` are the pairs of sides as they were given.
@@ -75,12 +75,12 @@ class Given:
     stated: list[Pair] = field(default_factory=list)
 
 
-def collected(given: Any, spoken_of: Sequence[Any], parts: Parts) -> tuple[Given, list[Any]]:
+def collected(given: Any, spoken_of: Sequence[Any], parts: Parts) -> tuple[SideConditions, list[Any]]:
     """The given equations, complex ones by their parts, and what is spoken of with the given angles put in.
 
     Raises `Untreatable` for what is no equation, and for differential equations in several variables.
     """
-    result = Given()
+    result = SideConditions()
     for place, (what, item) in enumerate(listed(given, "given")):
         said = sides(item, what)
         pairs = list(dict.fromkeys(pair for one, other in said for pair in parts.pairs(one, other)))
@@ -95,7 +95,7 @@ def collected(given: Any, spoken_of: Sequence[Any], parts: Parts) -> tuple[Given
     return result, expressions
 
 
-def impossible(given: Given, declared: Sequence[Any]) -> str | None:
+def impossible(given: SideConditions, declared: Sequence[Any]) -> str | None:
     """A condition that is false on its face: two numbers that differ set equal, or zero said not to vanish."""
     for item in given.equations:
         if any((left - right).is_zero is False and not (left - right).free_symbols for left, right in item.pairs):
@@ -103,7 +103,7 @@ def impossible(given: Given, declared: Sequence[Any]) -> str | None:
     return next((f"{scalar} != 0" for scalar in declared if scalar.is_zero or sympy.expand(scalar) == 0), None)
 
 
-def evident(given: Given, sides: Sequence[Any]) -> Iterator[Any]:
+def evident(given: SideConditions, sides: Sequence[Any]) -> Iterator[Any]:
     """What does not vanish because of signs: factors of given equations and of rates there, a sum of positive sides."""
     for item in given.equations:
         for one, other in item.pairs if item.triad is None and not item.derived else ():
@@ -138,7 +138,7 @@ def _text(item: Any, what: str) -> str:
     return f"{item} = 0" if isinstance(item, sympy.Expr) else what
 
 
-def _without_given_angles(result: Given, expressions: list[Any]) -> list[Any]:
+def _without_given_angles(result: SideConditions, expressions: list[Any]) -> list[Any]:
     """Use equations between angles, such as alpha + beta + gamma = pi, to eliminate one of the angles."""
     for item in list(result.equations):
         for pair in list(item.pairs):
@@ -185,7 +185,7 @@ def _put_in(expression: Any, atom: Any, value: Any) -> Any:
     return expression.subs(atom, value).doit() if expression.has(atom) else expression
 
 
-def _state_triads(result: Given) -> None:
+def _state_triads(result: SideConditions) -> None:
     """Let orthonormal columns be said by all the quadrics they satisfy, in the place of the equations that say so."""
     places = [(item, k) for item in result.equations for k in range(len(item.pairs))]
     taken: dict[int, set[int]] = {}
@@ -201,7 +201,7 @@ def _state_triads(result: Given) -> None:
     result.equations = [item for item in result.equations if item.pairs]
 
 
-def _differentiate(result: Given, expressions: list[Any]) -> None:
+def _differentiate(result: SideConditions, expressions: list[Any]) -> None:
     """Add derivatives of the given equations: all that say something of the rates that occur."""
     rows: list[Moving] = []
     for item in result.equations:
@@ -219,7 +219,7 @@ def _differentiate(result: Given, expressions: list[Any]) -> None:
         _add_derivatives(result, item, variables)
 
 
-def _add_derivatives(result: Given, item: Equations, variables: set[Any]) -> None:
+def _add_derivatives(result: SideConditions, item: Equations, variables: set[Any]) -> None:
     pairs = list(zip(item.pairs, item.moving, strict=True))
     for count in range(1, max(len(row.places) for row in item.moving)):
         if len(variables) != 1:

@@ -8,19 +8,19 @@ from typing import Any
 
 import sympy
 
-from chasles.algebra.surds import Exact
+from chasles.algebra.surds import SurdSum
 
 __all__ = ["angle_of", "number_of", "spelled", "written"]
 
 
-def number_of(value: Exact, angle: Any) -> Any:
+def number_of(value: SurdSum, angle: Any) -> Any:
     """An exact number as SymPy's, the transcendental number being an angle."""
     return sympy.sympify(value.text("theta"), locals={"theta": sympy.Symbol("theta")}).subs("theta", angle)
 
 
-def written(value: Fraction | Exact, theta: str) -> str:
+def written(value: Fraction | SurdSum, theta: str) -> str:
     """A coordinate for the checker, the transcendental number by its name."""
-    return value.text(theta) if isinstance(value, Exact) else str(value)
+    return value.text(theta) if isinstance(value, SurdSum) else str(value)
 
 
 def spelled(name: str, origins: Mapping[str, Any]) -> str:

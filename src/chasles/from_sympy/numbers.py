@@ -7,13 +7,13 @@ from fractions import Fraction
 import sympy
 
 from chasles.algebra.rings import Polynomial
-from chasles.algebra.surds import Exact, root_of
+from chasles.algebra.surds import SurdSum, root_of
 from chasles.from_sympy.reader import Reader, multiplied
 from chasles.problems.context import Context
 from chasles.statements import Hypothesis
 from chasles.vocabulary import Node, Number, Power, Sum, Symbol
 
-__all__ = ["Numbers", "defining"]
+__all__ = ["NumberRoots", "defining"]
 
 
 def defining(word: Symbol, radicand: Node, spelled: str) -> Hypothesis:
@@ -22,14 +22,14 @@ def defining(word: Symbol, radicand: Node, spelled: str) -> Hypothesis:
     return Hypothesis("root", subjects, ((Power(word, 2), radicand),), (), "", f"{word.name} = {spelled}", free=True)
 
 
-class Numbers:
+class NumberRoots:
     """The words for roots of numbers; what defines them is added to `hypotheses`."""
 
     def __init__(self, reader: Reader, hypotheses: list[Hypothesis]) -> None:
         self.reader = reader
         self.hypotheses = hypotheses
         self.names: set[str] = set()
-        self.nested: dict[Exact, Symbol] = {}
+        self.nested: dict[SurdSum, Symbol] = {}
         self._state_primes()
 
     def root(self, value: Fraction) -> Node:
@@ -51,21 +51,21 @@ class Numbers:
                 self.names.add(word.name)
                 self.hypotheses.append(defining(word, Number(Fraction(number)), f"sqrt({number})"))
 
-    def _value(self, context: Context, polynomial: Polynomial) -> Exact | None:
-        known = {word.name: root_of(Exact.rational(p)) for p, word in self.reader.primes.items()}
-        known |= {word.name: Exact.root_of(inside) for inside, word in self.nested.items()}
-        total = Exact({})
+    def _value(self, context: Context, polynomial: Polynomial) -> SurdSum | None:
+        known = {word.name: root_of(SurdSum.rational(p)) for p, word in self.reader.primes.items()}
+        known |= {word.name: SurdSum.root_of(inside) for inside, word in self.nested.items()}
+        total = SurdSum({})
         for exponents, coefficient in context.field.ring.terms(polynomial):
-            term = Exact.rational(coefficient)
+            term = SurdSum.rational(coefficient)
             for variable, exponent in zip(context.variables, exponents, strict=True):
-                value = known.get(variable.name) if exponent else Exact.rational(1)
+                value = known.get(variable.name) if exponent else SurdSum.rational(1)
                 if value is None:
                     return None
                 term = term * value**exponent
             total = total + term
         return total
 
-    def _in_words(self, value: Exact) -> Node:
+    def _in_words(self, value: SurdSum) -> Node:
         """A number in words; the root of a sum of roots gets one of its own."""
         terms: list[Node] = []
         for (_, radicand, nested), coefficient in value.terms.items():
@@ -74,7 +74,7 @@ class Numbers:
             terms.append(multiplied([Number(coefficient), *factors] if coefficient != 1 or not factors else factors))
         return terms[0] if len(terms) == 1 else Sum(tuple(terms)) if terms else Number(Fraction(0))
 
-    def _nested(self, inside: Exact) -> Node:
+    def _nested(self, inside: SurdSum) -> Node:
         if inside not in self.nested:
             radicand = self._in_words(inside)
             origin = sympy.sqrt(sympy.sympify(inside.text()))

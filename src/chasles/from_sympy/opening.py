@@ -14,16 +14,16 @@ from sympy.matrices import MatrixBase, MatrixExpr
 from chasles.from_sympy.unevaluated import explicit, written_out
 from chasles.problems.variables import Untreatable
 
-__all__ = ["Entries", "Signed", "Word", "atoms_of", "excerpt", "is_atom", "opened", "sides"]
+__all__ = ["Entries", "FunctionSymbol", "Signed", "atoms_of", "excerpt", "is_atom", "opened", "sides"]
 
 LONGEST_EXCERPT = 80
 
 
-class Word(sympy.Symbol):  # type: ignore[misc]
+class FunctionSymbol(sympy.Symbol):  # type: ignore[misc]
     """The variable that stands for a function's value; its name is that value in SymPy's spelling."""
 
 
-class Signed(Word):
+class Signed(FunctionSymbol):
     """The variable for what is positive only where the question is meant."""
 
 

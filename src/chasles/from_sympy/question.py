@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy
 
-from chasles.algebra.surds import Exact
+from chasles.algebra.surds import SurdSum
 from chasles.from_sympy.naming import angle_of, number_of, spelled
 from chasles.from_sympy.opening import atoms_of
 from chasles.from_sympy.reader import multiplied
@@ -105,7 +105,7 @@ class Question:
             text = spelled(name, origins)
             # A symbol may be called as a cosine is written.
             text = text if text not in found else sympy.srepr(origins.get(name, text))
-            found[text] = number_of(value, angle) if isinstance(value, Exact) else value
+            found[text] = number_of(value, angle) if isinstance(value, SurdSum) else value
         for atom, value in reversed(self.substituted):
             parts = set(atoms_of(value))
             for part in sorted(parts, key=str):

@@ -14,19 +14,19 @@ from chasles.algebra.squarefree import primes_of, squarefree
 from chasles.algebra.work_limit import check
 from chasles.checker.expressions.elementary import FUNCTIONS
 from chasles.from_sympy.angles import Angles
-from chasles.from_sympy.atoms import Atoms
+from chasles.from_sympy.atoms import QuantityNames
 from chasles.from_sympy.divisors import Divisor, divides, divisor_of, in_sines, is_reciprocal
 from chasles.from_sympy.opening import excerpt, is_atom
 from chasles.problems.variables import Untreatable
 from chasles.vocabulary import PI, Negative, Node, Number, Power, Quotient, Scale, Sum, Symbol
 
-__all__ = ["ARITHMETIC", "Reader", "Reading", "Root", "multiplied"]
+__all__ = ["ARITHMETIC", "ReadRoot", "Reader", "Reading", "multiplied"]
 
 LARGEST_EXPONENT = 10_000
 
 
 @dataclass(frozen=True, slots=True)
-class Root:
+class ReadRoot:
     """`word` is the nonnegative square root of `radicand`."""
 
     word: Symbol
@@ -42,10 +42,10 @@ class Reader:
 
     def __init__(self, readings: Mapping[type, Reading]) -> None:
         self.readings = readings
-        self.atoms = Atoms()
+        self.atoms = QuantityNames()
         self.angles = Angles(self.atoms)
         self.divisors: dict[Node, Divisor] = {}
-        self.roots: dict[Node, Root] = {}
+        self.roots: dict[Node, ReadRoot] = {}
         self.primes: dict[int, Symbol] = {}
         self.met: set[Node] = set()
         self._known: dict[Any, Node] = {}
@@ -150,7 +150,7 @@ class Reader:
             return self.numeric_root(radicand.value)
         if radicand not in self.roots:
             word = self.atoms.fresh(f"root_{len(self.roots) + 1}", sympy.sqrt(expression))
-            self.roots[radicand] = Root(word, radicand, expression)
+            self.roots[radicand] = ReadRoot(word, radicand, expression)
         return self.roots[radicand].word
 
     def numeric_root(self, value: Fraction) -> Node:

@@ -16,7 +16,7 @@ import sympy
 
 from chasles.algebra.rings import Polynomial
 from chasles.from_sympy.constants import is_nonnegative
-from chasles.from_sympy.numbers import Numbers, defining
+from chasles.from_sympy.numbers import NumberRoots, defining
 from chasles.from_sympy.polynomials import Key, as_node, as_sympy, factored, key_of
 from chasles.from_sympy.reader import Reader, multiplied
 from chasles.problems.context import Context, build
@@ -56,7 +56,7 @@ class _Resolver:
         self.reader = reader
         self.divisors = divisors
         self.hypotheses: list[Hypothesis] = []
-        self.numbers = Numbers(reader, self.hypotheses)
+        self.numbers = NumberRoots(reader, self.hypotheses)
         self.rules: list[tuple[Node, Node]] = []
         self.domains: list[str] = []
         self.words: dict[Key, Symbol] = {}

@@ -16,7 +16,7 @@ import sympy
 
 from chasles.algebra.work_limit import check
 from chasles.from_sympy.atoms import ASSUMPTIONS
-from chasles.from_sympy.enclosures import Enclosures, Unbounded, apart, sign_of
+from chasles.from_sympy.enclosures import Enclosures, NotEnclosed, apart, sign_of
 from chasles.from_sympy.opening import Entries, atoms_of, excerpt
 from chasles.problems.variables import Untreatable
 from chasles.verdict import Counterexample
@@ -55,7 +55,7 @@ class Sampling:
                     try:
                         if apart(enclosures(a), enclosures(b)):
                             return self._told(enclosures, i % self.rows, j)
-                    except Unbounded:
+                    except NotEnclosed:
                         continue
         return None
 
@@ -86,7 +86,7 @@ class Sampling:
                     enclosures(expression)
                 good = solved.satisfied(enclosures) and all(apart(enclosures(e), Fraction(0)) for e in nonzero)
                 good = good and all(_agrees(atom, enclosures(dummy)) for atom, dummy in self._dummies.items())
-            except Unbounded:
+            except NotEnclosed:
                 continue
             if good:
                 yield enclosures

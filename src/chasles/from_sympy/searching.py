@@ -9,18 +9,18 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
-from chasles.algebra.surds import Exact
+from chasles.algebra.surds import SurdSum
 from chasles.from_sympy.atoms import ASSUMPTIONS
-from chasles.from_sympy.given import Equations, Given, Moving, orders_of
+from chasles.from_sympy.given import Equations, Moving, SideConditions, orders_of
 from chasles.from_sympy.reader import Reader
 from chasles.from_sympy.triads import Triad
-from chasles.points.search import Block, Frame, Motion, Row, Search
+from chasles.points.search import DifferentiatedRow, EquationBlock, Frame, Motion, Search
 from chasles.vocabulary import Symbol
 
 __all__ = ["search_for"]
 
 
-def search_for(reader: Reader, given: Given) -> Search:
+def search_for(reader: Reader, given: SideConditions) -> Search:
     """The search that a question needs."""
     atoms = reader.atoms.words
     assumed = {word.name: _assumed(atom) for atom, word in atoms.items()}
@@ -40,7 +40,7 @@ def _names(reader: Reader, triad: Triad) -> tuple[tuple[str, ...], ...]:
     return tuple(tuple(reader.atoms.word(atom).name for atom in row) for row in triad.matrix.tolist())
 
 
-def _motion(reader: Reader, given: Given) -> Motion | None:
+def _motion(reader: Reader, given: SideConditions) -> Motion | None:
     """What has to be looked at where given equations hold at all times; None where constants will do for functions."""
     atoms = reader.atoms.words
     moving = _moving(given)
@@ -50,13 +50,15 @@ def _motion(reader: Reader, given: Given) -> Motion | None:
         return None
     highest = {f: order for item in moving for row in item.moving for f, order in row.highest.items()}
 
-    def named(row: Moving) -> Row:
+    def named(row: Moving) -> DifferentiatedRow:
         labels = [f"{text} [{place}: 1, 1]" for text, place in row.places]
-        return Row(labels, [_name(atoms, f, order - row.times) for f, order in highest.items()], row.times)
+        return DifferentiatedRow(
+            labels, [_name(atoms, f, order - row.times) for f, order in highest.items()], row.times
+        )
 
-    blocks = [Block([named(row)]) for item in moving if item.triad is None for row in item.moving if row.orders]
+    blocks = [EquationBlock([named(row)]) for item in moving if item.triad is None for row in item.moving if row.orders]
     blocks.sort(key=lambda block: len(block.rows[0].labels))
-    blocks += [Block([named(row) for row in item.moving], item.triad.rank) for item in moving if item.triad]
+    blocks += [EquationBlock([named(row) for row in item.moving], item.triad.rank) for item in moving if item.triad]
     determined = [w for atom, w in atoms.items() if _order(atom) >= highest.get(_function(atom), inf)]
     still = [w for atom, w in atoms.items() if not isinstance(_function(atom), AppliedUndef) and atom not in times]
     names = [_name(atoms, f, order) for f, order in highest.items()]
@@ -88,12 +90,12 @@ def _standing(side: Any) -> Any:
     return side.xreplace({f: sympy.Dummy() for f in side.atoms(AppliedUndef, sympy.Derivative)})
 
 
-def _moving(given: Given) -> list[Equations]:
+def _moving(given: SideConditions) -> list[Equations]:
     """The given equations between functions."""
     return [item for item in given.equations if item.moving]
 
 
-def _is_blind(reader: Reader, given: Given) -> bool:
+def _is_blind(reader: Reader, given: SideConditions) -> bool:
     """Whether there are conditions that points are not checked for.
 
     Such are what SymPy assumes of angles that equations tie together, angles that are rational numbers, and partial
@@ -117,7 +119,7 @@ def _assumed(atom: Any) -> dict[str, bool]:
     return {key: known for key in ASSUMPTIONS if (known := getattr(atom, f"is_{key}")) is not None}
 
 
-def _agrees(value: Exact, wanted: Mapping[str, bool]) -> bool:
+def _agrees(value: SurdSum, wanted: Mapping[str, bool]) -> bool:
     if not wanted:
         return True
     number = value.as_rational

@@ -8,8 +8,8 @@ from typing import Any
 
 import sympy
 
-from chasles.from_sympy.atoms import Atoms
-from chasles.from_sympy.cases import Case, powers_in, switches_in
+from chasles.from_sympy.atoms import QuantityNames
+from chasles.from_sympy.cases import SplitCase, powers_in, switches_in
 from chasles.from_sympy.complexes import OF_COMPLEX
 from chasles.from_sympy.divisors import divisor_of
 from chasles.from_sympy.generalising import Decide, generalised
@@ -50,7 +50,7 @@ class Splitting:
         self._pairs = [pair for what, item in items for pair in sides(item, what)]
         self._texts = [str(item) if not isinstance(item, sympy.Eq) else f"{item.lhs} = {item.rhs}" for _, item in items]
         self._declared = list(nonvanishing(self.nonzero))
-        known = Atoms()
+        known = QuantityNames()
         for atom in (atom for e in self.spoken for atom in atoms_of(e)):
             known.word(atom)
 
@@ -82,7 +82,7 @@ class Splitting:
     def verdict(self) -> Verdict:
         """`Holds` or `HoldsUnder` if it is proved as a whole or in every case, `Fails` with a point, or `Undecided`."""
         sampling = Sampling(self._left, self._right, self._left.shape[0], self._pairs, self._declared)
-        whole = Case(self.spoken)
+        whole = SplitCase(self.spoken)
         self._require(whole, within=False)
         signed = switches_in(self.spoken)
         tree = self._proved(whole) if switches_in(self.spoken, *UNREADABLE) else self._decided(whole)
@@ -101,7 +101,7 @@ class Splitting:
         certificate = {**tree, "witness": said}
         return HoldsUnder(tuple(needs), certificate, witness) if needs else Holds(certificate, witness)
 
-    def _proved(self, case: Case) -> Mapping[str, Any] | None:
+    def _proved(self, case: SplitCase) -> Mapping[str, Any] | None:
         """The certificates of a case's cases; None if one is not proved."""
         if case.excluded:
             self.needs[case.excluded] = None
@@ -138,14 +138,14 @@ class Splitting:
             number += MOST
         return sympy.Symbol(f"d_{number}", positive=True)
 
-    def _contradicts(self, case: Case) -> bool:
+    def _contradicts(self, case: SplitCase) -> bool:
         """Whether two sides that are given to be equal visibly differ."""
         size = 2 * self._left.shape[0] * self._left.shape[1]
         flat = iter(case.spoken[size : size + 2 * len(self._pairs)])
         pairs = [*zip(flat, flat, strict=True), *((e, sympy.S.Zero) for e in case.equations)]
         return any(case.sign(one - other) in (1, -1) for one, other in pairs)
 
-    def _require(self, case: Case, within: bool) -> None:
+    def _require(self, case: SplitCase, within: bool) -> None:
         """State what divisors and radicands need, where it is not seen in this case whether it holds."""
         for power in powers_in(self.spoken, within):
             sign, root = case.sign_here(power.base), not power.exp.is_Integer
@@ -156,7 +156,7 @@ class Splitting:
             if root and sign not in (0, 1) and not power.base.is_nonnegative:
                 self.needs[f"{power.base} >= 0"] = None
 
-    def _decided(self, case: Case) -> Mapping[str, Any] | None:
+    def _decided(self, case: SplitCase) -> Mapping[str, Any] | None:
         self._require(case, within=True)
         size, pairs = self._left.shape[0] * self._left.shape[1], len(self._pairs)
         left, right = (case.spoken[k * size : (k + 1) * size] for k in (0, 1))
@@ -169,7 +169,7 @@ class Splitting:
             return None
         return proved.certificate if proved and all(self._need(case, text) for text in proved.needs) else None
 
-    def _need(self, case: Case, text: str) -> bool:
+    def _need(self, case: SplitCase, text: str) -> bool:
         """State a need of a case in the symbols of the question, unless it holds throughout the case."""
         relation = next((relation for relation in RELATIONS if text.endswith(relation)), None)
         if relation is None:

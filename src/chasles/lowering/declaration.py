@@ -37,8 +37,8 @@ class _Definitions:
 def requested(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None = None) -> Request:
     """The request that a sentence's kernel makes, or that `kernel` makes of it.
 
-    `decide` gives verdicts, as `Judge.decide` does. Raises `LoweringError` where the sentence asks for no kernel, where
-    neither it nor a correction stands, and where the kernel cannot be made of it.
+    `decide` gives verdicts, as `Session.decide` does. Raises `LoweringError` where the sentence asks for no kernel,
+    where neither it nor a correction stands, and where the kernel cannot be made of it.
     """
     name = ""
     if isinstance(sentence, Entry):

@@ -22,7 +22,7 @@ __all__ = ["expanded", "lower", "program_of"]
 
 
 def lower(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None = None) -> Program:
-    """The program of a sentence's kernel, in the form of the sentence that stands; `decide` is `Judge.decide`.
+    """The program of a sentence's kernel, in the form of the sentence that stands; `decide` is `Session.decide`.
 
     Raises `LoweringError` where the sentence asks for no kernel, is undecided or false without a correction that holds,
     or has a symbol that is neither an argument nor defined by what is given.

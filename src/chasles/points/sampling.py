@@ -18,7 +18,7 @@ from chasles.points.evaluation import Point, evaluate, ratio_at, satisfies
 from chasles.points.rational import CIRCLE, Numbers, circle, free
 from chasles.points.rational_norms import give_norm
 from chasles.points.satisfying import bind, in_order
-from chasles.points.simple_random import PlainDraw
+from chasles.points.simple_random import SimpleRandom
 from chasles.problems.context import Context
 from chasles.vocabulary import Symbol
 
@@ -45,7 +45,7 @@ def sample(
 
 def plain(context: Context, solved: dict[str, tuple[Polynomial, Polynomial]], attempts: int) -> Iterator[Point]:
     """Different points that satisfy the same, of axes, quarter turns, zeros and ones where that is possible."""
-    draw = PlainDraw(0)
+    draw = SimpleRandom(0)
     seen: set[tuple[tuple[str, Fraction], ...]] = set()
     for _ in range(attempts):
         point = _try(context, solved, draw, 0)

@@ -6,12 +6,12 @@ from collections.abc import Sequence
 from random import Random
 from typing import TypeVar
 
-__all__ = ["PlainDraw"]
+__all__ = ["SimpleRandom"]
 
 _T = TypeVar("_T")
 
 
-class PlainDraw(Random):
+class SimpleRandom(Random):
     """Draws as a person would: the first of a list half of the time, zero and one rather than other numbers."""
 
     def choice(self, items: Sequence[_T]) -> _T:  # type: ignore[override]

@@ -13,7 +13,7 @@ from fractions import Fraction
 from typing import Any
 
 from chasles.algebra.groebner import Basis, stated
-from chasles.algebra.localization import Field, Ratio
+from chasles.algebra.localization import Localization, Ratio
 from chasles.algebra.matrices import each
 from chasles.algebra.rings import Polynomial, Ring, make_ring
 from chasles.problems.relevance import bearing, complete_subjects, free_symbols, is_turned
@@ -69,7 +69,7 @@ class Context:
     moves: dict[tuple[int, ...], Any] = field(default_factory=dict)
 
     @property
-    def field(self) -> Field:
+    def field(self) -> Localization:
         return self.unfold.field
 
 
@@ -122,7 +122,7 @@ def _door(
         if len(set(ring.names)) != len(ring.names):
             twice = next(name for name in ring.names if ring.names.count(name) > 1)
             raise Untreatable(f"two different symbols are both named {twice}: rename one")
-        unfold = Unfolder(Field(ring, []), variables, dict(problem.rules), found.running)
+        unfold = Unfolder(Localization(ring, []), variables, dict(problem.rules), found.running)
         atoms = _declare_atoms(unfold, active)
         if found.running:
             _unfold_all(problem, unfold)

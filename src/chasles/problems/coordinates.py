@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from chasles.algebra.localization import Field, Ratio
+from chasles.algebra.localization import Localization, Ratio
 from chasles.problems.variables import Variable
 from chasles.vocabulary import Node, Symbol
 
@@ -15,7 +15,7 @@ __all__ = ["Coordinates"]
 class Coordinates:
     """One for each of `variables`, in their order."""
 
-    def __init__(self, field: Field, variables: Sequence[Variable]) -> None:
+    def __init__(self, field: Localization, variables: Sequence[Variable]) -> None:
         self._field = field
         self._entries: dict[tuple[Symbol | None, int, int, int], int] = {}
         self._circular: dict[tuple[str, Symbol | None], int] = {}

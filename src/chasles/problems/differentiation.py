@@ -5,26 +5,26 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 
-from chasles.algebra.localization import Field, Ratio
+from chasles.algebra.localization import Localization, Ratio
 from chasles.algebra.matrices import Matrix, each, flipped, times
 from chasles.algebra.rings import Polynomial
 from chasles.problems.coordinates import Coordinates
 from chasles.problems.divisors import Divisors, joined
-from chasles.problems.moments import Moments
+from chasles.problems.moments import BodyMoments
 from chasles.problems.variables import Unlisted, Untreatable, Variable
 from chasles.vocabulary import Node, Norm, Rate, plain
 
 
-class Rates:
+class Differentiation:
     """The derivation over one field's variables: `entries` unfolds an expression, `rules` say what one is put for."""
 
     def __init__(
         self,
-        field: Field,
+        field: Localization,
         variables: tuple[Variable, ...],
         coordinates: Coordinates,
         rules: Mapping[Node, Node],
-        moments: Moments,
+        moments: BodyMoments,
         divisors: Divisors,
         entries: Callable[[Node], Matrix],
     ) -> None:

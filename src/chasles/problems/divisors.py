@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 
-from chasles.algebra.localization import Field
+from chasles.algebra.localization import Localization
 from chasles.algebra.matrices import Matrix
 from chasles.vocabulary import Group, Negative, Node, Norm, Number, Power, Scale, plain
 
@@ -23,7 +23,7 @@ class UndeclaredDivisor(ValueError):
 class Divisors:
     """Reads divisors over one field: `entries` unfolds an expression, `rules` say what one is put for."""
 
-    def __init__(self, field: Field, rules: Mapping[Node, Node], entries: Callable[[Node], Matrix]) -> None:
+    def __init__(self, field: Localization, rules: Mapping[Node, Node], entries: Callable[[Node], Matrix]) -> None:
         self.field = field
         self.rules = rules
         self.entries = entries
@@ -85,7 +85,7 @@ def joined(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:
     return tuple(a + b for a, b in zip(one, other, strict=True))
 
 
-def _multiple(field: Field, polynomial: object, atom: object) -> Fraction | None:
+def _multiple(field: Localization, polynomial: object, atom: object) -> Fraction | None:
     """The constant c with polynomial = c atom, if there is one."""
     if polynomial == 0:
         return None

@@ -8,23 +8,23 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from chasles.algebra.localization import Field, Ratio
+from chasles.algebra.localization import Localization, Ratio
 from chasles.algebra.rings import Polynomial
 from chasles.problems.scanning import differs
 from chasles.problems.variables import Factors, Untreatable, Variable, moment_name
 from chasles.vocabulary import Node, Symbol
 
-__all__ = ["Moments"]
+__all__ = ["BodyMoments"]
 
 
-class Moments:
+class BodyMoments:
     """The moments that a ring has variables for, and those that it `lacks` until `lacks` is None.
 
     While some may be lacking, a number stands in for each of them, so that all can be found by unfolding everything.
     """
 
     def __init__(
-        self, field: Field, variables: Sequence[Variable], running: frozenset[Symbol], rules: Mapping[Node, Node]
+        self, field: Localization, variables: Sequence[Variable], running: frozenset[Symbol], rules: Mapping[Node, Node]
     ) -> None:
         self.lacks: dict[Factors, None] | None = {}
         self._field = field

@@ -11,13 +11,13 @@ from functools import reduce
 from itertools import chain
 from operator import add
 
-from chasles.algebra.localization import Field, Ratio
+from chasles.algebra.localization import Localization, Ratio
 from chasles.algebra.matrices import Matrix, cofactor, determinant, each, equal, flipped, plus, times
 from chasles.algebra.work_limit import check
 from chasles.problems.coordinates import Coordinates
-from chasles.problems.differentiation import Rates
+from chasles.problems.differentiation import Differentiation
 from chasles.problems.divisors import Divisors, UndeclaredDivisor
-from chasles.problems.moments import Moments
+from chasles.problems.moments import BodyMoments
 from chasles.problems.variables import Unlisted, Untreatable, Variable, angle_multiples
 from chasles.vocabulary import (
     PI,
@@ -61,7 +61,7 @@ class Unfolder:
 
     def __init__(
         self,
-        field: Field,
+        field: Localization,
         variables: tuple[Variable, ...],
         rules: Mapping[Node, Node],
         running: frozenset[Symbol] = frozenset(),
@@ -71,11 +71,11 @@ class Unfolder:
         self.rules = rules
         self.values: dict[Symbol, Matrix] = {}
         self.norms: list[tuple[Matrix, Ratio]] = []
-        self.moments = Moments(field, variables, running, rules)
+        self.moments = BodyMoments(field, variables, running, rules)
         self.coordinates = Coordinates(field, variables)
         self._known: dict[Node, Matrix] = {}
         self.divisors = Divisors(field, rules, self)
-        self.rate = Rates(field, variables, self.coordinates, rules, self.moments, self.divisors, self)
+        self.rate = Differentiation(field, variables, self.coordinates, rules, self.moments, self.divisors, self)
 
     def __call__(self, node: Node) -> Matrix:
         """The entries of the expression."""

@@ -16,11 +16,11 @@ from chasles.prover.conditions import Solved
 from chasles.statements import Goal, Hypothesis
 from chasles.verdict import Holds, HoldsUnder, Verdict
 
-__all__ = ["Entry", "certified"]
+__all__ = ["ProvedEntry", "certified"]
 
 
 @dataclass(slots=True)
-class Entry:
+class ProvedEntry:
     """One entry of one goal: what must vanish, and how it was found to.
 
     `by_division` says that the stated hypotheses, each divided by in turn, leave nothing of it: a checker can divide.
@@ -38,10 +38,10 @@ def certified(
     context: Context,
     conditions: tuple[Generator, ...],
     solved: tuple[Solved, ...],
-    done: list[Entry],
+    done: list[ProvedEntry],
     own: tuple[Hypothesis, ...],
     witness: Mapping[str, Any],
-    write: Callable[[Context, list[Entry], Mapping[str, Any]], dict[str, Any]] | None = None,
+    write: Callable[[Context, list[ProvedEntry], Mapping[str, Any]], dict[str, Any]] | None = None,
 ) -> Verdict:
     """The verdict on a problem all of whose entries were found to vanish; of its `own` hypotheses, those not needed.
 
@@ -60,7 +60,7 @@ def certified(
     return Holds(certificate, shown, unused)
 
 
-def _used_hypotheses(context: Context, solved: tuple[Solved, ...], done: list[Entry]) -> set[Hypothesis]:
+def _used_hypotheses(context: Context, solved: tuple[Solved, ...], done: list[ProvedEntry]) -> set[Hypothesis]:
     places = _used_generators(solved, done)
     used = {h for k in places if (h := context.generators[k].hypothesis) is not None}
     used |= set(context.problem.presupposed)
@@ -71,12 +71,12 @@ def _used_hypotheses(context: Context, solved: tuple[Solved, ...], done: list[En
     return used
 
 
-def _used_generators(solved: tuple[Solved, ...], done: list[Entry]) -> set[int]:
+def _used_generators(solved: tuple[Solved, ...], done: list[ProvedEntry]) -> set[int]:
     return {k for entry in done for k in (entry.cofactors or {})} | {k for s in solved for k in s.cofactors}
 
 
 def _drop_unneeded(
-    context: Context, solved: tuple[Solved, ...], done: list[Entry], own: tuple[Hypothesis, ...]
+    context: Context, solved: tuple[Solved, ...], done: list[ProvedEntry], own: tuple[Hypothesis, ...]
 ) -> tuple[str, ...]:
     """Do without each hypothesis in turn where that is possible; the statement's own that are not needed, by name."""
     ring = context.field.ring
@@ -106,7 +106,7 @@ def _certificate(
     context: Context,
     conditions: tuple[Generator, ...],
     solved: tuple[Solved, ...],
-    done: list[Entry],
+    done: list[ProvedEntry],
     witness: Mapping[str, Any],
 ) -> dict[str, Any]:
     """What a checker needs, as text.

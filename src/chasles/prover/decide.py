@@ -15,7 +15,7 @@ from chasles.points.search import Search
 from chasles.problems.context import Context, build, difference, entries
 from chasles.problems.unfold import UndeclaredDivisor
 from chasles.problems.variables import Untreatable
-from chasles.prover.certifying import Entry, certified
+from chasles.prover.certifying import ProvedEntry, certified
 from chasles.prover.conditions import Solved, satisfying_point, solve_conditions
 from chasles.prover.consistency import contradiction, holds_somewhere
 from chasles.prover.counterexample import refute, solved_ratios
@@ -91,7 +91,7 @@ def _nothing(problem: Problem, search: Search | None, reason: str) -> Verdict:
 
 
 def _by_spins(
-    context: Context, solved: tuple[Solved, ...], unproved: list[Entry], own: tuple[Hypothesis, ...]
+    context: Context, solved: tuple[Solved, ...], unproved: list[ProvedEntry], own: tuple[Hypothesis, ...]
 ) -> Verdict | None:
     """The verdict where rotations move: refuted at a point, or proved for all spins; None where neither is found."""
     spun = with_spins(context.problem)
@@ -124,15 +124,15 @@ def pose(problem: Problem) -> Verdict:
     return Posed(measured(context, witness))
 
 
-def _entries(context: Context) -> list[Entry]:
+def _entries(context: Context) -> list[ProvedEntry]:
     found = []
     for number, goal in enumerate(context.problem.goals):
         for i, j, ratio in entries(difference(context, goal)):
-            found.append(Entry(goal, f"{number}:{i},{j}", (i + 1, j + 1), ratio))
+            found.append(ProvedEntry(goal, f"{number}:{i},{j}", (i + 1, j + 1), ratio))
     return found
 
 
-def _prove(context: Context, basis: Basis, todo: list[Entry]) -> bool:
+def _prove(context: Context, basis: Basis, todo: list[ProvedEntry]) -> bool:
     """Try to reduce every entry to zero; each that does gets its cofactors."""
     for entry in todo:
         if entry.cofactors is None:
@@ -142,7 +142,7 @@ def _prove(context: Context, basis: Basis, todo: list[Entry]) -> bool:
     return all(entry.cofactors is not None for entry in todo)
 
 
-def _vanish_here_and_there(context: Context, solved: tuple[Solved, ...], suspects: list[Entry]) -> bool:
+def _vanish_here_and_there(context: Context, solved: tuple[Solved, ...], suspects: list[ProvedEntry]) -> bool:
     """Whether the entries vanish at a few rich points: then they likely vanish everywhere, and a proof is worth it."""
     few = islice(points.sample(context, solved_ratios(context, solved), simple=False), 3)
     return all(is_zero(points.ratio_at(context, e.ratio, point) or {}) for point in few for e in suspects)

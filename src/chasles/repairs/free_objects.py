@@ -14,11 +14,11 @@ from itertools import combinations
 
 from chasles.algebra.modular import MODULUS, combination
 from chasles.prover.decide import decide_problem
-from chasles.repairs.modular_test import REFUSED, Trial, on_trial
+from chasles.repairs.modular_test import REFUSED, ModularTest, on_trial
 from chasles.repairs.one_term import Change, distinct_terms, instead, rescaled
-from chasles.rewriting.coefficients import Function, added, spelled, times
+from chasles.rewriting.coefficients import AngleFunction, added, spelled, times
 from chasles.rewriting.places import Place, put, separate_sums
-from chasles.rewriting.term_basis import Palette, fit
+from chasles.rewriting.term_basis import TermBasis, fit
 from chasles.statements import Claim, Statement, problem_of
 from chasles.statements.problem import Standing, default_sides
 from chasles.vocabulary import Block, Contract, Dot, Misfit, Node, Rate, Symbol, Transpose, Zero, plain, replace
@@ -61,7 +61,7 @@ def freedom_of(left: Node, beside: Iterable[Claim], standing: Standing) -> Itera
                     yield from (Freedom(symbol, row, claim) for row in _rows(trial, blocks))
 
 
-def _rows(trial: Trial, array: Block) -> Iterator[Block]:
+def _rows(trial: ModularTest, array: Block) -> Iterator[Block]:
     """The array with some of its blocks, or all, whose squares add up to a constant."""
     blocks = [line[0] for line in array.rows]
     rates = [trial.varied.flat(Dot(block, Rate(block))) for block in blocks]
@@ -74,7 +74,7 @@ def _rows(trial: Trial, array: Block) -> Iterator[Block]:
 
 
 def other_objects(
-    statement: Statement, sides: tuple[Node, Node], freedom: Freedom, palette: Palette, standing: Standing
+    statement: Statement, sides: tuple[Node, Node], freedom: Freedom, palette: TermBasis, standing: Standing
 ) -> Iterator[Change]:
     """The printed right side, with a few other numbers at most, for another object that the claim allows."""
     left, right = sides
@@ -100,11 +100,11 @@ def other_objects(
             return
 
 
-_Multiple = tuple[Function, Node, Node]
+_Multiple = tuple[AngleFunction, Node, Node]
 """A function, a dyad of a vector and the row, and their product."""
 
 
-def _multiples(trial: Trial, freedom: Freedom, palette: Palette) -> Iterator[_Multiple]:
+def _multiples(trial: ModularTest, freedom: Freedom, palette: TermBasis) -> Iterator[_Multiple]:
     row = _in_letters(trial, freedom.row)
     for vector in distinct_terms(trial, (node for node in palette.vectors if not isinstance(node, Rate)), ()):
         dyad = Contract((vector, Transpose(row)))
@@ -112,7 +112,7 @@ def _multiples(trial: Trial, freedom: Freedom, palette: Palette) -> Iterator[_Mu
             yield from ((function, dyad, times(function.node, dyad)) for function in trial.fractions)
 
 
-def _in_letters(trial: Trial, row: Block) -> Block:
+def _in_letters(trial: ModularTest, row: Block) -> Block:
     """The row in the letters that stand for its blocks."""
     letters = [left for left, _ in trial.problem.rules if isinstance(left, Symbol)]
     named = []
@@ -143,7 +143,7 @@ def _allowed(freedom: Freedom, other: Node, statement: Statement, standing: Stan
         return False
 
 
-def _changed(trial: Trial, freedom: Freedom, other: Node, numbers: dict[Place, Fraction]) -> Change:
+def _changed(trial: ModularTest, freedom: Freedom, other: Node, numbers: dict[Place, Fraction]) -> Change:
     left, right = replace(trial.left, {freedom.symbol: other}), trial.right
     words = [instead(left, trial.left)]
     for place, number in reversed(numbers.items()):

@@ -9,16 +9,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace as with_fields
 
-from chasles.repairs.modular_test import Trial
+from chasles.repairs.modular_test import ModularTest
 from chasles.repairs.one_term import Change, instead, new_coefficients
 from chasles.rewriting.places import everywhere
-from chasles.rewriting.term_basis import Palette, fit
+from chasles.rewriting.term_basis import TermBasis, fit
 from chasles.vocabulary import Block, Identity, Negative, Node, Zero, children, plain, printed, rebuilt, replace
 
 __all__ = ["opened_changes"]
 
 
-def opened_changes(trial: Trial, palette: Palette) -> Iterator[Change]:
+def opened_changes(trial: ModularTest, palette: TermBasis) -> Iterator[Change]:
     """The right sides, arrays opened, that are true with one other block, or with that and a block put in."""
     rules = dict(trial.problem.rules)
     right = _opened(trial.right, rules)
@@ -49,7 +49,7 @@ def _opened(node: Node, rules: Mapping[Node, Node]) -> Node:
     return node if changed == parts else rebuilt(node, changed)
 
 
-def _completed(node: Node, palette: Palette) -> Iterator[tuple[Block, Block]]:
+def _completed(node: Node, palette: TermBasis) -> Iterator[tuple[Block, Block]]:
     """Arrays that occur several times, and the same with something in the place of a zero block."""
     arrays = [part for _, part in everywhere(node) if isinstance(part, Block)]
     for array in dict.fromkeys(array for array in arrays if arrays.count(array) > 1):
@@ -61,7 +61,7 @@ def _completed(node: Node, palette: Palette) -> Iterator[tuple[Block, Block]]:
                         yield array, Block((*array.rows[:i], line, *array.rows[i + 1 :]))
 
 
-def _fillings(block: Zero, palette: Palette) -> Iterator[Node]:
+def _fillings(block: Zero, palette: TermBasis) -> Iterator[Node]:
     square = (Identity(block.rows),) if block.rows == block.columns else ()
     for node in (*square, *palette.nodes):
         if node.shape == block.shape:

@@ -13,8 +13,8 @@ from chasles.problems.context import build
 from chasles.problems.unfold import UndeclaredDivisor
 from chasles.problems.variables import Untreatable
 from chasles.prover.conditions import solve_conditions
-from chasles.repairs.residues import Sampled, Singular, Unsampled, generic_points, inverse
-from chasles.rewriting.coefficients import ONE, Function, Term, split
+from chasles.repairs.residues import Sampled, SingularResidue, Unsampled, generic_points, inverse
+from chasles.rewriting.coefficients import ONE, AngleFunction, Term, split
 from chasles.rewriting.places import Path, Place, put, with_term
 from chasles.rewriting.term_basis import fit
 from chasles.statements import Claim, Goal, Problem, Statement, problem_of
@@ -37,9 +37,9 @@ from chasles.vocabulary import (
     plain,
 )
 
-__all__ = ["REFUSED", "Trial", "on_trial"]
+__all__ = ["REFUSED", "ModularTest", "on_trial"]
 
-REFUSED = (Misfit, TypeError, Untreatable, UndeclaredDivisor, Singular, Unsampled)
+REFUSED = (Misfit, TypeError, Untreatable, UndeclaredDivisor, SingularResidue, Unsampled)
 """Why an equation cannot be tried: it does not fit, cannot be posed, is not treated, or divides by zero."""
 Direction = tuple[int, ...]
 
@@ -50,7 +50,7 @@ PROBED = 3
 
 
 @dataclass(frozen=True)
-class Trial:
+class ModularTest:
     """An equation at points where its hypotheses hold: the angles differ at the `varied`, not at the `fixed` ones."""
 
     statement: Statement
@@ -102,9 +102,9 @@ class Trial:
         more = put(self.right, place.path, with_term(place.node, term))
         return minus(self.gap(at), self.miss(at, self.left, more))
 
-    def of(self, right: Node) -> Trial:
+    def of(self, right: Node) -> ModularTest:
         """The same trial of another right side."""
-        return Trial(self.statement, self.left, right, self.problem, self.varied, self.fixed)
+        return ModularTest(self.statement, self.left, right, self.problem, self.varied, self.fixed)
 
     def holds(self, left: Node, right: Node) -> bool:
         """Whether other sides agree at all points."""
@@ -119,7 +119,7 @@ class Trial:
         """A term as coefficient and core."""
         return split(term, self.is_constant)
 
-    def times(self, at: Sampled, function: Function, column: Column) -> Column:
+    def times(self, at: Sampled, function: AngleFunction, column: Column) -> Column:
         """A column of numbers at all points, each times the function's value at its point."""
         values = [value[0][0] for value in at(function.node)]
         size = len(column) // len(values)
@@ -130,25 +130,25 @@ class Trial:
         if node not in self._directions:
             try:
                 self._directions[node] = normalized(self.probe.flat(node))
-            except (Singular, Unsampled):
+            except (SingularResidue, Unsampled):
                 self._directions[node] = ()
         return self._directions[node]
 
     @cached_property
-    def functions(self) -> tuple[Function, ...]:
+    def functions(self) -> tuple[AngleFunction, ...]:
         """What coefficients are made of: one and the functions of angles that occur, none a combination of others."""
         occurring = [*_scalars(self.right), *(node for node in _scalars(self.left) if isinstance(node, Call))]
         known = [node for _, side in self.problem.rules for node in _scalars(side) if isinstance(node, Call)]
         found = [n for n in occurring if self._is_function(n)] or [n for n in known if self._is_function(n)]
         angles = dict.fromkeys(node.argument for node in found if isinstance(node, Call))
         both = [Call(function, angle) for angle in angles for function in ("cos", "sin")]
-        return tuple(self._independent(map(Function, (ONE, *found, *both))))
+        return tuple(self._independent(map(AngleFunction, (ONE, *found, *both))))
 
     @cached_property
-    def fractions(self) -> tuple[Function, ...]:
+    def fractions(self) -> tuple[AngleFunction, ...]:
         """The functions, and these over what may be divided by, once and twice."""
         more = [
-            Function(function.numerator, below)
+            AngleFunction(function.numerator, below)
             for divisor in self.divisors
             for below in (divisor, divisor**2)
             for function in self.functions
@@ -156,10 +156,10 @@ class Trial:
         return tuple(self._independent((*self.functions, *more)))
 
     @cached_property
-    def squares(self) -> tuple[Function, ...]:
+    def squares(self) -> tuple[AngleFunction, ...]:
         """The functions and their products."""
         pairs = combinations_with_replacement(self.functions[1:], 2)
-        return tuple(self._independent((*self.functions, *(Function(_times(one, other)) for one, other in pairs))))
+        return tuple(self._independent((*self.functions, *(AngleFunction(_times(one, other)) for one, other in pairs))))
 
     @cached_property
     def divisors(self) -> tuple[Node, ...]:
@@ -179,7 +179,7 @@ class Trial:
             return False
         return self.is_constant(scalar) and any(value != values[0] for value in values)
 
-    def _independent(self, functions: Iterable[Function]) -> Iterator[Function]:
+    def _independent(self, functions: Iterable[AngleFunction]) -> Iterator[AngleFunction]:
         span = Span()
         for function in functions:
             if span.add(self.varied.flat(function.node)):
@@ -213,7 +213,7 @@ def _lifted(at: Sampled, root: Node, path: Path, term: Node) -> Column:
     return found
 
 
-def _times(one: Function, other: Function) -> Node:
+def _times(one: AngleFunction, other: AngleFunction) -> Node:
     return one.numerator**2 if one == other else one.numerator * other.numerator
 
 
@@ -231,7 +231,7 @@ def _scalars(node: Node) -> Iterator[Node]:
 
 def on_trial(
     statement: Statement, left: Node, right: Node, standing: Standing, beside: Iterable[Node] = ()
-) -> Trial | None:
+) -> ModularTest | None:
     """The equation with these sides, at points where what is `beside` it has values too; None without such points.
 
     Raises `Misfit` or TypeError for an equation that cannot be posed, `Untreatable` for what the prover does not treat.
@@ -245,4 +245,4 @@ def on_trial(
     varied, fixed = generic_points(context, solved, max(POINTS, NUMBERS // (rows * columns)))
     if len(varied) < POINTS:
         return None
-    return Trial(statement, left, right, problem, Sampled(context, varied), Sampled(context, fixed))
+    return ModularTest(statement, left, right, problem, Sampled(context, varied), Sampled(context, fixed))

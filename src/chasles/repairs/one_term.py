@@ -11,10 +11,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from chasles.algebra.modular import MODULUS, Column, combination, multiple, plus, rational
-from chasles.repairs.modular_test import Trial
-from chasles.rewriting.coefficients import ONE, Function, scaled, spelled, times
+from chasles.repairs.modular_test import ModularTest
+from chasles.rewriting.coefficients import ONE, AngleFunction, scaled, spelled, times
 from chasles.rewriting.places import Place, linear_places, put, with_term
-from chasles.rewriting.term_basis import Palette
+from chasles.rewriting.term_basis import TermBasis
 from chasles.vocabulary import Block, Negative, Node, Sum, plain
 
 __all__ = [
@@ -52,7 +52,7 @@ class Change:
     marks: int = 0
 
 
-Coefficient = list[tuple[Fraction, Function]]
+Coefficient = list[tuple[Fraction, AngleFunction]]
 """A sum of numbers times functions."""
 SIGN, FACTOR, LEFT_OUT, REPLACED = 0, 1, 3, 4
 """The effort of turning a sign, of a factor, of leaving a term out, and of putting another in its place."""
@@ -84,7 +84,7 @@ def missing(term: Node) -> str:
     return f"the term {plain(term)} is added"
 
 
-def new_coefficients(trial: Trial) -> Iterator[Change]:
+def new_coefficients(trial: ModularTest) -> Iterator[Change]:
     """The right sides that are true with another coefficient of one term, of a block or of the whole."""
     gap = trial.gap(trial.probe)
     for place in linear_places(trial.right):
@@ -108,7 +108,7 @@ def rescaled(term: Node, number: Fraction) -> tuple[Node | None, str]:
     return new, f"the sign of {plain(term)} is turned" if number == -1 else instead(new, term)
 
 
-def _refitted(trial: Trial, place: Place, gap: Column, share: Column) -> Iterator[Change]:
+def _refitted(trial: ModularTest, place: Place, gap: Column, share: Column) -> Iterator[Change]:
     """A coefficient that depends on angles: first it is seen whether any number would do where the angles are fixed."""
     core = trial.split(place.node).core
     core = ONE if core is None else core
@@ -122,7 +122,7 @@ def _refitted(trial: Trial, place: Place, gap: Column, share: Column) -> Iterato
         yield Change(trial.left, right, words, other_coefficient(found[0]))
 
 
-def fitted(trial: Trial, cores: Sequence[Column], wanted: Column) -> list[Coefficient] | None:
+def fitted(trial: ModularTest, cores: Sequence[Column], wanted: Column) -> list[Coefficient] | None:
     """The coefficients of cores, given at the varied points, that make up what is wanted; None unless unique."""
     for functions in (trial.functions, trial.fractions, trial.squares):
         columns = [trial.times(trial.varied, function, core) for core in cores for function in functions]
@@ -133,7 +133,7 @@ def fitted(trial: Trial, cores: Sequence[Column], wanted: Column) -> list[Coeffi
     return None
 
 
-def other_terms(trial: Trial, palette: Palette) -> Iterator[Change]:
+def other_terms(trial: ModularTest, palette: TermBasis) -> Iterator[Change]:
     """The right sides that are true with one more term somewhere, or with another behind a printed coefficient."""
     for place in linear_places(trial.right):
         if place.inside or (place.node.is_scalar and place.path):
@@ -146,7 +146,7 @@ def other_terms(trial: Trial, palette: Palette) -> Iterator[Change]:
             yield from _replaced(trial, place, new)
 
 
-def distinct_terms(trial: Trial, terms: Iterable[Node], known: Iterable[Node | None]) -> tuple[Node, ...]:
+def distinct_terms(trial: ModularTest, terms: Iterable[Node], known: Iterable[Node | None]) -> tuple[Node, ...]:
     """The terms that are no multiples of each other, nor of known ones, where the angles are fixed; none is zero."""
     seen = {trial.direction(node) for node in known if node is not None} | {()}
     kept: list[Node] = []
@@ -158,7 +158,7 @@ def distinct_terms(trial: Trial, terms: Iterable[Node], known: Iterable[Node | N
     return tuple(kept)
 
 
-def _completed(trial: Trial, place: Place, terms: Iterable[Node]) -> Iterator[Change]:
+def _completed(trial: ModularTest, place: Place, terms: Iterable[Node]) -> Iterator[Change]:
     for term in terms:
         if multiple(trial.gap(trial.probe), trial.share(trial.probe, place, term)) is None:
             continue
@@ -169,7 +169,7 @@ def _completed(trial: Trial, place: Place, terms: Iterable[Node]) -> Iterator[Ch
             yield Change(trial.left, right, (missing(new),), new_term(found[0]) + 2 * (not place.apart))
 
 
-def _replaced(trial: Trial, place: Place, terms: Iterable[Node]) -> Iterator[Change]:
+def _replaced(trial: ModularTest, place: Place, terms: Iterable[Node]) -> Iterator[Change]:
     """Another core behind the printed coefficient; with no coefficient, only if there are other terms or blocks."""
     coefficient = trial.split(place.node).coefficient
     if coefficient == ONE and not place.path:

@@ -13,12 +13,12 @@ from itertools import islice
 
 from chasles.repairs.free_objects import freedom_of, other_objects
 from chasles.repairs.inside_definitions import opened_changes
-from chasles.repairs.modular_test import REFUSED, Trial, on_trial
+from chasles.repairs.modular_test import REFUSED, ModularTest, on_trial
 from chasles.repairs.one_term import Change, new_coefficients, other_terms
 from chasles.repairs.residues import Unsampled
 from chasles.repairs.several_terms import combined_changes
-from chasles.repairs.single_edits import Undone, in_letters, undone
-from chasles.rewriting.term_basis import Palette, fit, palette_of
+from chasles.repairs.single_edits import SingleEdit, in_letters, undone
+from chasles.rewriting.term_basis import TermBasis, fit, palette_of
 from chasles.statements import Claim, Statement
 from chasles.statements.problem import Standing
 from chasles.statements.statement import bare
@@ -35,7 +35,7 @@ class Nearest:
     standing: Standing
     given_sides: tuple[Node, ...] = ()
     beside: tuple[Claim, ...] = ()
-    _trials: dict[tuple[Node, Node, int], tuple[Trial | None, Palette]] = field(default_factory=dict)
+    _trials: dict[tuple[Node, Node, int], tuple[ModularTest | None, TermBasis]] = field(default_factory=dict)
 
     def changes(self, left: Node, right: Node) -> Iterator[Change]:
         """Candidates for sides that fit; one without words if they agree as they are."""
@@ -81,7 +81,7 @@ class Nearest:
             true = [Change(left, meant, ())] if self.agree(left, meant) else self.single_changes(left, meant, turns=1)
             yield from (with_fields(change, words=(words, *change.words)) for change in true)
 
-    def _holds(self, trial: Trial, change: Change) -> bool:
+    def _holds(self, trial: ModularTest, change: Change) -> bool:
         if bare(change.left) == bare(change.right):
             return False
         try:
@@ -110,7 +110,7 @@ class Nearest:
         for trial, palette in list(self._on_trial(left, right))[1:]:
             yield from (change for change in opened_changes(trial, palette) if self._holds(trial, change))
 
-    def _on_trial(self, left: Node, right: Node) -> Iterator[tuple[Trial, Palette]]:
+    def _on_trial(self, left: Node, right: Node) -> Iterator[tuple[ModularTest, TermBasis]]:
         """The equation at points, first with the symbols of its right side alone, then with all that are at hand."""
         for turn, nodes in enumerate(([right], [right, left, *self.given_sides])):
             key = left, right, turn
@@ -121,7 +121,7 @@ class Nearest:
             if trial is not None:
                 yield trial, palette
 
-    def _tried(self, left: Node, right: Node, palette: Palette) -> tuple[Trial | None, Palette]:
+    def _tried(self, left: Node, right: Node, palette: TermBasis) -> tuple[ModularTest | None, TermBasis]:
         try:
             trial = on_trial(self.statement, left, right, self.standing, palette.nodes)
             failing = trial is not None and any(trial.gap(trial.probe)) and any(trial.gap(trial.varied))
@@ -142,7 +142,7 @@ class Nearest:
         left = bare(self.statement.left)
         return frozenset((left, Rate(left)))
 
-    def introduced(self, left: Node, right: Node) -> Iterator[Undone]:
+    def introduced(self, left: Node, right: Node) -> Iterator[SingleEdit]:
         """The right side with letters that something introduces for the one that nothing does, if there is just one."""
         known = _symbols((left, *self.given_sides))
         subjects = [node for h in self.statement.assuming for node in h.subjects]

@@ -15,7 +15,7 @@ from chasles.display import Displayed
 from chasles.prover.decide import decide_problem
 from chasles.repairs.one_term import Change
 from chasles.repairs.ranking import Nearest, given_sides
-from chasles.repairs.well_formed import Fitting, fitting
+from chasles.repairs.well_formed import WellFormedRepair, fitting
 from chasles.rewriting.term_basis import palette_of
 from chasles.statements import Claim, Definition, Statement, problem_of
 from chasles.statements.problem import Standing, default_sides
@@ -115,7 +115,7 @@ def _candidates(near: Nearest) -> Iterator[Iterable[Change]]:
     if statement.reading is not None:
         left, right = statement.form("reading")
         words = _words_of_reading(near, left, right, [*once, *twice])
-        yield (_marked(Fitting(left, right, words), change) for change in near.changes(left, right))
+        yield (_marked(WellFormedRepair(left, right, words), change) for change in near.changes(left, right))
     elif not statement.fault:
         yield near.changes(*statement.printed)
     else:
@@ -123,12 +123,12 @@ def _candidates(near: Nearest) -> Iterator[Iterable[Change]]:
         yield (_marked(f, change) for f in (*once, *twice) for change in near.changes(f.left, f.right))
 
 
-def _fitting(near: Nearest) -> tuple[list[Fitting], list[Fitting]]:
+def _fitting(near: Nearest) -> tuple[list[WellFormedRepair], list[WellFormedRepair]]:
     left, right = near.statement.printed
     return fitting(left, right, near.letters, palette_of((*near.given_sides, left, right), near.own))
 
 
-def _words_of_reading(near: Nearest, left: Node, right: Node, found: Iterable[Fitting]) -> tuple[str, ...]:
+def _words_of_reading(near: Nearest, left: Node, right: Node, found: Iterable[WellFormedRepair]) -> tuple[str, ...]:
     """The marks that lead from the print to its reading."""
     for each in found:
         if each.left == left and each.right == right:
@@ -139,7 +139,7 @@ def _words_of_reading(near: Nearest, left: Node, right: Node, found: Iterable[Fi
     return (f"it reads {plain(left)} = {plain(right)}",)
 
 
-def _marked(fitting: Fitting, change: Change) -> Change:
+def _marked(fitting: WellFormedRepair, change: Change) -> Change:
     return with_fields(change, words=(*fitting.words, *change.words), marks=len(fitting.words))
 
 

@@ -43,14 +43,14 @@ from chasles.vocabulary import (
     Zero,
 )
 
-__all__ = ["Sampled", "Singular", "Unsampled", "generic_points", "inverse"]
+__all__ = ["Sampled", "SingularResidue", "Unsampled", "generic_points", "inverse"]
 
 Matrix = list[list[int]]
 Values = list[Matrix]
 Point = Mapping[str, int]
 
 
-class Singular(ValueError):
+class SingularResidue(ValueError):
     """A division by zero at a generic point: the divisor vanishes everywhere."""
 
 
@@ -70,7 +70,7 @@ class Sampled:
         return [entry for matrix in self(node) for row in matrix for entry in row]
 
     def __call__(self, node: Node) -> Values:
-        """The expression's matrix at each point; raises `Singular` where it divides by zero."""
+        """The expression's matrix at each point; raises `SingularResidue` where it divides by zero."""
         known = self._known.get(node)
         if known is None:
             check()
@@ -194,9 +194,9 @@ def residue(value: Fraction) -> int:
 
 
 def inverse(value: int) -> int:
-    """The residue of one over a number; raises `Singular` for zero."""
+    """The residue of one over a number; raises `SingularResidue` for zero."""
     if value % MODULUS == 0:
-        raise Singular("a divisor vanishes at a generic point")
+        raise SingularResidue("a divisor vanishes at a generic point")
     return pow(value, -1, MODULUS)
 
 

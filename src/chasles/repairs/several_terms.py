@@ -12,7 +12,7 @@ from itertools import combinations, product
 
 from chasles.algebra.modular import Column, Span, multiple, plus, rational
 from chasles.algebra.work_limit import check
-from chasles.repairs.modular_test import Trial
+from chasles.repairs.modular_test import ModularTest
 from chasles.repairs.one_term import (
     LEFT_OUT,
     Change,
@@ -29,7 +29,7 @@ from chasles.repairs.one_term import (
 from chasles.repairs.residues import Sampled
 from chasles.rewriting.coefficients import ONE, added, spelled, times
 from chasles.rewriting.places import Place, put, separate_sums
-from chasles.rewriting.term_basis import Palette
+from chasles.rewriting.term_basis import TermBasis
 from chasles.vocabulary import Node, plain
 
 __all__ = ["combined_changes"]
@@ -50,14 +50,14 @@ class _Sum:
     cores: tuple[Node, ...]
     new: tuple[Node, ...]
 
-    def columns(self, trial: Trial, at: Sampled) -> tuple[list[Column], list[Column], list[Column]]:
+    def columns(self, trial: ModularTest, at: Sampled) -> tuple[list[Column], list[Column], list[Column]]:
         """What the terms, their cores and the new terms contribute."""
         shares = [trial.share(at, term) for term in self.terms]
         cores = [trial.share(at, term, core) for term, core in zip(self.terms, self.cores, strict=True)]
         return shares, cores, [trial.share(at, self.place, term) for term in self.new]
 
 
-def combined_changes(trial: Trial, palette: Palette) -> Iterator[Change]:
+def combined_changes(trial: ModularTest, palette: TermBasis) -> Iterator[Change]:
     """The right sides that are true after the least number of changes to terms, if it is not large."""
     sums = [_sum(trial, place, terms, palette) for place, terms in separate_sums(trial.right)]
     choices: list[list[_Edits]] = []
@@ -82,12 +82,12 @@ class _Edits:
     effort: int = 0
 
 
-def _sum(trial: Trial, place: Place, terms: tuple[Place, ...], palette: Palette) -> _Sum:
+def _sum(trial: ModularTest, place: Place, terms: tuple[Place, ...], palette: TermBasis) -> _Sum:
     cores = tuple(ONE if (core := trial.split(term.node).core) is None else core for term in terms)
     return _Sum(place, terms, cores, distinct_terms(trial, palette.terms(place.node), cores))
 
 
-def _fewest(trial: Trial, each: _Sum) -> list[_Edits] | None:
+def _fewest(trial: ModularTest, each: _Sum) -> list[_Edits] | None:
     """The edits that close the gap where the sum contributes, all of the least number; None if there are none."""
     shares, cores, new = each.columns(trial, trial.fixed)
     inside = [any(entries) for entries in zip(*shares, *cores, *new, strict=True)]
@@ -163,7 +163,7 @@ _Term = tuple[Node | None, str | None, int]
 """A term in the place of a printed one, None for none; the change in words, and its effort."""
 
 
-def _edited(trial: Trial, each: _Sum, chosen: tuple[int, ...], extra: tuple[int, ...]) -> _Edits | None:
+def _edited(trial: ModularTest, each: _Sum, chosen: tuple[int, ...], extra: tuple[int, ...]) -> _Edits | None:
     """The sum with the coefficients that close the gap; None if these are no functions that occur.
 
     None too if nothing that is printed stays: then nothing was repaired.
@@ -185,7 +185,7 @@ def _edited(trial: Trial, each: _Sum, chosen: tuple[int, ...], extra: tuple[int,
     return _written(each, terms, dict(zip(extra, found[len(chosen) :], strict=True)))
 
 
-def _changed(trial: Trial, place: Place, core: Node, coefficient: Coefficient) -> _Term:
+def _changed(trial: ModularTest, place: Place, core: Node, coefficient: Coefficient) -> _Term:
     """A term with another coefficient: a number times what is printed if it is that."""
     spelling = spelled(coefficient)
     if spelling is None:

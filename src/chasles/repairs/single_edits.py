@@ -31,14 +31,14 @@ from chasles.vocabulary import (
     printed,
 )
 
-__all__ = ["Undone", "in_letters", "placed", "undone"]
+__all__ = ["SingleEdit", "in_letters", "placed", "undone"]
 
 _T = TypeVar("_T")
 FORM = 3
 """The effort of undoing a slip of form, or of a wrong letter."""
 
 
-class Undone(NamedTuple):
+class SingleEdit(NamedTuple):
     """An expression with one slip undone, what was changed in words, and how much that is."""
 
     node: Node
@@ -51,7 +51,7 @@ def placed(node: Node, path: Path, new: Node) -> Node:
     return printed(lambda: put(node, path, new))
 
 
-def undone(node: Node) -> Iterator[Undone]:
+def undone(node: Node) -> Iterator[SingleEdit]:
     """The expression with one slip of form undone, in every place where what comes out fits together."""
     parts, linear = dict(everywhere(node)), {place.path for place in linear_places(node)}
     for path, part in parts.items():
@@ -63,12 +63,12 @@ def undone(node: Node) -> Iterator[Undone]:
         for new, words, effort in changes:
             whole = placed(node, path, new)
             if whole.fault is None:
-                yield Undone(whole, words or instead(new, part), effort)
+                yield SingleEdit(whole, words or instead(new, part), effort)
 
 
 def in_letters(
     node: Node, letters: Iterable[Symbol], *, of: Iterable[Symbol] = (), any_shape: bool = False
-) -> Iterator[Undone]:
+) -> Iterator[SingleEdit]:
     """The expression with one of the letters for another (`of` some) of the same shape, in one place or in all."""
     found = list(everywhere(node))
     symbols = tuple(of) or tuple(dict.fromkeys(part for _, part in found if isinstance(part, Symbol)))
@@ -82,26 +82,26 @@ def in_letters(
                 for path in chosen:
                     whole = placed(whole, path, letter)
                 if whole.fault is None:
-                    yield Undone(whole, instead(letter, symbol))
+                    yield SingleEdit(whole, instead(letter, symbol))
 
 
-def _of_form(node: Node) -> Iterator[Undone]:
+def _of_form(node: Node) -> Iterator[SingleEdit]:
     match node:
         case Transpose(of):
-            yield Undone(of, "")
+            yield SingleEdit(of, "")
         case Call(function, argument):
-            yield Undone(Call({"sin": "cos", "cos": "sin"}[function], argument), "")
+            yield SingleEdit(Call({"sin": "cos", "cos": "sin"}[function], argument), "")
         case Power(base, exponent):
-            yield Undone(_raised(base, exponent + 1), "")
-            yield Undone(_raised(base, exponent - 1), "")
+            yield SingleEdit(_raised(base, exponent + 1), "")
+            yield SingleEdit(_raised(base, exponent - 1), "")
         case Cross(left, right) if left != right:
-            yield Undone(Cross(right, left), "")
+            yield SingleEdit(Cross(right, left), "")
         case Contract(factors):
-            yield from (Undone(_swapped(factors, k), "") for k in range(len(factors) - 1))
+            yield from (SingleEdit(_swapped(factors, k), "") for k in range(len(factors) - 1))
         case Block(rows):
-            yield from (Undone(_block(_exchanged(rows, k)), "") for k in range(len(rows) - 1))
+            yield from (SingleEdit(_block(_exchanged(rows, k)), "") for k in range(len(rows) - 1))
             for k in range(len(rows[0]) - 1):
-                yield Undone(_block(tuple(_exchanged(row, k) for row in rows)), "")
+                yield SingleEdit(_block(tuple(_exchanged(row, k) for row in rows)), "")
 
 
 def _raised(base: Node, exponent: int) -> Node:
@@ -120,21 +120,21 @@ def _exchanged(items: tuple[_T, ...], k: int) -> tuple[_T, ...]:
     return (*items[:k], items[k + 1], items[k], *items[k + 2 :])
 
 
-def _flipped(node: Node) -> Iterator[Undone]:
+def _flipped(node: Node) -> Iterator[SingleEdit]:
     """A lost transpose."""
     if isinstance(node, Symbol | Rate | Contract) and node.measure is not None and max(node.shape) > 1:
-        yield Undone(Transpose(node), "")
+        yield SingleEdit(Transpose(node), "")
 
 
-def _signs(node: Node) -> Iterator[Undone]:
+def _signs(node: Node) -> Iterator[SingleEdit]:
     """A wrong sign, where the whole does not depend on it linearly."""
     if isinstance(node, Sum):
         for k, term in enumerate(node.terms):
             turned = term.term if isinstance(term, Negative) else Negative(term)
-            yield Undone(Sum((*node.terms[:k], turned, *node.terms[k + 1 :])), "", SIGN)
+            yield SingleEdit(Sum((*node.terms[:k], turned, *node.terms[k + 1 :])), "", SIGN)
 
 
-def _with_factor(node: Node) -> Iterator[Undone]:
+def _with_factor(node: Node) -> Iterator[SingleEdit]:
     """A common factor that was meant for some of the blocks or terms behind it."""
     match node:
         case Scale(Node() as factor, Block() | Sum() as whole) if factor.is_scalar:
@@ -143,14 +143,14 @@ def _with_factor(node: Node) -> Iterator[Undone]:
             yield from _for_some(whole, lambda part: with_fields(node, numerator=part), plain(1 / divisor))
 
 
-def _for_some(whole: Block | Sum, times: Callable[[Node], Node], factor: str) -> Iterator[Undone]:
+def _for_some(whole: Block | Sum, times: Callable[[Node], Node], factor: str) -> Iterator[SingleEdit]:
     parts = [part for row in whole.rows for part in row] if isinstance(whole, Block) else whole.terms
     places = [k for k, part in enumerate(parts) if not isinstance(part, Zero)]
     for size in range(1, min(len(places), 4)):
         for chosen in combinations(places, size):
             new = [_signed(part, times) if k in chosen else part for k, part in enumerate(parts)]
             names = " and ".join(plain(parts[k]) for k in chosen)
-            yield Undone(_like(whole, new), f"the factor {factor} is that of {names} only", FACTOR)
+            yield SingleEdit(_like(whole, new), f"the factor {factor} is that of {names} only", FACTOR)
 
 
 def _signed(part: Node, times: Callable[[Node], Node]) -> Node:

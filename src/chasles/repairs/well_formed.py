@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from chasles.repairs.single_edits import Undone, in_letters, placed, undone
+from chasles.repairs.single_edits import SingleEdit, in_letters, placed, undone
 from chasles.rewriting.coefficients import added
 from chasles.rewriting.places import everywhere
-from chasles.rewriting.term_basis import Palette, dimension_of, fit
+from chasles.rewriting.term_basis import TermBasis, dimension_of, fit
 from chasles.vocabulary import (
     NO_DIMENSION,
     Block,
@@ -27,11 +27,11 @@ from chasles.vocabulary import (
     symbols_of,
 )
 
-__all__ = ["Fitting", "fitting"]
+__all__ = ["WellFormedRepair", "fitting"]
 
 
 @dataclass(frozen=True, slots=True)
-class Fitting:
+class WellFormedRepair:
     """Two sides that fit, and in words what was changed so that they do."""
 
     left: Node
@@ -40,17 +40,17 @@ class Fitting:
 
 
 def fitting(
-    left: Node, right: Node, letters: Sequence[Symbol], palette: Palette
-) -> tuple[list[Fitting], list[Fitting]]:
+    left: Node, right: Node, letters: Sequence[Symbol], palette: TermBasis
+) -> tuple[list[WellFormedRepair], list[WellFormedRepair]]:
     """The equations that fit after one change, and those after two."""
     marked = [letter for letter in letters if any(letter.name.startswith(s.name) for s in symbols_of(left))]
     lefts = _said(in_letters(left, marked, any_shape=True))
     rights = _said((*_separated(right), *undone(right), *in_letters(right, letters, any_shape=True)))
-    unchanged = [_Said(left, ())]
+    unchanged = [_EditedSide(left, ())]
     once = _pairs(unchanged, [*rights, *_said(_factored(left, right, palette))])
-    once += _pairs(lefts, [] if right.fault else [_Said(right, ())])
+    once += _pairs(lefts, [] if right.fault else [_EditedSide(right, ())])
     again = [
-        _Said(node, (*said.words, words))
+        _EditedSide(node, (*said.words, words))
         for said in rights
         for node, words, _ in (*_separated(said.node), *_factored(left, said.node, palette))
     ]
@@ -58,27 +58,27 @@ def fitting(
 
 
 @dataclass(frozen=True, slots=True)
-class _Said:
+class _EditedSide:
     """A side, and what was changed in it."""
 
     node: Node
     words: tuple[str, ...]
 
 
-def _said(found: Iterable[Undone]) -> list[_Said]:
-    return [_Said(each.node, (each.words,)) for each in found]
+def _said(found: Iterable[SingleEdit]) -> list[_EditedSide]:
+    return [_EditedSide(each.node, (each.words,)) for each in found]
 
 
-def _pairs(lefts: Sequence[_Said], rights: Sequence[_Said]) -> list[Fitting]:
+def _pairs(lefts: Sequence[_EditedSide], rights: Sequence[_EditedSide]) -> list[WellFormedRepair]:
     return [
-        Fitting(left.node, right.node, (*left.words, *right.words))
+        WellFormedRepair(left.node, right.node, (*left.words, *right.words))
         for right in rights
         for left in lefts
         if fit(left.node, right.node)
     ]
 
 
-def _separated(node: Node) -> Iterator[Undone]:
+def _separated(node: Node) -> Iterator[SingleEdit]:
     """The expression with one more separator between the blocks of a row, where it then fits together."""
     rows = [(path, part.rows[0]) for path, part in everywhere(node) if isinstance(part, Block) and len(part.rows) == 1]
     for path, blocks in rows:
@@ -86,7 +86,7 @@ def _separated(node: Node) -> Iterator[Undone]:
             for before, behind in _cut(block):
                 whole = placed(node, path, _row((*blocks[:k], before, behind, *blocks[k + 1 :])))
                 if whole.fault is None:
-                    yield Undone(whole, f"{plain(before)} and {plain(behind)} are separate blocks")
+                    yield SingleEdit(whole, f"{plain(before)} and {plain(behind)} are separate blocks")
 
 
 def _cut(block: Node) -> Iterator[tuple[Node, Node]]:
@@ -113,7 +113,7 @@ def _contracted(factors: tuple[Node, ...]) -> Node:
     return factors[0] if len(factors) == 1 else printed(lambda: Contract(factors))
 
 
-def _factored(left: Node, right: Node, palette: Palette) -> Iterator[Undone]:
+def _factored(left: Node, right: Node, palette: TermBasis) -> Iterator[SingleEdit]:
     """The right side times what brings it to the left side's shape and dimension."""
     if right.fault or fit(left, right):
         return
@@ -124,7 +124,7 @@ def _factored(left: Node, right: Node, palette: Palette) -> Iterator[Undone]:
         for vector in palette.of_dimension((3, 1), one / other):
             # A pure number in front of it would be another change.
             if not isinstance(vector, Scale) or dimension_of(vector.factor) != NO_DIMENSION:
-                yield Undone(Scale(right, vector), f"the vector factor {plain(vector)} is added")
+                yield SingleEdit(Scale(right, vector), f"the vector factor {plain(vector)} is added")
     elif left.shape == right.shape:
         for weight in palette.of_dimension((1, 1), one / other):
-            yield Undone(Scale(weight, right), f"the factor {plain(weight)} is added")
+            yield SingleEdit(Scale(weight, right), f"the factor {plain(weight)} is added")

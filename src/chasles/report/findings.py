@@ -14,7 +14,7 @@ from chasles.vocabulary import Node, latex
 __all__ = [
     "SLIPS",
     "DecisionsByName",
-    "Numbers",
+    "NumberCounts",
     "Pairs",
     "Standing",
     "likely_slip",
@@ -52,7 +52,7 @@ class Standing:
 
 
 @dataclass(frozen=True, slots=True)
-class Numbers:
+class NumberCounts:
     """How many numbered equations a book has, of its own and of earlier chapters, and how many `others` without one."""
 
     own: int
@@ -60,12 +60,12 @@ class Numbers:
     others: int
 
 
-def numbers_of(book: Chapter) -> Numbers:
+def numbers_of(book: Chapter) -> NumberCounts:
     """The numbers of the book, each counted once; its own begin as those of its sections do."""
     chapters = {section.number.split(".")[0] for section in book.sections}
     equations = [number for number in book.numbers if number[:1].isdecimal()]
     own = sum(number.split(".")[0] in chapters for number in equations)
-    return Numbers(own, len(equations) - own, len(book.numbers) - len(equations))
+    return NumberCounts(own, len(equations) - own, len(book.numbers) - len(equations))
 
 
 def ordered(book: Chapter, decisions: DecisionsByName) -> Pairs:

@@ -48,7 +48,7 @@ class Item:
 
 
 @dataclass(frozen=True, slots=True)
-class Heading:
+class SectionHeading:
     """A section of the book with its statements."""
 
     number: str
@@ -89,13 +89,13 @@ def _environment() -> Environment:
     )
 
 
-def _headings(decided: Pairs, hypotheses: Mapping[str, str]) -> Iterator[Heading]:
+def _headings(decided: Pairs, hypotheses: Mapping[str, str]) -> Iterator[SectionHeading]:
     for section, group in groupby(decided, lambda pair: pair[0].section):
         members = list(group)
         numbers = ["", *(entry.number for entry, _ in members)]
         pairs = zip(members, numbers, strict=False)
         items = (item_of(entry, decision, before, hypotheses) for (entry, decision), before in pairs)
-        yield Heading(escaped(section.number), escaped(section.title), tuple(items))
+        yield SectionHeading(escaped(section.number), escaped(section.title), tuple(items))
 
 
 def item_of(entry: Entry, decision: Decision, before: str, hypotheses: Mapping[str, str]) -> Item:

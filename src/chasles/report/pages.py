@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.report.errata_page import errata_page
 from chasles.report.verdict_page import verdict_page
 from chasles.report.waiting import watched
@@ -11,7 +11,7 @@ from chasles.statements import Chapter
 __all__ = ["pages"]
 
 
-def pages(book: Chapter, judge: Judge) -> dict[str, str]:
+def pages(book: Chapter, judge: Session) -> dict[str, str]:
     """The text of `VERDICTS.md` and `ERRATA.md`; what the judge has decided already is not decided again."""
     decided = watched(judge.decide_all(book), len(book.entries), "Deciding")
     decisions = {entry.name: decision for entry, decision in decided}

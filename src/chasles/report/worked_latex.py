@@ -9,7 +9,7 @@ from chasles.report.html.exercises import AnswerView, WorkedStep, WorkedView
 from chasles.report.html.shown import Equation
 from chasles.report.latex_text import escaped
 
-__all__ = ["Exercise", "Sentence", "exercises_in_latex"]
+__all__ = ["ExercisePage", "Sentence", "exercises_in_latex"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,7 +21,7 @@ class Sentence:
 
 
 @dataclass(frozen=True, slots=True)
-class Exercise:
+class ExercisePage:
     """An exercise in LaTeX."""
 
     number: str
@@ -34,10 +34,10 @@ class Exercise:
     checks: tuple[Sentence, ...]
 
 
-def exercises_in_latex(worked: Iterable[WorkedView]) -> Iterator[Exercise]:
+def exercises_in_latex(worked: Iterable[WorkedView]) -> Iterator[ExercisePage]:
     """The same exercises, for LaTeX."""
     for view in worked:
-        yield Exercise(
+        yield ExercisePage(
             number=escaped(view.number),
             title=escaped(view.title),
             outcome=escaped(view.outcome),

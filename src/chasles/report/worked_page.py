@@ -10,7 +10,7 @@ from rich.table import Table
 from rich.text import Text
 
 from chasles.exact.spelling import decimal_text, text_of
-from chasles.exercises.solution import Check, Line, Solution, Step, cited
+from chasles.exercises.solution import Formula, Solution, SolutionStep, SubstitutionCheck, cited
 
 __all__ = ["hints_page", "worked_page"]
 
@@ -41,10 +41,10 @@ def hints_page(solution: Solution, count: int) -> Iterator[RenderableType]:
     """The first steps without values."""
     yield Text(f"Exercise {solution.exercise}, {min(count, len(solution.steps))} of {len(solution.steps)} steps")
     for number, step in enumerate(solution.steps[:count], 1):
-        yield _step(str(number), Step(step.says, step.cites), signs=True)
+        yield _step(str(number), SolutionStep(step.says, step.cites), signs=True)
 
 
-def _step(mark: str, step: Step | Check, signs: bool) -> RenderableType:
+def _step(mark: str, step: SolutionStep | SubstitutionCheck, signs: bool) -> RenderableType:
     grid = Table.grid(padding=(0, 1, 0, 0))
     grid.add_column(justify="right", style="dim", width=3)
     grid.add_column(overflow="fold")
@@ -57,7 +57,7 @@ def _step(mark: str, step: Step | Check, signs: bool) -> RenderableType:
     return grid
 
 
-def _formula(line: Line, signs: bool) -> Text:
+def _formula(line: Formula, signs: bool) -> Text:
     return _with_decimals(f"    {line.text}", line.decimals, signs, "    ")
 
 

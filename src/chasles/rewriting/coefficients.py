@@ -13,7 +13,7 @@ from math import gcd, lcm
 
 from chasles.vocabulary import Contract, Group, Negative, Node, Number, Quotient, Scale, Sum, Zero
 
-__all__ = ["ONE", "Function", "Term", "added", "product", "scaled", "spelled", "split", "times"]
+__all__ = ["ONE", "AngleFunction", "Term", "added", "product", "scaled", "spelled", "split", "times"]
 
 ONE = Number(Fraction(1))
 
@@ -27,7 +27,7 @@ class Term:
 
 
 @dataclass(frozen=True, slots=True)
-class Function:
+class AngleFunction:
     """A function of angles that coefficients are made of: numerator / denominator."""
 
     numerator: Node = ONE
@@ -89,7 +89,7 @@ def _negated(node: Node) -> Node:
     return node.term if isinstance(node, Negative) else Negative(node)
 
 
-def spelled(parts: Iterable[tuple[Fraction, Function]]) -> Node | None:
+def spelled(parts: Iterable[tuple[Fraction, AngleFunction]]) -> Node | None:
     """The sum of number * function, as a person would write it: 2 (2 + cos(phi)); None if it is zero."""
     groups: dict[Node | None, list[tuple[Fraction, Node]]] = {}
     for value, function in parts:

@@ -41,7 +41,7 @@ from chasles.vocabulary import (
 from chasles.vocabulary.measure import Measure, added
 from chasles.vocabulary.nodes import measured
 
-__all__ = ["Palette", "dimension_of", "fit", "palette_of"]
+__all__ = ["TermBasis", "dimension_of", "fit", "palette_of"]
 
 MOST_TERMS = 100
 """So many terms of one kind are tried, the simpler first."""
@@ -69,7 +69,7 @@ def dimension_of(node: Node) -> Dimension | None:
 
 
 @dataclass(slots=True)
-class Palette:
+class TermBasis:
     """What terms are made of: vectors, scalars, 3 x 3 matrices and other arrays, in the order in which they occur."""
 
     vectors: dict[Node, None] = field(default_factory=dict)
@@ -173,12 +173,12 @@ class Palette:
                 yield from _fitting(_contracted, one, pair)
 
 
-def palette_of(nodes: Iterable[Node], without: frozenset[Node] = frozenset(), order: int = 0) -> Palette:
+def palette_of(nodes: Iterable[Node], without: frozenset[Node] = frozenset(), order: int = 0) -> TermBasis:
     """What the expressions are written with: their symbols, the rates and sums that occur as factors; not `without`.
 
     With an `order`, the rates of all symbols up to that one too.
     """
-    palette = Palette(without=without)
+    palette = TermBasis(without=without)
     for node in nodes:
         _collect(palette, node, without, factor=False)
     for node in palette.nodes:
@@ -196,7 +196,7 @@ def palette_of(nodes: Iterable[Node], without: frozenset[Node] = frozenset(), or
     return palette
 
 
-def _collect(palette: Palette, node: Node, without: frozenset[Node], *, factor: bool) -> None:
+def _collect(palette: TermBasis, node: Node, without: frozenset[Node], *, factor: bool) -> None:
     match node:
         case Rate(At(of)):
             node = Rate(of)
@@ -226,7 +226,7 @@ def _collect(palette: Palette, node: Node, without: frozenset[Node], *, factor: 
         _collect(palette, part, without, factor=factor if grouped else True)
 
 
-def _enter(palette: Palette, node: Node) -> None:
+def _enter(palette: TermBasis, node: Node) -> None:
     kinds = {VECTOR: palette.vectors, SQUARE: palette.squares, SCALAR: palette.scalars}
     kinds.get(node.shape, palette.arrays).setdefault(node)
 

@@ -8,13 +8,13 @@ from chasles.nearest import nearest
 from chasles.statements.chapter import Chapter, Entry
 from chasles.statements.derivation import Derivation
 
-__all__ = ["Unknown", "derivations_cited", "statements_cited"]
+__all__ = ["UnknownNumber", "derivations_cited", "statements_cited"]
 
 LONGEST = 4
 """How many words a number may have: "text 3.2.3 g" has three."""
 
 
-class Unknown(LookupError):
+class UnknownNumber(LookupError):
     """A number or name that there is not, with those near it."""
 
 
@@ -55,7 +55,7 @@ def _named(words: Iterable[str], known: Mapping[str, str], missing: str, all_wor
                 break
         else:
             word = pieces[0].strip("()")
-            raise Unknown(f"{missing} {word!r}{nearest(word, all_words)}")
+            raise UnknownNumber(f"{missing} {word!r}{nearest(word, all_words)}")
 
 
 def _ends(road: Derivation) -> tuple[str, ...]:

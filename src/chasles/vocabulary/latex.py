@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from chasles.vocabulary.layout import At
 from chasles.vocabulary.letters import Identity, Symbol, Zero
 from chasles.vocabulary.nodes import Node, Number
-from chasles.vocabulary.spelling import Level, Piece, spell
+from chasles.vocabulary.spelling import Piece, Precedence, spell
 
 __all__ = ["Latex", "latex"]
 
@@ -32,10 +32,10 @@ class Latex:
     def number(self, number: Number) -> Piece:
         value = number.value
         if value.denominator == 1:
-            return Piece(str(value), Level.NEGATIVE if value < 0 else Level.ATOM)
+            return Piece(str(value), Precedence.NEGATIVE if value < 0 else Precedence.ATOM)
         sign = "-" if value < 0 else ""
         text = rf"{sign}\frac{{{abs(value.numerator)}}}{{{value.denominator}}}"
-        return Piece(text, Level.NEGATIVE if sign else Level.PRODUCT)
+        return Piece(text, Precedence.NEGATIVE if sign else Precedence.PRODUCT)
 
     def brackets(self, text: str, depth: int) -> str:
         opening, closing = BRACKETS[min(depth, 2)]
@@ -49,7 +49,7 @@ class Latex:
 
     def fraction(self, numerator: Piece, denominator: Piece) -> Piece:
         depth = max(numerator.depth, denominator.depth)
-        return Piece(rf"\frac{{{numerator.text}}}{{{denominator.text}}}", Level.PRODUCT, depth)
+        return Piece(rf"\frac{{{numerator.text}}}{{{denominator.text}}}", Precedence.PRODUCT, depth)
 
     def power(self, base: str, exponent: str) -> str:
         if not base.endswith(CLOSED) and _takes_no_superscript(base):
@@ -61,15 +61,15 @@ class Latex:
 
     def function(self, name: str, argument: Piece) -> Piece:
         command = rf"\{name}" if name in ("sin", "cos", "det") else rf"\text{{{name}}}"
-        is_letter = argument.level is Level.ATOM and argument.depth == 0 and "{" not in argument.text
+        is_letter = argument.level is Precedence.ATOM and argument.depth == 0 and "{" not in argument.text
         if is_letter and not argument.text[0].isdigit():
-            return Piece(f"{command} {argument.text}", Level.PRODUCT)
-        return Piece(f"{command}{self.brackets(argument.text, argument.depth)}", Level.POWER, argument.depth + 1)
+            return Piece(f"{command} {argument.text}", Precedence.PRODUCT)
+        return Piece(f"{command}{self.brackets(argument.text, argument.depth)}", Precedence.POWER, argument.depth + 1)
 
     def norm(self, of: Piece) -> Piece:
         if r"\|" in of.text:
-            of = Piece(self.brackets(of.text, of.depth), Level.ATOM, of.depth + 1)
-        return Piece(rf"\|{of.text}\|", Level.ATOM, of.depth)
+            of = Piece(self.brackets(of.text, of.depth), Precedence.ATOM, of.depth + 1)
+        return Piece(rf"\|{of.text}\|", Precedence.ATOM, of.depth)
 
     def rate(self, of: Node, text: str, order: int) -> str:
         dots = r"\d" + "d" * (order - 1) + "ot"
@@ -86,7 +86,7 @@ class Latex:
         return f"{text}_{{{subscript}}}" if len(subscript) > 1 else f"{text}_{subscript}"
 
     def integral(self, of: Piece, body: str) -> Piece:
-        return Piece(rf"\int_{{{body}}} {of.text} \, d{body}", Level.PRODUCT, of.depth)
+        return Piece(rf"\int_{{{body}}} {of.text} \, d{body}", Precedence.PRODUCT, of.depth)
 
     def block(self, rows: list[list[str]]) -> str:
         lines = r" \\ ".join(" & ".join(row) for row in rows)

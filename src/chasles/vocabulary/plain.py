@@ -7,7 +7,7 @@ import re
 from chasles.vocabulary.layout import At
 from chasles.vocabulary.letters import Identity, Symbol, Zero
 from chasles.vocabulary.nodes import Node, Number
-from chasles.vocabulary.spelling import Level, Piece, spell
+from chasles.vocabulary.spelling import Piece, Precedence, spell
 
 __all__ = ["plain"]
 
@@ -25,7 +25,7 @@ class _Plain:
 
     def number(self, number: Number) -> Piece:
         value = number.value
-        level = Level.NEGATIVE if value < 0 else Level.ATOM if value.denominator == 1 else Level.QUOTIENT
+        level = Precedence.NEGATIVE if value < 0 else Precedence.ATOM if value.denominator == 1 else Precedence.QUOTIENT
         return Piece(str(value), level)
 
     def brackets(self, text: str, depth: int) -> str:
@@ -39,12 +39,12 @@ class _Plain:
         return bool(ENDS_WITH_NUMBER.search(left)) and right[0].isdigit()
 
     def fraction(self, numerator: Piece, denominator: Piece) -> Piece:
-        above = numerator if numerator.level >= Level.PRODUCT else self._grouped(numerator)
-        below = denominator if denominator.level >= Level.POWER else self._grouped(denominator)
-        return Piece(f"{above.text} / {below.text}", Level.QUOTIENT, max(above.depth, below.depth))
+        above = numerator if numerator.level >= Precedence.PRODUCT else self._grouped(numerator)
+        below = denominator if denominator.level >= Precedence.POWER else self._grouped(denominator)
+        return Piece(f"{above.text} / {below.text}", Precedence.QUOTIENT, max(above.depth, below.depth))
 
     def _grouped(self, piece: Piece) -> Piece:
-        return Piece(self.brackets(piece.text, piece.depth), Level.ATOM, piece.depth + 1)
+        return Piece(self.brackets(piece.text, piece.depth), Precedence.ATOM, piece.depth + 1)
 
     def power(self, base: str, exponent: str) -> str:
         return f"{base}^{exponent}"
@@ -53,11 +53,11 @@ class _Plain:
         return f"{left} {INFIX[sign]} {right}"
 
     def function(self, name: str, argument: Piece) -> Piece:
-        return Piece(f"{name}({argument.text})", Level.ATOM, argument.depth)
+        return Piece(f"{name}({argument.text})", Precedence.ATOM, argument.depth)
 
     def norm(self, of: Piece) -> Piece:
         inner = self._grouped(of) if "|" in of.text else of
-        return Piece(f"|{inner.text}|", Level.ATOM, inner.depth)
+        return Piece(f"|{inner.text}|", Precedence.ATOM, inner.depth)
 
     def rate(self, of: Node, text: str, order: int) -> str:
         argument = f"({of.argument})" if isinstance(of, At) else ""
@@ -72,7 +72,7 @@ class _Plain:
 
     def integral(self, of: Piece, body: str) -> Piece:
         sign = self.subscripted("int", body)
-        return Piece(f"{sign}({of.text})", Level.ATOM, of.depth)
+        return Piece(f"{sign}({of.text})", Precedence.ATOM, of.depth)
 
     def block(self, rows: list[list[str]]) -> str:
         return "[" + "; ".join(", ".join(row) for row in rows) + "]"

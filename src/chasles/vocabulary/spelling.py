@@ -20,10 +20,10 @@ from chasles.vocabulary.letters import Identity, Symbol, Zero
 from chasles.vocabulary.nodes import Contract, Negative, Node, Number, Power, Quotient, Scale, Sum, Transpose
 from chasles.vocabulary.spatial import Cofactor, Cross, Determinant, Dot, Inverse, Norm, Skew, Trace, Vect
 
-__all__ = ["Level", "Piece", "Style", "spell"]
+__all__ = ["Piece", "Precedence", "Style", "spell"]
 
 
-class Level(IntEnum):
+class Precedence(IntEnum):
     """How tightly a piece of text holds together."""
 
     SUM = 1
@@ -40,7 +40,7 @@ class Piece:
     """A spelled expression: its text, how tightly it holds together, how deep brackets are nested in it."""
 
     text: str
-    level: Level
+    level: Precedence
     depth: int = 0
 
 
@@ -77,28 +77,28 @@ FUNCTIONS: dict[type[Node], str] = {
 def spell(node: Node, style: Style) -> Piece:
     """The expression written out in the author's order."""
 
-    def bracketed(part: Node, least: Level) -> Piece:
+    def bracketed(part: Node, least: Precedence) -> Piece:
         piece = spell(part, style)
         return piece if piece.level >= least else grouped(piece, piece.depth)
 
     def grouped(piece: Piece, depth: int) -> Piece:
-        return Piece(style.brackets(piece.text, depth), Level.ATOM, piece.depth + 1)
+        return Piece(style.brackets(piece.text, depth), Precedence.ATOM, piece.depth + 1)
 
-    def joined(pieces: list[Piece], text: str, level: Level) -> Piece:
+    def joined(pieces: list[Piece], text: str, level: Precedence) -> Piece:
         return Piece(text, level, max(piece.depth for piece in pieces))
 
     def product(factors: Sequence[Node]) -> Piece:
-        pieces = [bracketed(factor, Level.PRODUCT) for factor in factors]
+        pieces = [bracketed(factor, Precedence.PRODUCT) for factor in factors]
         for k in range(1, len(pieces)):
             if style.numbers_meet(pieces[k - 1].text, pieces[k].text):
                 pieces[k] = grouped(pieces[k], pieces[k].depth)
-        return joined(pieces, style.product([piece.text for piece in pieces]), Level.PRODUCT)
+        return joined(pieces, style.product([piece.text for piece in pieces]), Precedence.PRODUCT)
 
     match node:
         case Symbol():
-            return Piece(style.symbol(node), Level.ATOM)
+            return Piece(style.symbol(node), Precedence.ATOM)
         case Identity() | Zero():
-            return Piece(style.constant(node), Level.ATOM)
+            return Piece(style.constant(node), Precedence.ATOM)
         case Number():
             return style.number(node)
         case Sum(terms):
@@ -106,13 +106,13 @@ def spell(node: Node, style: Style) -> Piece:
             for term in terms:
                 minus = isinstance(term, Negative) and text != ""
                 shown = term.term if isinstance(term, Negative) and minus else term
-                piece = bracketed(shown, Level.DOT if text else Level.NEGATIVE)
+                piece = bracketed(shown, Precedence.DOT if text else Precedence.NEGATIVE)
                 text = f"{text} {'-' if minus else '+'} {piece.text}" if text else piece.text
                 depth = max(depth, piece.depth)
-            return Piece(text, Level.SUM, depth)
+            return Piece(text, Precedence.SUM, depth)
         case Negative(term):
-            piece = bracketed(term, Level.DOT)
-            return Piece(f"-{piece.text}", Level.NEGATIVE, piece.depth)
+            piece = bracketed(term, Precedence.DOT)
+            return Piece(f"-{piece.text}", Precedence.NEGATIVE, piece.depth)
         case Scale(factor, term, trailing):
             return product((term, factor) if trailing else (factor, term))
         case Contract(factors):
@@ -120,20 +120,20 @@ def spell(node: Node, style: Style) -> Piece:
         case Quotient(numerator, denominator, slash):
             if not slash:
                 return style.fraction(spell(numerator, style), spell(denominator, style))
-            pieces = [bracketed(numerator, Level.PRODUCT), bracketed(denominator, Level.POWER)]
-            return joined(pieces, f"{pieces[0].text}/{pieces[1].text}", Level.QUOTIENT)
+            pieces = [bracketed(numerator, Precedence.PRODUCT), bracketed(denominator, Precedence.POWER)]
+            return joined(pieces, f"{pieces[0].text}/{pieces[1].text}", Precedence.QUOTIENT)
         case Power(base, exponent):
-            piece = bracketed(base, Level.ATOM)
-            return Piece(style.power(piece.text, str(exponent)), Level.POWER, piece.depth)
+            piece = bracketed(base, Precedence.ATOM)
+            return Piece(style.power(piece.text, str(exponent)), Precedence.POWER, piece.depth)
         case Transpose(of) | Inverse(of):
-            piece = bracketed(of, Level.ATOM)
+            piece = bracketed(of, Precedence.ATOM)
             return Piece(
-                style.power(piece.text, "T" if isinstance(node, Transpose) else "-1"), Level.POWER, piece.depth
+                style.power(piece.text, "T" if isinstance(node, Transpose) else "-1"), Precedence.POWER, piece.depth
             )
         case Dot(left, right) | Cross(left, right):
-            pieces = [bracketed(left, Level.PRODUCT), bracketed(right, Level.PRODUCT)]
+            pieces = [bracketed(left, Precedence.PRODUCT), bracketed(right, Precedence.PRODUCT)]
             sign = "dot" if isinstance(node, Dot) else "cross"
-            return joined(pieces, style.infix(sign, pieces[0].text, pieces[1].text), Level.DOT)
+            return joined(pieces, style.infix(sign, pieces[0].text, pieces[1].text), Precedence.DOT)
         case Norm(of):
             return style.norm(spell(of, style))
         case Call(function, argument):
@@ -141,38 +141,38 @@ def spell(node: Node, style: Style) -> Piece:
         case Skew(of) | Vect(of) | Trace(of) | Determinant(of) | Cofactor(of):
             piece = spell(of, style)
             return Piece(
-                style.function(FUNCTIONS[type(node)], Piece(f"{piece.text}", Level.SUM, piece.depth)).text,
-                Level.ATOM,
+                style.function(FUNCTIONS[type(node)], Piece(f"{piece.text}", Precedence.SUM, piece.depth)).text,
+                Precedence.ATOM,
                 piece.depth + 1,
             )
         case Block(rows):
             spelled = [[spell(block, style) for block in row] for row in rows]
             depth = max(piece.depth for row in spelled for piece in row)
-            return Piece(style.block([[piece.text for piece in row] for row in spelled]), Level.ATOM, depth)
+            return Piece(style.block([[piece.text for piece in row] for row in spelled]), Precedence.ATOM, depth)
         case Rate():
             order, of = 1, node.of
             while isinstance(of, Rate):
                 order, of = order + 1, of.of
             if isinstance(of.of if isinstance(of, At) else of, Symbol | Member):
-                return Piece(style.rate(of, spell(of, style).text, order), Level.ATOM)
-            piece = bracketed(of, Level.ATOM)
-            return Piece(style.derivative(piece.text, order), Level.DOT, piece.depth)
+                return Piece(style.rate(of, spell(of, style).text, order), Precedence.ATOM)
+            piece = bracketed(of, Precedence.ATOM)
+            return Piece(style.derivative(piece.text, order), Precedence.DOT, piece.depth)
         case At(of, argument):
-            piece = bracketed(of, Level.ATOM)
-            return Piece(f"{piece.text}({argument})", Level.ATOM, piece.depth)
+            piece = bracketed(of, Precedence.ATOM)
+            return Piece(f"{piece.text}({argument})", Precedence.ATOM, piece.depth)
         case Group(of, brackets, frame):
             piece = spell(of, style)
             if frame:
-                return Piece(style.subscripted(style.brackets(piece.text, 1), frame), Level.ATOM, piece.depth)
+                return Piece(style.subscripted(style.brackets(piece.text, 1), frame), Precedence.ATOM, piece.depth)
             depth = {"()": 0, "[]": 1, "{}": 2}[brackets]
-            return Piece(style.brackets(piece.text, depth), Level.ATOM, max(piece.depth, depth) + 1)
+            return Piece(style.brackets(piece.text, depth), Precedence.ATOM, max(piece.depth, depth) + 1)
         case Integral(of, _, _, body):
-            return style.integral(bracketed(of, Level.PRODUCT), body)
+            return style.integral(bracketed(of, Precedence.PRODUCT), body)
         case Member(family, index):
-            return Piece(style.subscripted(family.letter, index.letter) + family.mark, Level.ATOM)
+            return Piece(style.subscripted(family.letter, index.letter) + family.mark, Precedence.ATOM)
         case Entry(_, i, j, letter):
-            return Piece(style.subscripted(letter, i.letter + j.letter), Level.ATOM)
+            return Piece(style.subscripted(letter, i.letter + j.letter), Precedence.ATOM)
         case Kronecker(i, j):
-            return Piece(style.subscripted(r"\delta", i.letter + j.letter), Level.ATOM)
+            return Piece(style.subscripted(r"\delta", i.letter + j.letter), Precedence.ATOM)
         case _:
             raise TypeError(f"no spelling for the node {type(node).__name__}")

@@ -14,12 +14,12 @@ from operator import mul
 
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number, variable
 
-__all__ = ["Algebra", "constant", "primitive"]
+__all__ = ["QuotientRing", "constant", "primitive"]
 
 Key = frozenset[tuple[int, int]]
 
 
-class Algebra:
+class QuotientRing:
     """Variables by place: `squares` says what the squares of some are, `inverses` of what others are the inverse."""
 
     def __init__(self) -> None:

@@ -15,13 +15,13 @@ from sympy.matrices.expressions.matexpr import MatrixElement
 from chasles.checker.expressions.quantities import atoms_of, require_real
 from chasles.checker.sparse import Rejected
 
-__all__ = ["Asked", "Given", "entries_of"]
+__all__ = ["Asked", "GivenEquation", "entries_of"]
 
 Entries = dict[tuple[int, int], Any]
 
 
 @dataclass(frozen=True, slots=True)
-class Given:
+class GivenEquation:
     """An equation that is given, entry by entry, as the question spells it."""
 
     text: str
@@ -90,10 +90,10 @@ def _valued(e: Any) -> Any:
     return value
 
 
-def _given(item: Any, what: str) -> Given:
+def _given(item: Any, what: str) -> GivenEquation:
     """An equation, an expression or a matrix that is zero; what is true on its face says nothing."""
     if item is sympy.true:
-        return Given("", {})
+        return GivenEquation("", {})
     equation = isinstance(item, sympy.Equality)
     if not equation and isinstance(item, bool | Boolean) and not isinstance(item, sympy.Expr):
         raise Rejected(f"{what} is no equation")
@@ -106,7 +106,7 @@ def _given(item: Any, what: str) -> Given:
         text = f"{item.lhs} = {item.rhs}"
     elif isinstance(item, sympy.Expr):
         text = f"{item} = 0"
-    return Given(text, {key: (left[key], right[key]) for key in left})
+    return GivenEquation(text, {key: (left[key], right[key]) for key in left})
 
 
 def _nonzero(item: Any) -> Any:

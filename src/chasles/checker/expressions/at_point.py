@@ -16,7 +16,7 @@ from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.reals import Reals
 from chasles.checker.expressions.symbolic import Symbolic
 from chasles.checker.expressions.turns import turned
-from chasles.checker.expressions.valuation import Unknown, Valuation
+from chasles.checker.expressions.valuation import UnknownValue, Valuation
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number
 
 __all__ = ["AtPoint"]
@@ -67,7 +67,7 @@ class AtPoint(Expressions, Reals):
         if (self.symbolic.values.keys() - self.symbolic.rooted) & {e, function}:
             return self.value_of(self.symbolic.atom(e))
         if str(e) not in self.numbers:
-            raise Unknown(f"no value is given for {e}")
+            raise UnknownValue(f"no value is given for {e}")
         self.symbolic.place(e)
         value = self.numbers[str(e)]
         for assumption in (*SIGNS, *NUMBERS):
@@ -153,7 +153,7 @@ class AtPoint(Expressions, Reals):
                 angle = self.value_of(Polynomial({monomial: unit.numerator}, unit.denominator))
                 return unit, *self.direction(angle)
             if len(cosines) != 1 or "sin" + cosines[0][3:] not in found:
-                raise Unknown(f"no cosine and sine are given for {self._spelled(monomial)}")
+                raise UnknownValue(f"no cosine and sine are given for {self._spelled(monomial)}")
             unit = self._unit(cosines[0], monomial) or unit
             c, s = (_exact(self, self.turns[name]) for name in (cosines[0], "sin" + cosines[0][3:]))
             if not self.vanishes(c * c + s * s - ONE):
@@ -183,7 +183,7 @@ class AtPoint(Expressions, Reals):
                 if unit != given:
                     raise Rejected(f"the point gives the cosine of another fraction of {self._spelled(monomial)}")
                 return c if place in cosine.places else s
-        raise Unknown(f"no value is given for {self.symbolic.names[place]}")
+        raise UnknownValue(f"no value is given for {self.symbolic.names[place]}")
 
     def valued(self) -> set[int]:
         """The places of quantities, and of cosines and sines, that the point itself gives values."""

@@ -15,7 +15,7 @@ from sympy.core.relational import Relational
 from chasles.checker.expressions.enclosed import HOLDING, sign_of_number
 from chasles.checker.sparse import Rejected
 
-__all__ = ["Case"]
+__all__ = ["CheckedCase"]
 
 SWITCHES = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign, sympy.Abs)
 KINDS = ("integer", "noninteger", "rational", "irrational", "algebraic", "transcendental", "even", "odd", "prime")
@@ -23,7 +23,7 @@ Pairs = tuple[tuple[Any, Any], ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Case:
+class CheckedCase:
     """Both sides, what is given to be equal and not to vanish, and besides: what vanishes here, and known signs.
 
     `meant` says of each positive symbol what it stands for, `zeros` what was said to vanish, in the symbols of the
@@ -69,7 +69,7 @@ class Case:
         apart = [one - other for one, other in self.pairs] + list(self.equations)
         return signs or any(self.sign(e) in (1, -1) for e in apart)
 
-    def mapped(self, put: Mapping[Any, Any]) -> Case:
+    def mapped(self, put: Mapping[Any, Any]) -> CheckedCase:
         """The case with other expressions in the place of some."""
         sides = tuple(tuple(_with_value(e, put) for e in side) for side in self.sides)
         pairs = tuple((_with_value(one, put), _with_value(other, put)) for one, other in self.pairs)
@@ -77,7 +77,7 @@ class Case:
         facts = tuple((e.xreplace(put), sign) for e, sign in self.facts)
         return replace(self, sides=sides, pairs=pairs, nonzero=nonzero, equations=equations, facts=facts)
 
-    def settled(self) -> Case:
+    def settled(self) -> CheckedCase:
         """The case with everything written out whose form is decided by known signs."""
         case = self
         while True:
@@ -149,7 +149,7 @@ class Case:
         signs = [sign_of_number(constant), *(self.sign(factor) for factor, power in factors for _ in range(int(power)))]
         return None if None in signs else prod(sign for sign in signs if sign is not None)
 
-    def split(self, text: str, size: str) -> dict[str, Case]:
+    def split(self, text: str, size: str) -> dict[str, CheckedCase]:
         """The cases in which a factor of what decides some form is positive, zero and negative."""
         factor = next((f for f in self._deciding() if str(f) == text), None)
         if factor is None:
@@ -172,7 +172,7 @@ class Case:
                 if e.free_symbols and not e.has(*SWITCHES) and e.is_polynomial(*e.free_symbols):
                     yield from (factor for factor, _ in sympy.factor_list(e)[1])
 
-    def _with(self, factor: Any, sign: int, positive: Any) -> Case:
+    def _with(self, factor: Any, sign: int, positive: Any) -> CheckedCase:
         zeros = self.zeros if sign else (*self.zeros, self.back(factor))
         atom = self._free(factor)
         if atom is None:
@@ -199,7 +199,7 @@ class Case:
                 return symbol
         return None
 
-    def _lost(self, case: Case, put: Mapping[Any, Any]) -> str:
+    def _lost(self, case: CheckedCase, put: Mapping[Any, Any]) -> str:
         """A divisor that vanishes in a case, or a radicand that is negative, outside of conditions; "" if none does."""
         for power in self._outside():
             sign = case.sign(power.base.xreplace(put))

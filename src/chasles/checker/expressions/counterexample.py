@@ -12,7 +12,7 @@ from chasles.checker.expressions.given import require_given
 from chasles.checker.expressions.quantities import atoms_of, require_independent
 from chasles.checker.expressions.spoken import Spoken
 from chasles.checker.expressions.symbolic import Symbolic
-from chasles.checker.expressions.valuation import Unknown
+from chasles.checker.expressions.valuation import UnknownValue
 from chasles.checker.expressions.widened import check_enclosed
 from chasles.checker.sparse import Polynomial, Rejected, number, variable
 
@@ -78,6 +78,6 @@ def _value(point: AtPoint, e: Any) -> tuple[Polynomial, Polynomial]:
     """The real and imaginary part at the point; what cancels by equations between angles needs no value."""
     try:
         return parts(point, e)
-    except Unknown:
+    except UnknownValue:
         real, imaginary = parts(point.symbolic, e)
         return point.value_of(real), point.value_of(imaginary)

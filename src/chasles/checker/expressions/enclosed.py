@@ -17,14 +17,14 @@ import sympy
 from chasles.checker.expressions.intervals import Enclosing, Enclosure, Unbounded
 from chasles.checker.sparse import Rejected
 
-__all__ = ["Values", "sign_of_number", "vanishes"]
+__all__ = ["EnclosedValues", "sign_of_number", "vanishes"]
 
 BITS = 200
 MOST_BITS = 20_000
 HOLDING = {"==": (0,), "!=": (1, -1), ">": (1,), ">=": (0, 1), "<": (-1,), "<=": (0, -1)}
 
 
-class Values:
+class EnclosedValues:
     """Encloses expressions at a point: exact values of symbols and of functions."""
 
     def __init__(self, point: Mapping[Any, Any], bits: int = BITS) -> None:
@@ -80,30 +80,30 @@ def _larger(one: Enclosure, other: Enclosure) -> Enclosure:
     return Enclosure(max(one.low, other.low), max(one.high, other.high))
 
 
-def _reciprocal(function: Any) -> Callable[[Values, Any], Enclosure]:
+def _reciprocal(function: Any) -> Callable[[EnclosedValues, Any], Enclosure]:
     return lambda of, e: of.at.inverse(of(function(*e.args)))
 
 
-def _quotient(above: Any, below: Any) -> Callable[[Values, Any], Enclosure]:
+def _quotient(above: Any, below: Any) -> Callable[[EnclosedValues, Any], Enclosure]:
     return lambda of, e: of.at.times(of(above(*e.args)), of.at.inverse(of(below(*e.args))))
 
 
-def _rewritten(rule: Callable[[Any], Any]) -> Callable[[Values, Any], Enclosure]:
+def _rewritten(rule: Callable[[Any], Any]) -> Callable[[EnclosedValues, Any], Enclosure]:
     """By others, as in Abramowitz and Stegun, Handbook of Mathematical Functions, 4.4, 4.5 and 4.6."""
     return lambda of, e: of(rule(e.args[0]))
 
 
-def _heaviside(of: Values, e: Any) -> Enclosure:
+def _heaviside(of: EnclosedValues, e: Any) -> Enclosure:
     sign = of.sign(e.args[0])
     return of.at.number(int(sign > 0)) if sign else of(e.args[1])
 
 
-ENCLOSED: dict[type, Callable[[Values, Any], Enclosure]] = {
+ENCLOSED: dict[type, Callable[[EnclosedValues, Any], Enclosure]] = {
     sympy.Rational: lambda of, e: of.at.number(Fraction(int(e.p), int(e.q))),
     type(sympy.pi): lambda of, _: of.at.pi,
     sympy.Add: lambda of, e: reduce(Enclosure.__add__, map(of, e.args)),
     sympy.Mul: lambda of, e: reduce(of.at.times, map(of, e.args)),
-    sympy.Pow: Values.power,
+    sympy.Pow: EnclosedValues.power,
     sympy.Abs: lambda of, e: _larger(of(e.args[0]), -of(e.args[0])),
     sympy.sign: lambda of, e: of.at.number(of.sign(e.args[0])),
     sympy.Heaviside: _heaviside,
@@ -147,7 +147,7 @@ def sign_of_number(e: Any) -> int | None:
     if e == 0:
         return 0
     try:
-        return Values({})(e).sign
+        return EnclosedValues({})(e).sign
     except Rejected:
         return None
 
@@ -158,7 +158,7 @@ def vanishes(e: Any) -> bool:
     bits = (_degree(e) - 1) * above + below
     if bits > MOST_BITS:
         return False
-    precise = Values({}, 2 * bits + BITS)
+    precise = EnclosedValues({}, 2 * bits + BITS)
     found = precise(e)
     return max(-found.low, found.high) << bits < precise.at.one
 

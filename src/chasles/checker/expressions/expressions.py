@@ -17,10 +17,10 @@ from typing import Any
 
 import sympy
 
-from chasles.checker.expressions.algebra import Algebra, constant
+from chasles.checker.expressions.algebra import QuotientRing, constant
 from chasles.checker.expressions.complexes import parts
 from chasles.checker.expressions.quantities import is_atom, require_real
-from chasles.checker.expressions.rates import Rates
+from chasles.checker.expressions.rates import Derivatives
 from chasles.checker.expressions.readings import CIRCULAR, READINGS
 from chasles.checker.expressions.turns import turned
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, variable
@@ -31,7 +31,7 @@ Circle = tuple[Fraction, Polynomial, Polynomial]
 """The fraction of an angle of which the cosine and the sine are variables, and these."""
 
 
-class Expressions(Algebra):
+class Expressions(QuotientRing):
     """Reads expressions; `names` are those of the variables by SymPy's spelling, `units` by the name of an angle.
 
     `divided` are SymPy's spellings of what is divided by, `values` what takes the place of some variables, those that
@@ -51,7 +51,7 @@ class Expressions(Algebra):
         self.positive: set[int] = set()
         self.rooted: set[Any] = set()
         self.calls: dict[int, tuple[str, tuple[Polynomial, ...]]] = {}
-        self.rate = Rates(self)
+        self.rate = Derivatives(self)
         self._names, self._units = names, units
         self._known: dict[Any, Polynomial] = {}
 

@@ -10,18 +10,18 @@ import sympy
 
 from chasles.checker.determinants import determinant
 from chasles.checker.expressions.algebra import constant, primitive
-from chasles.checker.expressions.asked import Given
+from chasles.checker.expressions.asked import GivenEquation
 from chasles.checker.expressions.at_point import AtPoint
 from chasles.checker.expressions.complexes import differences
 from chasles.checker.expressions.expressions import Expressions
 from chasles.checker.expressions.rates import MOST_RATES
-from chasles.checker.expressions.valuation import Unknown
+from chasles.checker.expressions.valuation import UnknownValue
 from chasles.checker.sparse import ONE, Polynomial, Rejected, exponents, number, variable
 
 __all__ = ["require_motion", "time_of"]
 
 
-def time_of(given: Iterable[Given]) -> Any:
+def time_of(given: Iterable[GivenEquation]) -> Any:
     """The one symbol of which all functions in some equations are functions; raises `Rejected` if there is none."""
     times = {argument for item in given for function in item.functions for argument in function.args}
     if len(times) != 1:
@@ -29,7 +29,7 @@ def time_of(given: Iterable[Given]) -> Any:
     return times.pop()
 
 
-def require_motion(given: Iterable[Given], point: AtPoint, through: bool) -> None:
+def require_motion(given: Iterable[GivenEquation], point: AtPoint, through: bool) -> None:
     """Equations between functions hold at the point with all derivatives that speak of what has a value there.
 
     If a motion is to go `through` the point, the last of these can be solved for as many of the highest rates, and no
@@ -77,7 +77,7 @@ def _chain(point: AtPoint, fact: Polynomial, time: Any) -> list[Polynomial]:
         rate = point.symbolic.rate(fact, time)
         try:
             value = point.value_of(rate)
-        except Unknown:
+        except UnknownValue:
             break
         if not point.vanishes(value):
             raise Rejected("a derivative of an equation given does not vanish at the point")
@@ -137,7 +137,7 @@ def _put(polynomial: Polynomial, place: int, value: Polynomial) -> Polynomial:
     return total
 
 
-def _is_determinant(read: Expressions, fact: Polynomial, moving: list[Given]) -> bool:
+def _is_determinant(read: Expressions, fact: Polynomial, moving: list[GivenEquation]) -> bool:
     """Whether the square of what is said to be one is one already, since it is the determinant of what is given."""
     square = (fact + ONE) * (fact + ONE)
     for item in moving:

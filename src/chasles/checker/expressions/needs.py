@@ -33,7 +33,7 @@ def require_needs(
     for text in (*used, *reading.substituted):
         if text not in stated:
             raise Rejected(f"the proof uses {text}, and the verdict does not say so")
-    said = [_Said(reading, text) for text in stated if text not in texts]
+    said = [_SaidNeed(reading, text) for text in stated if text not in texts]
     for place in divisors:
         if not (_is_evident(reading, place) or any(one.excludes(place) for one in said)):
             spelled = min(reading.divided.get(place, {reading.names[place]}))
@@ -55,7 +55,7 @@ def require_needs(
             raise Rejected(f"the verdict needs {one.text}, of which the question does not speak")
 
 
-def _is_said(said: list[_Said], odd: frozenset[Terms], sign: int) -> bool:
+def _is_said(said: list[_SaidNeed], odd: frozenset[Terms], sign: int) -> bool:
     """Whether a product is said to be positive, or each of its factors to have a sign."""
     known = [one.signs for one in said if one.signs is not None]
     single = {terms: s for factors, s in known if len(factors) == 1 for terms in factors}
@@ -74,7 +74,7 @@ def _is_evident(reading: Proven, place: int) -> bool:
     return is_positive(reading, base) or is_positive(reading, -base)
 
 
-class _Said:
+class _SaidNeed:
     """One of the needs: that something does not vanish, or is not negative."""
 
     def __init__(self, reading: Proven, text: str) -> None:

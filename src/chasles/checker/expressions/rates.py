@@ -13,13 +13,13 @@ from chasles.checker.sparse import ONE, ZERO, Polynomial, number, variable
 if TYPE_CHECKING:
     from chasles.checker.expressions.expressions import Expressions
 
-__all__ = ["MOST_RATES", "Rates"]
+__all__ = ["MOST_RATES", "Derivatives"]
 
 MOST_RATES = 20
 """Nothing is differentiated more often."""
 
 
-class Rates:
+class Derivatives:
     """Differentiates polynomials in the variables of a reading; all functions of symbols are smooth."""
 
     def __init__(self, reading: Expressions) -> None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from fractions import Fraction
 from math import isqrt
 
-from chasles.checker.expressions.algebra import Algebra, constant, primitive
+from chasles.checker.expressions.algebra import QuotientRing, constant, primitive
 from chasles.checker.expressions.series import Bounds, arctangent, bounds_of, inverted, product
 from chasles.checker.sparse import ONE, Polynomial, Rejected, exponents, number, variable
 
@@ -22,7 +22,7 @@ LARGEST_PART = 60
 """Angles are looked for among the multiples of pi with denominators up to this."""
 
 
-class Reals(Algebra):
+class Reals(QuotientRing):
     """Variables that are positive real numbers; polynomials in them are numbers."""
 
     def __init__(self) -> None:

@@ -11,10 +11,10 @@ from chasles.checker.sparse import ZERO, Polynomial, Rejected, exponents, number
 if TYPE_CHECKING:
     from chasles.checker.expressions.expressions import Expressions
 
-__all__ = ["Unknown", "Valuation"]
+__all__ = ["UnknownValue", "Valuation"]
 
 
-class Unknown(Rejected):
+class UnknownValue(Rejected):
     """Something has no value at a point."""
 
 

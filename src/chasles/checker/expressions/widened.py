@@ -14,8 +14,8 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
-from chasles.checker.expressions.cases import Case
-from chasles.checker.expressions.enclosed import Values, vanishes
+from chasles.checker.expressions.cases import CheckedCase
+from chasles.checker.expressions.enclosed import EnclosedValues, vanishes
 from chasles.checker.expressions.needs import RELATIONS
 from chasles.checker.expressions.quantities import is_atom, require_independent
 from chasles.checker.expressions.readings import CIRCULAR
@@ -50,7 +50,7 @@ def check_widened(
     if missing := [text for text in texts if text not in verdict.needs]:
         raise Rejected(f"the proof may use {missing[0]}, and the verdict does not say so")
     pairs = tuple(pair for _, item in given for pair in item)
-    whole = Case(tuple(map(tuple, sides)), pairs, tuple(nonzero))
+    whole = CheckedCase(tuple(map(tuple, sides)), pairs, tuple(nonzero))
     if missing := [texts for texts in whole.required() if not texts & set(verdict.needs)]:
         raise Rejected(f"the question needs {min(missing[0])}, and the verdict does not say so")
     if verdict.certificate["witness"] != {name: str(value) for name, value in verdict.witness.items()}:
@@ -63,7 +63,7 @@ class _Widened:
     def __init__(self, needs: tuple[str, ...], texts: Sequence[str], check: Standard) -> None:
         self.needs, self.texts, self.check = needs, texts, check
 
-    def tree(self, case: Case, node: Mapping[str, Any]) -> None:
+    def tree(self, case: CheckedCase, node: Mapping[str, Any]) -> None:
         """A certificate of one case."""
         if unknown := node.keys() - PARTS:
             raise Rejected(f"the certificate has a part {min(unknown)!r}, which says nothing")
@@ -86,7 +86,7 @@ class _Widened:
         for name, part in case.split(node["on"], node["size"]).items():
             self.tree(part, node["cases"][name])
 
-    def _leaf(self, case: Case, node: Mapping[str, Any]) -> None:
+    def _leaf(self, case: CheckedCase, node: Mapping[str, Any]) -> None:
         if "proof" not in node:
             raise Rejected("one of the cases is not proved")
         if missing := [texts for texts in case.required_inside() if not texts & set(self.needs)]:
@@ -114,7 +114,7 @@ class _Widened:
             if text not in own and text not in self.needs and not self._holds(case, text):
                 raise Rejected(f"one of the cases needs {text}, and the verdict does not say so")
 
-    def _holds(self, case: Case, text: str) -> bool:
+    def _holds(self, case: CheckedCase, text: str) -> bool:
         """Whether something holds throughout a case, or the verdict says it in the symbols of the question."""
         relation = next((relation for relation in RELATIONS if text.endswith(relation)), None)
         if relation is None:
@@ -190,7 +190,7 @@ def _parsed(text: str, names: Mapping[str, Any]) -> Any:
     return sympy.sympify(text, locals=dict(names))
 
 
-def _require_witness(verdict: Any, case: Case) -> None:
+def _require_witness(verdict: Any, case: CheckedCase) -> None:
     """At the witness everything has a value, what is given holds, and nothing vanishes that must not."""
     values = _values(case, verdict.witness)
     for one, other in zip(*case.sides, strict=True):
@@ -203,7 +203,7 @@ def check_enclosed(
 ) -> None:
     """Raises `Rejected` unless the point satisfies everything, and the entries in a place differ and are as said."""
     pairs = tuple(pair for _, item in given for pair in item)
-    case = Case(tuple(map(tuple, sides)), pairs, tuple(nonzero))
+    case = CheckedCase(tuple(map(tuple, sides)), pairs, tuple(nonzero))
     values = _values(case, at)
     for e in case.spoken:
         values(e)
@@ -215,7 +215,7 @@ def check_enclosed(
         raise Rejected("the two sides are not seen to differ at the point")
 
 
-def _values(case: Case, at: Mapping[str, Any]) -> Values:
+def _values(case: CheckedCase, at: Mapping[str, Any]) -> EnclosedValues:
     """The values at a point that the symbols may have, and at which what is given holds."""
     point: dict[Any, Any] = {}
     atoms = {atom for e in case.spoken for atom in _atoms(e)}
@@ -226,7 +226,7 @@ def _values(case: Case, at: Mapping[str, Any]) -> Values:
         value = at[str(atom)]
         number = sympy.Rational(value.numerator, value.denominator) if isinstance(value, Fraction) else value
         point[atom] = sympy.sympify(number)
-    values = Values(point)
+    values = EnclosedValues(point)
     for atom, value in point.items():
         sign = value if value.is_Rational else sympy.Integer(values.sign(value))
         if any(getattr(atom, f"is_{kind}") not in (None, getattr(sign, f"is_{kind}")) for kind in ASSUMED):

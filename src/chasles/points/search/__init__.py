@@ -9,20 +9,20 @@ from random import Random
 from typing import Any, Protocol
 
 from chasles.algebra.localization import Ratio
-from chasles.algebra.surds import Exact
+from chasles.algebra.surds import SurdSum
 from chasles.algebra.work_limit import check, remaining
 from chasles.points.search.angles import Turning
-from chasles.points.search.constraints import Stage, staged
+from chasles.points.search.constraints import ConstraintSystem, constraint_system
 from chasles.points.search.drawing import Drawing, Frame
 from chasles.points.search.evaluation import Evaluation, entry_of
-from chasles.points.search.motion import Block, Motion, Row
+from chasles.points.search.motion import DifferentiatedRow, EquationBlock, Motion
 from chasles.points.search.values import Values, sparse
 from chasles.problems.context import Context
 from chasles.statements import Goal
 from chasles.verdict import Counterexample
 from chasles.vocabulary import Node, Symbol
 
-__all__ = ["Block", "Frame", "Motion", "Row", "Search", "entry_of"]
+__all__ = ["DifferentiatedRow", "EquationBlock", "Frame", "Motion", "Search", "entry_of"]
 
 ATTEMPTS = (150, 600)
 ENOUGH = 10
@@ -51,7 +51,7 @@ class Search:
     writes the certificates. `theta` is the angle that was the transcendental number at the last point; else pi was.
     """
 
-    allowed: Callable[[str, Exact], bool]
+    allowed: Callable[[str, SurdSum], bool]
     products: Mapping[Symbol, Mapping[Symbol, int]] = field(default_factory=dict)
     rigid: frozenset[Symbol] = frozenset()
     frames: Sequence[Frame] = ()
@@ -72,7 +72,7 @@ class Search:
             return None
         best: tuple[int, Counterexample] | None = None
         found = vanishing = 0
-        stage = staged(context)
+        stage = constraint_system(context)
         for values in self._points(context, stage, attempts, keep_some_time=True):
             evaluate = Evaluation(context, stage, values)
             suspect = next((s for s in suspects if self._differs(context, evaluate, s)), None)
@@ -89,7 +89,7 @@ class Search:
         """A point that satisfies every hypothesis, with rational coordinates if such a one is found."""
         if self.unseen:
             return {v.name: Fraction(v.kind == "cos") for v in context.variables if v.kind in ("cos", "sin")}
-        stage = staged(context)
+        stage = constraint_system(context)
         fallback: Values | None = None
         for count, values in enumerate(self._points(context, stage, ATTEMPTS[0], keep_some_time=False)):
             if self.motion is not None and not self.motion.exists(context, stage, values):
@@ -101,7 +101,9 @@ class Search:
                 break
         return _coordinates(stage, fallback) if fallback else None
 
-    def _points(self, context: Context, stage: Stage, attempts: int, keep_some_time: bool) -> Iterator[Values]:
+    def _points(
+        self, context: Context, stage: ConstraintSystem, attempts: int, keep_some_time: bool
+    ) -> Iterator[Values]:
         """Different points that satisfy everything, simple ones first."""
         turning = Turning(stage, self.products, self.rigid)
         self.theta = turning.theta
@@ -165,7 +167,7 @@ class Search:
         return f"({above.text(theta)})/({below.text(theta)})"
 
 
-def _coordinates(stage: Stage, values: Values) -> dict[str, Any]:
+def _coordinates(stage: ConstraintSystem, values: Values) -> dict[str, Any]:
     """The coordinates by name, rational ones as fractions."""
     exact = {name: values[place] for place, name in enumerate(stage.names)}
     return {name: value if value.as_rational is None else value.as_rational for name, value in exact.items()}
@@ -179,9 +181,9 @@ def _ratio(context: Context, side: Node, place: tuple[int, int]) -> Ratio:
     return context.unfold(side)[place[0] - 1][place[1] - 1]
 
 
-def _height(value: Fraction | Exact) -> int:
+def _height(value: Fraction | SurdSum) -> int:
     """How much work a person has with a number."""
-    if isinstance(value, Exact):
+    if isinstance(value, SurdSum):
         return 8 * len(value.terms)
     if value == 0:
         return 0

@@ -10,8 +10,8 @@ from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from random import Random
 
-from chasles.algebra.surds import Exact, square_root
-from chasles.points.search.constraints import Angle, Stage
+from chasles.algebra.surds import SurdSum, square_root
+from chasles.points.search.constraints import BoundAngle, ConstraintSystem
 from chasles.points.search.values import Values
 from chasles.vocabulary import Symbol
 
@@ -31,7 +31,7 @@ Products = Mapping[Symbol, Mapping[Symbol, int]]
 class Turning:
     """Which angles are fixed by something that stands alone, and what the transcendental number is."""
 
-    def __init__(self, stage: Stage, products: Products, rigid: frozenset[Symbol]) -> None:
+    def __init__(self, stage: ConstraintSystem, products: Products, rigid: frozenset[Symbol]) -> None:
         self.stage = stage
         self.rigid = rigid
         self.products = {a.symbol: products[a.symbol] for a in stage.angles if a.symbol in products}
@@ -69,12 +69,12 @@ class Turning:
         `turns` are what to choose from, in units of pi, if only some will do.
         """
         if self.stage.pi is not None:
-            values[self.stage.pi] = Exact.theta()
+            values[self.stage.pi] = SurdSum.theta()
         return all(self._draw(angle, values, number, random, turns) for angle in self.fixed)
 
     def _draw(
         self,
-        angle: Angle,
+        angle: BoundAngle,
         values: Values,
         number: Callable[[int], Fraction],
         random: Random,
@@ -84,20 +84,20 @@ class Turning:
             turn = random.choice(turns or TURNS)
             turn += 2 * random.choice((0, 0, 1, -1, 2)) if turn else 0
             cosine, sine = _at_turn(turn)
-            size = Exact.theta() * Exact.rational(turn / angle.unit)
+            size = SurdSum.theta() * SurdSum.rational(turn / angle.unit)
         elif random.random() < NO_TURN:
-            cosine, sine, size = Exact.rational(1), Exact({}), Exact({})
+            cosine, sine, size = SurdSum.rational(1), SurdSum({}), SurdSum({})
         else:
             t = random.choice((Fraction(1), Fraction(1, 2), Fraction(2), Fraction(1, 3), Fraction(-1, 2)))
-            cosine, sine = Exact.rational((1 - t * t) / (1 + t * t)), Exact.rational(2 * t / (1 + t * t))
-            size = Exact.theta()
+            cosine, sine = SurdSum.rational((1 - t * t) / (1 + t * t)), SurdSum.rational(2 * t / (1 + t * t))
+            size = SurdSum.theta()
         values[angle.cosine], values[angle.sine] = cosine, sine
         if angle.bare is not None:
             values[angle.bare] = size
             return True
         return self._split(angle, size, values, number)
 
-    def _split(self, angle: Angle, size: Exact, values: Values, number: Callable[[int], Fraction]) -> bool:
+    def _split(self, angle: BoundAngle, size: SurdSum, values: Values, number: Callable[[int], Fraction]) -> bool:
         """Let a product of factors have a given size: all but one of them are drawn."""
         factors = self.products[angle.symbol]
         inside = [f for f in factors if f.name in self.stage.place]
@@ -106,7 +106,7 @@ class Turning:
         # A factor that does not stand alone counts as one, which an angle with a rational cosine is not.
         if last is None or any(factor in turning for factor in factors if factor not in inside):
             return False
-        rest: Exact | None = Exact.rational(1)
+        rest: SurdSum | None = SurdSum.rational(1)
         for factor in inside:
             place = self.stage.place[factor.name]
             if factor == last:
@@ -128,15 +128,15 @@ class Turning:
         return True
 
 
-def _at_turn(turns: Fraction) -> tuple[Exact, Exact]:
+def _at_turn(turns: Fraction) -> tuple[SurdSum, SurdSum]:
     """Cosine and sine of an angle in units of pi."""
     return _sine(turns + Fraction(1, 2)), _sine(turns)
 
 
-def _sine(turns: Fraction) -> Exact:
+def _sine(turns: Fraction) -> SurdSum:
     turns %= 2
     sign = -1 if turns > 1 else 1
     turns %= 1
     root = square_root(Fraction(SINES[min(turns, 1 - turns)], 4))
     assert root is not None
-    return root * Exact.rational(sign)
+    return root * SurdSum.rational(sign)

@@ -9,11 +9,11 @@ from chasles.points.search.values import Sparse, sparse
 from chasles.problems.context import Context
 from chasles.vocabulary import PI, Symbol
 
-__all__ = ["Angle", "Stage", "staged"]
+__all__ = ["BoundAngle", "ConstraintSystem", "constraint_system"]
 
 
 @dataclass(frozen=True, slots=True)
-class Angle:
+class BoundAngle:
     """The places of the cosine and sine of `unit` times an angle, and of the angle itself where it stands alone."""
 
     symbol: Symbol
@@ -24,7 +24,7 @@ class Angle:
 
 
 @dataclass(frozen=True, slots=True)
-class Stage:
+class ConstraintSystem:
     """Equations by the places of their variables; `roots` are squares of variables that are not negative.
 
     `consequences` hold wherever the rest does.
@@ -35,13 +35,13 @@ class Stage:
     equations: list[Sparse]
     consequences: list[Sparse]
     roots: dict[int, Sparse]
-    angles: tuple[Angle, ...]
+    angles: tuple[BoundAngle, ...]
     circles: dict[int, Sparse]
     atoms: list[Sparse]
     pi: int | None
 
 
-def staged(context: Context) -> Stage:
+def constraint_system(context: Context) -> ConstraintSystem:
     """The stage of a context: a root's equation is told from the others by its hypothesis."""
     ring = context.field.ring
     place = {name: k for k, name in enumerate(ring.names)}
@@ -67,7 +67,9 @@ def staged(context: Context) -> Stage:
         if variable.kind == "cos" and variable.symbol is not None:
             sine = place["sin" + variable.name.removeprefix("cos")]
             unit = context.unfold.coordinates.unit(variable.symbol)
-            angles.append(Angle(variable.symbol, k, sine, unit, place.get(variable.symbol.name)))
+            angles.append(BoundAngle(variable.symbol, k, sine, unit, place.get(variable.symbol.name)))
     by_sine = {a.sine: next(c for c in circles if any(m == ((a.sine, 2),) for m, _ in c)) for a in angles}
     atoms = [sparse(ring, atom) for _, atom in context.atoms]
-    return Stage(ring.names, place, equations, consequences, roots, tuple(angles), by_sine, atoms, place.get(PI.name))
+    return ConstraintSystem(
+        ring.names, place, equations, consequences, roots, tuple(angles), by_sine, atoms, place.get(PI.name)
+    )

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from random import Random
 
-from chasles.algebra.surds import Exact, root_of
+from chasles.algebra.surds import SurdSum, root_of
 from chasles.algebra.work_limit import check
 from chasles.points.search.angles import NO_TURNS, QUARTERS, Turning
-from chasles.points.search.constraints import Stage
+from chasles.points.search.constraints import ConstraintSystem
 from chasles.points.search.solving import eliminable, solve_one, unknowns
 from chasles.points.search.values import Partial, Sparse, Values, degree
 
@@ -34,10 +34,10 @@ class Drawing:
 
     def __init__(
         self,
-        stage: Stage,
+        stage: ConstraintSystem,
         turning: Turning,
         frames: Sequence[Frame],
-        allowed: Callable[[str, Exact], bool],
+        allowed: Callable[[str, SurdSum], bool],
         determined: frozenset[str] = frozenset(),
     ) -> None:
         self.determined = determined
@@ -67,7 +67,7 @@ class Drawing:
             value = Fraction(self.random.randint(-reach, reach), below)
             if place in self.stage.roots:
                 return abs(value)
-            if self.allowed(self.stage.names[place], Exact.rational(value)):
+            if self.allowed(self.stage.names[place], SurdSum.rational(value)):
                 break
         return value
 
@@ -184,11 +184,11 @@ class Drawing:
             self.values[place] = value
         return good is not None
 
-    def _root_of(self, inside: Partial) -> Exact | None:
+    def _root_of(self, inside: Partial) -> SurdSum | None:
         if unknowns([inside]):
             return None
         beside = {one for value in self.values.irrational.values() for _, _, nested in value.terms for one in nested}
-        return root_of(inside.get((), Exact({})), sorted(beside, key=str))
+        return root_of(inside.get((), SurdSum({})), sorted(beside, key=str))
 
     def _draw_rest(self) -> bool:
         for place in range(len(self.stage.names)):
@@ -216,7 +216,7 @@ class Drawing:
         )
 
 
-def _is_root(value: Exact) -> bool:
+def _is_root(value: SurdSum) -> bool:
     """Whether a number is not negative; the transcendental number is not."""
     if len(value.terms) == 1:
         return all(coefficient > 0 for coefficient in value.terms.values())

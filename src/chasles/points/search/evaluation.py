@@ -8,9 +8,9 @@ from __future__ import annotations
 from functools import reduce
 from operator import add
 
-from chasles.algebra.surds import Exact
+from chasles.algebra.surds import SurdSum
 from chasles.algebra.work_limit import check
-from chasles.points.search.constraints import Angle, Stage
+from chasles.points.search.constraints import BoundAngle, ConstraintSystem
 from chasles.points.search.values import Values
 from chasles.problems.context import Context
 from chasles.problems.variables import angle_multiples
@@ -27,28 +27,28 @@ def entry_of(node: Node, place: tuple[int, int]) -> Node:
 class Evaluation:
     """Evaluates scalars at one point."""
 
-    def __init__(self, context: Context, stage: Stage, values: Values) -> None:
+    def __init__(self, context: Context, stage: ConstraintSystem, values: Values) -> None:
         self.rules = dict(context.problem.rules)
         self.stage = stage
         self.values = values
-        self.angles: dict[Symbol, Angle] = {angle.symbol: angle for angle in stage.angles}
-        self._known: dict[Node, Exact | None] = {}
+        self.angles: dict[Symbol, BoundAngle] = {angle.symbol: angle for angle in stage.angles}
+        self._known: dict[Node, SurdSum | None] = {}
 
-    def __call__(self, node: Node) -> Exact | None:
+    def __call__(self, node: Node) -> SurdSum | None:
         """The value; None if a divisor on the way has no exact inverse here."""
         if node not in self._known:
             check()
             self._known[node] = self._evaluate(node)
         return self._known[node]
 
-    def _evaluate(self, node: Node) -> Exact | None:
+    def _evaluate(self, node: Node) -> SurdSum | None:
         match node:
             case _ if node in self.rules:
                 return self(self.rules[node])
             case Symbol():
                 return self.values[self.stage.place[node.name]]
             case Number(number):
-                return Exact.rational(number)
+                return SurdSum.rational(number)
             case Sum(terms):
                 found = [value for value in map(self, terms) if value is not None]
                 return reduce(add, found) if len(found) == len(terms) else None
@@ -70,8 +70,8 @@ class Evaluation:
             case _:
                 raise TypeError(f"{type(node).__name__} is no scalar of a question")
 
-    def _circular(self, function: str, argument: Node) -> Exact:
-        cosine, sine = Exact.rational(1), Exact({})
+    def _circular(self, function: str, argument: Node) -> SurdSum:
+        cosine, sine = SurdSum.rational(1), SurdSum({})
         for symbol, multiple in angle_multiples(argument, self.rules).items():
             angle = self.angles[symbol]
             c, s = self.values[angle.cosine], self.values[angle.sine]

@@ -14,16 +14,16 @@ from dataclasses import dataclass
 
 from chasles.algebra.groebner import stated
 from chasles.algebra.rings import Polynomial, Ring
-from chasles.algebra.surds import Exact
-from chasles.points.search.constraints import Stage
+from chasles.algebra.surds import SurdSum
+from chasles.points.search.constraints import ConstraintSystem
 from chasles.points.search.values import Sparse, Values, sparse
 from chasles.problems.context import Context
 
-__all__ = ["Block", "Motion", "Row"]
+__all__ = ["DifferentiatedRow", "EquationBlock", "Motion"]
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class DifferentiatedRow:
     """An equation: the labels of its generator and of those of its derivatives, and the names of its highest rates.
 
     It determines rates when it is differentiated so many `times`. A rate that does not occur has no name.
@@ -35,10 +35,10 @@ class Row:
 
 
 @dataclass(frozen=True, slots=True)
-class Block:
+class EquationBlock:
     """Equations of which `rank` are independent; None if all are meant to be."""
 
-    rows: Sequence[Row]
+    rows: Sequence[DifferentiatedRow]
     rank: int | None = None
 
 
@@ -50,16 +50,16 @@ class Motion:
     rates, in the same order, in its derivative.
     """
 
-    blocks: Sequence[Block]
+    blocks: Sequence[EquationBlock]
     highest: Sequence[str]
     determined: frozenset[str] = frozenset()
     still: frozenset[str] = frozenset()
 
-    def exists(self, context: Context, stage: Stage, values: Values) -> bool:
+    def exists(self, context: Context, stage: ConstraintSystem, values: Values) -> bool:
         """Whether functions exist that have these values and satisfy the equations at all times."""
         generators = {g.label: g.polynomial for g in context.generators}
         slopes = _Slopes(stage, values)
-        solved: list[tuple[int, list[Exact]]] = []
+        solved: list[tuple[int, list[SurdSum]]] = []
         pivots: dict[str, str] = {}
         surplus: set[str] = set()
         for block in self.blocks:
@@ -80,7 +80,7 @@ class Motion:
         return not surplus or self._follow(context, stage, values, surplus, pivots)
 
     def _follow(
-        self, context: Context, stage: Stage, values: Values, surplus: set[str], pivots: Mapping[str, str]
+        self, context: Context, stage: ConstraintSystem, values: Values, surplus: set[str], pivots: Mapping[str, str]
     ) -> bool:
         """Whether the equations of these labels are consequences of the others, by which rates are replaced first.
 
@@ -107,7 +107,7 @@ class Motion:
                     return False
         return True
 
-    def _still(self, stage: Stage) -> set[int]:
+    def _still(self, stage: ConstraintSystem) -> set[int]:
         """The places of what does not change: words, their cosines and sines, and roots of these."""
         still = {place for name, place in stage.place.items() if name in self.still}
         still |= {k for a in stage.angles if a.symbol.name in self.still for k in (a.cosine, a.sine)}
@@ -127,33 +127,33 @@ def _replaced(ring: Ring, polynomial: Polynomial, solved: Sequence[tuple[int, Po
 class _Slopes:
     """The derivatives of an equation by rates, of which angles and roots are functions."""
 
-    def __init__(self, stage: Stage, values: Values) -> None:
+    def __init__(self, stage: ConstraintSystem, values: Values) -> None:
         self.stage = stage
         self.values = values
 
-    def __call__(self, terms: Sparse, rates: Sequence[str]) -> list[Exact] | None:
+    def __call__(self, terms: Sparse, rates: Sequence[str]) -> list[SurdSum] | None:
         """The derivatives in turn; None where a root vanishes."""
         found = [self._by(terms, name) for name in rates]
         return None if None in found else [entry for entry in found if entry is not None]
 
-    def _by(self, terms: Sparse, name: str) -> Exact | None:
+    def _by(self, terms: Sparse, name: str) -> SurdSum | None:
         place = self.stage.place.get(name)
-        total = Exact({}) if place is None else self._partial(terms, place)
+        total = SurdSum({}) if place is None else self._partial(terms, place)
         for angle in self.stage.angles:
             if angle.symbol.name == name:
                 one, other = self._partial(terms, angle.sine), self._partial(terms, angle.cosine)
                 turned = one * self.values[angle.cosine] - other * self.values[angle.sine]
-                total = total + turned * Exact.rational(angle.unit)
+                total = total + turned * SurdSum.rational(angle.unit)
         for root, radicand in self.stage.roots.items():
             slope = self._partial(terms, root)
-            inside = Exact({}) if slope.is_zero else self._by(radicand, name)
+            inside = SurdSum({}) if slope.is_zero else self._by(radicand, name)
             half = (self.values[root] + self.values[root]).inverse()
             if inside is None or (half is None and not slope.is_zero):
                 return None
             total = total + slope * inside * half if half is not None else total
         return total
 
-    def _partial(self, terms: Sparse, place: int) -> Exact:
+    def _partial(self, terms: Sparse, place: int) -> SurdSum:
         lowered = []
         for monomial, factor in terms:
             powers = dict(monomial)
@@ -164,7 +164,7 @@ class _Slopes:
         return self.values.of(lowered)
 
 
-def _take(row: list[Exact], solved: list[tuple[int, list[Exact]]]) -> bool | None:
+def _take(row: list[SurdSum], solved: list[tuple[int, list[SurdSum]]]) -> bool | None:
     """Add a row to a matrix in echelon form if it is independent; None if no entry left can be inverted exactly."""
     for column, pivot in solved:
         factor = row[column]

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from random import Random
 
-from chasles.algebra.surds import Exact, square_root
+from chasles.algebra.surds import SurdSum, square_root
 from chasles.points.search.values import Partial, Values, degree
 
 __all__ = ["eliminable", "solve_one", "unknowns"]
@@ -38,12 +38,12 @@ def eliminable(partials: Sequence[Partial]) -> list[tuple[int, Partial]]:
     return found
 
 
-def solve_one(partial: Partial, draw: Draw, random: Random, plain: bool) -> dict[int, Exact] | None:
+def solve_one(partial: Partial, draw: Draw, random: Random, plain: bool) -> dict[int, SurdSum] | None:
     """Values of unknowns of one equation that satisfy it, if some are found; `plain` asks for simple ones."""
     places = unknowns([partial])
     common = [k for k in places if all(any(place == k for place, _ in monomial) for monomial in partial)]
     if common and (len(partial) == 1 or random.random() < HALF):
-        return {random.choice(common): Exact({})}
+        return {random.choice(common): SurdSum({})}
     linear = [k for k in places if all(e == 1 for monomial in partial for place, e in monomial if place == k)]
     if linear:
         return _for_one(partial, random.choice(linear), places, draw, random)
@@ -54,13 +54,13 @@ def solve_one(partial: Partial, draw: Draw, random: Random, plain: bool) -> dict
     return _for_one(partial, random.choice(places), places, draw, random) or _small(partial, places, random)
 
 
-def _for_one(partial: Partial, target: int, places: list[int], draw: Draw, random: Random) -> dict[int, Exact] | None:
+def _for_one(partial: Partial, target: int, places: list[int], draw: Draw, random: Random) -> dict[int, SurdSum] | None:
     """Draw all unknowns but one, and solve a linear or quadratic equation for that."""
-    solution = {k: Exact.rational(draw(k)) for k in places if k != target}
+    solution = {k: SurdSum.rational(draw(k)) for k in places if k != target}
     values = Values()
     for k, value in solution.items():
         values[k] = value
-    powers = [Exact({})] * 3
+    powers = [SurdSum({})] * 3
     for monomial, coefficient in partial.items():
         exponent = dict(monomial).get(target, 0)
         if exponent > 2:
@@ -70,11 +70,11 @@ def _for_one(partial: Partial, target: int, places: list[int], draw: Draw, rando
     root = _quadratic(powers, random)
     if root is None:
         return None
-    solution[target] = root if isinstance(root, Exact) else Exact.rational(draw(target))
+    solution[target] = root if isinstance(root, SurdSum) else SurdSum.rational(draw(target))
     return solution
 
 
-def _quadratic(powers: list[Exact], random: Random) -> Exact | bool | None:
+def _quadratic(powers: list[SurdSum], random: Random) -> SurdSum | bool | None:
     """A real solution of a quadratic equation; True if every number is one, None if none is found."""
     c, b, a = powers
     if a.is_zero:
@@ -83,24 +83,24 @@ def _quadratic(powers: list[Exact], random: Random) -> Exact | bool | None:
         inverse = b.inverse()
         return None if inverse is None else -c * inverse
     inverse = (a + a).inverse()
-    discriminant = (b * b - a * c * Exact.rational(4)).as_rational
+    discriminant = (b * b - a * c * SurdSum.rational(4)).as_rational
     root = None if discriminant is None else square_root(discriminant)
     if inverse is None or root is None:
         return None
     return (random.choice((root, -root)) - b) * inverse
 
 
-def _small(partial: Partial, places: list[int], random: Random) -> dict[int, Exact] | None:
+def _small(partial: Partial, places: list[int], random: Random) -> dict[int, SurdSum] | None:
     """Small integers that satisfy the equation."""
     for trial in range(TRIES):
         reach = 1 if trial < TRIES // 2 else 3
         point = {k: Fraction(random.randint(-reach, reach)) for k in places}
         if _at(partial, point).is_zero:
-            return {k: Exact.rational(x) for k, x in point.items()}
+            return {k: SurdSum.rational(x) for k, x in point.items()}
     return None
 
 
-def _on_quadric(partial: Partial, places: list[int], random: Random, plain: bool) -> dict[int, Exact] | None:
+def _on_quadric(partial: Partial, places: list[int], random: Random, plain: bool) -> dict[int, SurdSum] | None:
     """A point of a quadric: a small one, or where a line through a small one meets the quadric again."""
     start = _small(partial, places, random)
     if start is None or plain:
@@ -110,19 +110,22 @@ def _on_quadric(partial: Partial, places: list[int], random: Random, plain: bool
     ahead = _at(partial, {k: point[k] + way[k] for k in places})
     behind = _at(partial, {k: point[k] - way[k] for k in places})
     # Along the line the polynomial is t (slope + curve t), for it vanishes at t = 0.
-    slope, curve = (ahead - behind) * Exact.rational(Fraction(1, 2)), (ahead + behind) * Exact.rational(Fraction(1, 2))
+    slope, curve = (
+        (ahead - behind) * SurdSum.rational(Fraction(1, 2)),
+        (ahead + behind) * SurdSum.rational(Fraction(1, 2)),
+    )
     inverse = curve.inverse()
     t = None if inverse is None else (-slope * inverse).as_rational
     if t is None:
         return start
-    return {k: Exact.rational(point[k] + t * way[k]) for k in places}
+    return {k: SurdSum.rational(point[k] + t * way[k]) for k in places}
 
 
-def _at(partial: Partial, point: dict[int, Fraction]) -> Exact:
-    total = Exact({})
+def _at(partial: Partial, point: dict[int, Fraction]) -> SurdSum:
+    total = SurdSum({})
     for monomial, coefficient in partial.items():
         size = Fraction(1)
         for place, exponent in monomial:
             size *= point[place] ** exponent
-        total = total + coefficient * Exact.rational(size)
+        total = total + coefficient * SurdSum.rational(size)
     return total

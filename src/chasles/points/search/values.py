@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from chasles.algebra.rings import Polynomial, Ring
-from chasles.algebra.surds import Exact
+from chasles.algebra.surds import SurdSum
 from chasles.algebra.work_limit import check
 
 __all__ = ["Monomial", "Partial", "Sparse", "Values", "degree", "sparse"]
@@ -14,8 +14,8 @@ __all__ = ["Monomial", "Partial", "Sparse", "Values", "degree", "sparse"]
 BATCH = 1000
 Monomial = tuple[tuple[int, int], ...]
 Sparse = Sequence[tuple[Monomial, Fraction]]
-Partial = dict[Monomial, Exact]
-ONE = Exact.rational(1)
+Partial = dict[Monomial, SurdSum]
+ONE = SurdSum.rational(1)
 
 
 def sparse(ring: Ring, polynomial: Polynomial) -> Sparse:
@@ -36,7 +36,7 @@ def _times(one: Partial, other: Partial) -> Partial:
             for place, exponent in right:
                 powers[place] = powers.get(place, 0) + exponent
             monomial = tuple(sorted(powers.items()))
-            total[monomial] = total.get(monomial, Exact({})) + a * b
+            total[monomial] = total.get(monomial, SurdSum({})) + a * b
     return {monomial: value for monomial, value in total.items() if not value.is_zero}
 
 
@@ -45,7 +45,7 @@ class Values:
 
     def __init__(self) -> None:
         self.rational: dict[int, Fraction] = {}
-        self.irrational: dict[int, Exact] = {}
+        self.irrational: dict[int, SurdSum] = {}
         self.forms: dict[int, Partial] = {}
 
     def copy(self) -> Values:
@@ -58,14 +58,14 @@ class Values:
     def __contains__(self, place: int) -> bool:
         return place in self.rational or place in self.irrational
 
-    def __getitem__(self, place: int) -> Exact:
-        return self.irrational[place] if place in self.irrational else Exact.rational(self.rational[place])
+    def __getitem__(self, place: int) -> SurdSum:
+        return self.irrational[place] if place in self.irrational else SurdSum.rational(self.rational[place])
 
-    def __setitem__(self, place: int, value: Exact | Fraction) -> None:
-        exact = value.as_rational if isinstance(value, Exact) else value
+    def __setitem__(self, place: int, value: SurdSum | Fraction) -> None:
+        exact = value.as_rational if isinstance(value, SurdSum) else value
         if exact is not None:
             self.rational[place] = exact
-        elif isinstance(value, Exact):
+        elif isinstance(value, SurdSum):
             self.irrational[place] = value
 
     def follow(self, place: int, form: Partial) -> None:
@@ -78,7 +78,7 @@ class Values:
         for place in list(self.forms):
             form = self._put_in(self.forms.pop(place))
             if all(monomial == () for monomial in form):
-                self[place] = form.get((), Exact({}))
+                self[place] = form.get((), SurdSum({}))
             else:
                 self.forms[place] = form
 
@@ -106,10 +106,10 @@ class Values:
         following = any(place in self.forms for monomial in partial for place, _ in monomial)
         return self._put_in(partial) if following else partial
 
-    def _folded(self, parts: dict[Monomial, Fraction]) -> Exact:
-        total = Exact({})
+    def _folded(self, parts: dict[Monomial, Fraction]) -> SurdSum:
+        total = SurdSum({})
         for monomial, coefficient in parts.items():
-            term = Exact.rational(coefficient)
+            term = SurdSum.rational(coefficient)
             for place, exponent in monomial:
                 term = term * self.irrational[place] ** exponent
             total = total + term
@@ -126,9 +126,9 @@ class Values:
                 for _ in range(exponent):
                     term = _times(term, base)
             for key, value in term.items():
-                total[key] = total.get(key, Exact({})) + value
+                total[key] = total.get(key, SurdSum({})) + value
         return {key: value for key, value in total.items() if not value.is_zero}
 
-    def of(self, terms: Sparse) -> Exact:
+    def of(self, terms: Sparse) -> SurdSum:
         """The value of a polynomial all of whose variables have values."""
-        return self.into(terms).get((), Exact({}))
+        return self.into(terms).get((), SurdSum({}))

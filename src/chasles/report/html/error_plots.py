@@ -9,7 +9,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from chasles.report.html.measured import Curve, Place
+from chasles.report.html.measured import ErrorAtAngle, ErrorCurve
 from chasles.report.html.pictures import inline
 
 __all__ = ["ErrorPlot", "Plotted", "plotted"]
@@ -38,7 +38,7 @@ class Plotted:
     without: tuple[str, ...]
 
 
-def plotted(curves: Sequence[Curve]) -> Plotted:
+def plotted(curves: Sequence[ErrorCurve]) -> Plotted:
     """A drawing for each curve; none where matplotlib is missing, and what to install."""
     try:
         return Plotted(tuple(map(_plot, curves)), ())
@@ -46,19 +46,19 @@ def plotted(curves: Sequence[Curve]) -> Plotted:
         return Plotted((), (str(error),))
 
 
-def _plot(curve: Curve) -> ErrorPlot:
+def _plot(curve: ErrorCurve) -> ErrorPlot:
     words = _in_words(curve)
     place = f"errors-{curve.kernel.replace('_', '-')}"
     return ErrorPlot(inline(_figure(curve), place, f"Errors of {curve.kernel} over the angle", words), words)
 
 
-def _in_words(curve: Curve) -> str:
+def _in_words(curve: ErrorCurve) -> str:
     """The largest errors of the two, said."""
     ours, typed = ([(getattr(place, name), place) for place in curve.places] for name in ("ours", "typed"))
     return f"{curve.title}: {_largest(ours)} as emitted, {_largest(typed)} by the formula as typed."
 
 
-def _largest(errors: Sequence[tuple[float, Place]]) -> str:
+def _largest(errors: Sequence[tuple[float, ErrorAtAngle]]) -> str:
     lost = [place for error, place in errors if error >= 2**53]
     if not lost:
         return f"at most {max(error for error, _ in errors):.3g} u"
@@ -67,7 +67,7 @@ def _largest(errors: Sequence[tuple[float, Place]]) -> str:
     return f"no digit is right at φ = {'π − ' if at.near_pi else ''}{small}"
 
 
-def _figure(curve: Curve) -> Any:
+def _figure(curve: ErrorCurve) -> Any:
     try:
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
@@ -87,7 +87,7 @@ def _figure(curve: Curve) -> Any:
     return figure
 
 
-def _panel(axes: Any, places: Sequence[Place]) -> None:
+def _panel(axes: Any, places: Sequence[ErrorAtAngle]) -> None:
     """Both errors over the distance from where the formula is singular, by their decimal logarithms."""
     rows = sorted(places, key=lambda place: place.small)
     distances = [log10(place.small) for place in rows]

@@ -14,7 +14,7 @@ from markupsafe import Markup
 from chasles.decisions.decision import DoesNotStand
 from chasles.decisions.processes import spread
 from chasles.exact.spelling import decimal_text, latex_of, text_of
-from chasles.exercises.solution import Check, Citation, Line, Solution, Step, cited
+from chasles.exercises.solution import Citation, Formula, Solution, SolutionStep, SubstitutionCheck, cited
 from chasles.exercises.solving import solve_with
 from chasles.report.html.citing import Link, place_of_number, slug
 from chasles.report.html.drawn import are_kept, drawn
@@ -32,7 +32,7 @@ AN_EXERCISE = 0.5
 
 
 @dataclass(frozen=True, slots=True)
-class Given:
+class DatumShown:
     """A datum: its name, what it is, its value as text."""
 
     name: str
@@ -71,7 +71,7 @@ class WorkedView:
     outcome: str
     asked: tuple[str, ...]
     assumed: tuple[str, ...]
-    given: tuple[Given, ...]
+    given: tuple[DatumShown, ...]
     steps: tuple[WorkedStep, ...]
     answers: tuple[AnswerView, ...]
     checks: tuple[WorkedStep, ...]
@@ -130,11 +130,11 @@ def _ready_to_draw() -> None:
             import_module("mpl_toolkits.mplot3d")
 
 
-def _given(asked: Exercise, solution: Solution) -> Iterator[Given]:
+def _given(asked: Exercise, solution: Solution) -> Iterator[DatumShown]:
     """The data that have a value."""
     for datum in asked.data:
         if (value := solution.given.get(datum.key)) is not None:
-            yield Given(datum.key, datum.says, text_of(value))
+            yield DatumShown(datum.key, datum.says, text_of(value))
 
 
 def _answer(name: str, value: Any) -> AnswerView:
@@ -158,11 +158,11 @@ def _words(value: Any) -> Iterator[str]:
                 yield "; ".join(text_of(part).rstrip(".") for part in told.values() if part)
 
 
-def _step(known: frozenset[str], step: Step | Check) -> WorkedStep:
+def _step(known: frozenset[str], step: SolutionStep | SubstitutionCheck) -> WorkedStep:
     return WorkedStep(step.says, tuple(_cites(known, step.cites)), tuple(map(_line, step.lines)))
 
 
-def _line(line: Line) -> Equation:
+def _line(line: Formula) -> Equation:
     return Equation(displayed(line.latex), line.text, _decimals(line.decimals), line.latex)
 
 

@@ -15,7 +15,7 @@ from markupsafe import Markup
 from chasles.report.html.breaking import in_lines, width_of
 from chasles.vocabulary import Node
 from chasles.vocabulary.latex import Latex
-from chasles.vocabulary.spelling import Level, Piece, spell
+from chasles.vocabulary.spelling import Piece, Precedence, spell
 
 __all__ = ["displayed", "equation_tree", "latex_for_mathml", "markup", "math", "tree_of"]
 
@@ -58,7 +58,7 @@ class _ForMathML(Latex):
     def function(self, name: str, argument: Piece) -> Piece:
         spelled = super().function(name, argument)
         command, blank, rest = spelled.text.partition(" ")
-        if spelled.level is Level.PRODUCT and blank:
+        if spelled.level is Precedence.PRODUCT and blank:
             return Piece(f"{command} {THIN} {rest}", spelled.level, spelled.depth)
         return spelled
 

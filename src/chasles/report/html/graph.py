@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 from chasles.report.details import number_in_words
 from chasles.report.html.citing import Book
-from chasles.report.html.shown import Number
+from chasles.report.html.shown import NumberShown
 
-__all__ = ["Band", "Box", "Graph", "Line", "graph_of"]
+__all__ = ["Band", "Box", "GraphDrawing", "GraphEdge", "graph_of"]
 
 ACROSS = 18
 """Boxes in a row."""
@@ -20,7 +20,7 @@ LEFT, TOP, BAND = 12, 12, 26
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class GraphEdge:
     """A curve from a box to one that rests on it, as the data of an SVG path."""
 
     path: str
@@ -36,7 +36,7 @@ class Box:
     verdict: str
     x: int
     y: int
-    lines: tuple[Line, ...]
+    lines: tuple[GraphEdge, ...]
 
     @property
     def middle(self) -> int:
@@ -56,7 +56,7 @@ class Band:
 
 
 @dataclass(frozen=True, slots=True)
-class Graph:
+class GraphDrawing:
     """The drawing: its size, what it shows in words, headings and boxes."""
 
     width: int
@@ -69,10 +69,10 @@ class Graph:
     most_used: str
 
 
-Section = tuple[str, Sequence[Number]]
+Section = tuple[str, Sequence[NumberShown]]
 
 
-def graph_of(book: Book, sections: Sequence[Section]) -> Graph:
+def graph_of(book: Book, sections: Sequence[Section]) -> GraphDrawing:
     """The drawing of all numbers, section by section, each below the heading of its section."""
     places, bands, height = _placed(sections)
     bases = _bases(book)
@@ -80,12 +80,14 @@ def graph_of(book: Book, sections: Sequence[Section]) -> Graph:
     for _, numbers in sections:
         for number in numbers:
             name = number.cited.strip("()")
-            lines = tuple(Line(_curve(places[basis], places[name])) for basis in bases.get(name, ()) if basis in places)
+            lines = tuple(
+                GraphEdge(_curve(places[basis], places[name])) for basis in bases.get(name, ()) if basis in places
+            )
             x, y = places[name]
             boxes.append(Box(f"#{number.place}", _short(name), _title(number), number.badge.name, x, y, lines))
     width = 2 * LEFT + ACROSS * STEP_X - (STEP_X - WIDTH)
     links = sum(len(box.lines) for box in boxes)
-    return Graph(width, height, WIDTH, HEIGHT, bands, tuple(boxes), links, _most_used(bases))
+    return GraphDrawing(width, height, WIDTH, HEIGHT, bands, tuple(boxes), links, _most_used(bases))
 
 
 def _placed(sections: Sequence[Section]) -> tuple[dict[str, tuple[int, int]], tuple[Band, ...], int]:
@@ -130,7 +132,7 @@ def _short(number: str) -> str:
     return number.removeprefix("text ").replace("Thm ", "T").replace("Cor ", "C")
 
 
-def _title(number: Number) -> str:
+def _title(number: NumberShown) -> str:
     return f"{number.cited} {number.badge.word}. {number.parts[0].says}"
 
 

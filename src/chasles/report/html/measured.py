@@ -10,7 +10,7 @@ from typing import Any
 
 from chasles.report.html.citing import Link
 
-__all__ = ["ERRORS", "TIMES", "Curve", "DamagedEvidence", "Measured", "Place", "Speed", "measured"]
+__all__ = ["ERRORS", "TIMES", "DamagedEvidence", "ErrorAtAngle", "ErrorCurve", "Measured", "Speed", "measured"]
 
 TIMES, ERRORS = "kernels.json", "errors.json"
 """The files of the evidence."""
@@ -26,7 +26,7 @@ class DamagedEvidence(ValueError):
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class ErrorAtAngle:
     """The errors of a kernel and of its formula as typed, at an angle that is as `small` as that or as near to pi.
 
     They are in units of roundoff, and infinite where there is no finite result.
@@ -39,12 +39,12 @@ class Place:
 
 
 @dataclass(frozen=True, slots=True)
-class Curve:
+class ErrorCurve:
     """The errors over the angle of one kernel."""
 
     kernel: str
     title: str
-    places: tuple[Place, ...]
+    places: tuple[ErrorAtAngle, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +72,7 @@ class Measured:
     where: tuple[str, ...]
     speeds: tuple[Speed, ...]
     found: Mapping[str, tuple[str, ...]]
-    curves: tuple[Curve, ...]
+    curves: tuple[ErrorCurve, ...]
 
 
 def measured(evidence: Mapping[str, str], places: Mapping[str, str]) -> Measured:
@@ -163,14 +163,14 @@ def _found(kernel: Mapping[str, Any]) -> Iterator[str]:
             yield f"{lead}found {_number(units[0])} u, in single precision {_number(units[1])} u"
 
 
-def _curve(name: str, data: Mapping[str, Any]) -> Curve:
+def _curve(name: str, data: Mapping[str, Any]) -> ErrorCurve:
     places = tuple(_place(point) for point in data["points"] if (point["ours"], point["as_typed"]) != (None, None))
     if not places:
         raise ValueError(f"there are no errors of {name}")
-    return Curve(name, str(data["title"]), places)
+    return ErrorCurve(name, str(data["title"]), places)
 
 
-def _place(point: Mapping[str, Any]) -> Place:
+def _place(point: Mapping[str, Any]) -> ErrorAtAngle:
     near_pi = NEAR_PI in point
     ours, typed = (inf if point[key] is None else float(point[key]) for key in ("ours", "as_typed"))
-    return Place(near_pi, float(point[NEAR_PI if near_pi else "phi"]), ours, typed)
+    return ErrorAtAngle(near_pi, float(point[NEAR_PI if near_pi else "phi"]), ours, typed)

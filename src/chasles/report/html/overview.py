@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from chasles.report.findings import Numbers, Pairs, numbers_of, slips_in_words, stands_in
+from chasles.report.findings import NumberCounts, Pairs, numbers_of, slips_in_words, stands_in
 from chasles.report.html.citing import Book, Link
 from chasles.report.html.shown import Badge, RoadView, badge_of
 from chasles.report.html.trusted import Trusted
 from chasles.report.summary import Tally, tallies
 from chasles.report.words import VERDICTS, counted
 
-__all__ = ["Overview", "Row", "Share", "overview"]
+__all__ = ["Overview", "SectionRow", "VerdictShare", "overview"]
 
 
 @dataclass(frozen=True, slots=True)
-class Share:
+class VerdictShare:
     """How many statements have a verdict, and where they begin in a bar that is 1000 wide."""
 
     badge: Badge
@@ -25,7 +25,7 @@ class Share:
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class SectionRow:
     """A section with its counts, in the order of the shares; a dot where there is none."""
 
     number: str
@@ -41,11 +41,11 @@ class Overview:
     `without` how it is repaired; `postulates` are the laws that are assumed.
     """
 
-    numbers: Numbers
+    numbers: NumberCounts
     statements: int
     in_words: str
-    shares: tuple[Share, ...]
-    rows: tuple[Row, ...]
+    shares: tuple[VerdictShare, ...]
+    rows: tuple[SectionRow, ...]
     wrong: int
     slips: str
     found: int
@@ -83,7 +83,7 @@ def overview(book: Book, decided: Pairs, roads: tuple[RoadView, ...], trusted: T
     )
 
 
-def _shares(sections: list[Tally]) -> tuple[Share, ...]:
+def _shares(sections: list[Tally]) -> tuple[VerdictShare, ...]:
     """The verdicts that occur, side by side."""
     total = Tally("", "")
     for section in sections:
@@ -93,11 +93,11 @@ def _shares(sections: list[Tally]) -> tuple[Share, ...]:
     for name in VERDICTS:
         if count := total.verdicts[name]:
             width = 1000 * count / whole
-            shares.append(Share(badge_of(name), count, round(start, 1), round(width, 1)))
+            shares.append(VerdictShare(badge_of(name), count, round(start, 1), round(width, 1)))
             start += width
     return tuple(shares)
 
 
-def _row(tally: Tally, shares: tuple[Share, ...]) -> Row:
+def _row(tally: Tally, shares: tuple[VerdictShare, ...]) -> SectionRow:
     counts = (tally.verdicts[share.badge.name] for share in shares)
-    return Row(tally.number, tally.title, tuple(str(count) if count else "·" for count in counts))
+    return SectionRow(tally.number, tally.title, tuple(str(count) if count else "·" for count in counts))

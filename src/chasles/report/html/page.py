@@ -21,14 +21,14 @@ from chasles.report.html.measured import measured
 from chasles.report.html.notation import notation_of
 from chasles.report.html.overview import overview
 from chasles.report.html.palette import DARK, LIGHT
-from chasles.report.html.shown import Badge, KernelRow, Number, RoadView, badge_of
+from chasles.report.html.shown import Badge, KernelRow, NumberShown, RoadView, badge_of
 from chasles.report.html.statements import part_of
 from chasles.report.html.trusted import Trusted
 from chasles.report.verdict_page import WORST_FIRST
 from chasles.report.words import VERDICTS
 from chasles.statements import Chapter, Entry, Section
 
-__all__ = ["Chosen", "SectionView", "Sources", "contents", "page"]
+__all__ = ["Chosen", "PageContents", "SectionView", "contents", "page"]
 
 Pair = tuple[Entry, Decision]
 
@@ -41,7 +41,7 @@ class SectionView:
     number: str
     title: str
     classes: str
-    numbers: tuple[Number, ...]
+    numbers: tuple[NumberShown, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +54,7 @@ class Chosen:
 
 
 @dataclass(frozen=True, slots=True)
-class Sources:
+class PageContents:
     """What the page shows beside the decisions: what was checked again, emitted, measured, walked and worked.
 
     `evidence` are the texts of what was measured, by the names of their files.
@@ -67,12 +67,12 @@ class Sources:
     exercises: tuple[WorkedView, ...] = ()
 
 
-def page(chapter: Chapter, decisions: DecisionsByName, sources: Sources) -> str:
+def page(chapter: Chapter, decisions: DecisionsByName, sources: PageContents) -> str:
     """The whole page; the same decisions and sources give the same text. Raises DamagedEvidence."""
     return str(filled("index.html.jinja", **contents(chapter, decisions, sources), has_pages=False))
 
 
-def contents(chapter: Chapter, decisions: DecisionsByName, sources: Sources) -> dict[str, Any]:
+def contents(chapter: Chapter, decisions: DecisionsByName, sources: PageContents) -> dict[str, Any]:
     """What the templates show, by name. Raises DamagedEvidence."""
     book = Book(chapter)
     decided = ordered(chapter, decisions)
@@ -126,11 +126,11 @@ def _number(
     kernels: Mapping[str, KernelRow],
     roads: Sequence[RoadView],
     times: int,
-) -> Number:
+) -> NumberShown:
     """A number with the parts of it that stand in one section; its verdict is the worst of theirs."""
     names = [decision.verdict.name for _, decision in group]
     parts = tuple(part_of(book, entry, decision, _kernels(entry, kernels)) for entry, decision in group)
-    return Number(
+    return NumberShown(
         place=place_of_number(number) if times == 1 else f"{place_of_number(number)}-again-{times}",
         cited=number_in_words(number),
         badge=badge_of(min(names, key=WORST_FIRST.index)),
@@ -150,7 +150,7 @@ def _within(section: Section) -> str:
     return " ".join(f"within-{'-'.join(pieces[: k + 1])}" for k in range(1, max(2, len(pieces))))
 
 
-def _verdict_filters(numbers: Sequence[Number]) -> Iterator[Chosen]:
+def _verdict_filters(numbers: Sequence[NumberShown]) -> Iterator[Chosen]:
     present = {name for number in numbers for name in number.classes.split()}
     for name in VERDICTS:
         if f"is-{name}" in present:

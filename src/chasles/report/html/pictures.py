@@ -10,7 +10,7 @@ from xml.etree.ElementTree import Element, SubElement, fromstring, tostring
 
 from markupsafe import Markup
 
-from chasles.exercises.picture import Arrow, Body, Curve, Graph, Line, Picture, Point
+from chasles.exercises.picture import Arrow, Curve, DrawnBody, Graph, Line, Picture, Point
 
 __all__ = ["inline", "said_of"]
 
@@ -34,7 +34,7 @@ LEFT_OUT = ("stroke-linejoin: miter", "stroke-linecap: square", "stroke-linecap:
 """How ends and corners are drawn makes no difference at this size."""
 SVG = "{http://www.w3.org/2000/svg}"
 HREF = "{http://www.w3.org/1999/xlink}href"
-KINDS = ((Body, "bodies"), (Line, "lines"), (Arrow, "arrows"), (Curve, "curves"), (Point, "points"))
+KINDS = ((DrawnBody, "bodies"), (Line, "lines"), (Arrow, "arrows"), (Curve, "curves"), (Point, "points"))
 
 
 def inline(figure: Any, place: str, title: str, words: str) -> Markup:

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from chasles.decisions.processes import spread
-from chasles.decisions.session import Judge
+from chasles.decisions.session import Session
 from chasles.deriving import Passage, Road, walk
 from chasles.report.details import number_in_words
 from chasles.report.html.formulas import latex_for_mathml, markup, tree_of
-from chasles.report.html.shown import Equation, RoadView, Step, badge_of
+from chasles.report.html.shown import Equation, RoadView, StepShown, badge_of
 from chasles.report.html.statements import equation
 from chasles.report.road_page import equations_of, objections_of
 from chasles.statements.derivation import Consider, Derivation
@@ -21,7 +21,7 @@ A_ROAD = 0.3
 """About how many seconds one takes."""
 
 
-def walked(roads: Mapping[str, Derivation], judge: Judge) -> tuple[RoadView, ...]:
+def walked(roads: Mapping[str, Derivation], judge: Session) -> tuple[RoadView, ...]:
     """All roads, walked; what the judge has decided already is not decided again."""
     return tuple(spread(lambda name: road_view(name, walk(roads[name], judge)), tuple(roads), A_ROAD))
 
@@ -41,12 +41,12 @@ def road_view(name: str, road: Road) -> RoadView:
     )
 
 
-def _step(passage: Passage, considers: bool) -> Step:
+def _step(passage: Passage, considers: bool) -> StepShown:
     """A step; of an expression that is only considered, nothing is said twice."""
     shown = tuple(equation(left, right, label=label) for label, left, right in equations_of(passage))
     if considers:
         shown = tuple(_expression(right) for _, right in passage.equations)
-    return Step(
+    return StepShown(
         kind=passage.kind,
         reason="" if considers else passage.reason,
         badges=() if passage.comparison is not None else (badge_of(passage.verdict.name),),

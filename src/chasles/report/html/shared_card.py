@@ -7,7 +7,7 @@ from io import BytesIO
 from textwrap import wrap
 
 from chasles.report.html.palette import LIGHT
-from chasles.report.html.shown import Number
+from chasles.report.html.shown import NumberShown
 
 __all__ = ["drawn_card"]
 
@@ -15,7 +15,7 @@ WIDTH, HEIGHT, DOTS = 12.0, 6.3, 100
 COLUMNS, LINES = 62, 5
 
 
-def drawn_card(number: Number, source: str) -> bytes | None:
+def drawn_card(number: NumberShown, source: str) -> bytes | None:
     """A PNG of 1200 x 630 dots; None for a number that is true as printed, and where Matplotlib is not installed."""
     wrong = [part for part in number.parts if part.instead]
     if not wrong or find_spec("matplotlib") is None:

@@ -17,12 +17,12 @@ __all__ = [
     "Equation",
     "Fact",
     "KernelRow",
-    "Number",
+    "NumberShown",
     "Part",
     "Related",
     "Repaired",
     "RoadView",
-    "Step",
+    "StepShown",
     "badge_of",
 ]
 
@@ -79,7 +79,7 @@ class Repaired:
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class StepShown:
     """A step of a road: what is done, by what, the verdict, what comes of it, what stands against it."""
 
     kind: str
@@ -99,7 +99,7 @@ class RoadView:
     outcome: str
     arrives: bool
     assuming: tuple[str, ...]
-    steps: tuple[Step, ...]
+    steps: tuple[StepShown, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,7 +140,7 @@ class Part:
 
 
 @dataclass(frozen=True, slots=True)
-class Number:
+class NumberShown:
     """A number of the book with its parts and the roads that lead there; `classes` are what filters look for."""
 
     place: str

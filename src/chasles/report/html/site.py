@@ -8,9 +8,9 @@ from collections.abc import Iterator, Mapping
 from chasles.report.findings import DecisionsByName
 from chasles.report.html.citing import Link
 from chasles.report.html.filling import filled
-from chasles.report.html.page import SectionView, Sources, contents
+from chasles.report.html.page import PageContents, SectionView, contents
 from chasles.report.html.shared_card import drawn_card
-from chasles.report.html.shown import Number
+from chasles.report.html.shown import NumberShown
 from chasles.statements import Chapter
 
 __all__ = ["site"]
@@ -19,7 +19,7 @@ _WITHIN = re.compile(r'href="#([^"]*)"')
 Files = Iterator[tuple[str, str | bytes]]
 
 
-def site(chapter: Chapter, decisions: DecisionsByName, sources: Sources, address: str = "") -> Files:
+def site(chapter: Chapter, decisions: DecisionsByName, sources: PageContents, address: str = "") -> Files:
     """The files by name; `address` is where they will lie, which those who show a shared page's picture want to know.
 
     A page that is not true as printed has a picture where Matplotlib is installed. Raises DamagedEvidence.
@@ -44,7 +44,7 @@ def site(chapter: Chapter, decisions: DecisionsByName, sources: Sources, address
 def _page(
     values: Mapping[str, object],
     section: SectionView,
-    number: Number,
+    number: NumberShown,
     beside: list[Link],
     picture: str,
     places: Mapping[str, str],
@@ -70,5 +70,5 @@ def _page(
     return _WITHIN.sub(led, text)
 
 
-def _places(number: Number) -> tuple[str, ...]:
+def _places(number: NumberShown) -> tuple[str, ...]:
     return number.place, *(part.place for part in number.parts)

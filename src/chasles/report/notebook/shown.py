@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from markupsafe import Markup
 
-from chasles.report.html.shown import Badge, Equation, Fact, Repaired, Step
+from chasles.report.html.shown import Badge, Equation, Fact, Repaired, StepShown
 
 __all__ = ["Card"]
 
@@ -24,7 +24,7 @@ class Card:
     facts: tuple[Fact, ...] = ()
     instead: tuple[Repaired, ...] = ()
     slip: tuple[str, ...] = ()
-    steps: tuple[Step, ...] = ()
+    steps: tuple[StepShown, ...] = ()
     head: tuple[str, ...] = ()
     rows: tuple[tuple[Markup | str, ...], ...] = ()
     code: tuple[tuple[str, str], ...] = ()
