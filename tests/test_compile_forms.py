@@ -17,10 +17,10 @@ from chasles.compiling.operands import inputs_of, outputs_of
 from chasles.compiling.program_of import program_of
 from chasles.lowering.builder import Builder
 from chasles.lowering.cost import cost, latency, price
+from chasles.lowering.equivalence import equivalent
 from chasles.lowering.passes.angles import respelled
 from chasles.lowering.program import Argument, Op, Program, Result
 from chasles.lowering.rounding import losses, points_of, steady
-from chasles.lowering.sameness import same
 
 x, y, z = SYMBOLS = sp.symbols("x y z")
 
@@ -108,19 +108,19 @@ def test_nothing_is_multiplied_out():
     assert nested(sp.Piecewise((x * y + x * z, x * y + x * z > 0))).args[0].cond == (x * y + x * z > 0)
 
 
-def test_the_same_is_seen_and_what_is_not_is_not():
+def test_equivalent_programs_are_seen_and_others_are_not():
     stated = as_stated(one_minus_cosine)
     halved = respelled(stated, halved=True)
     assert halved != stated
-    assert same(stated, halved)
-    assert same(halved, stated)
+    assert equivalent(stated, halved)
+    assert equivalent(halved, stated)
     for wrong in (
         lambda b, x, y, z: b.subtract(b.one, b.cosine(y)),
         lambda b, x, y, z: b.subtract(b.cosine(x), b.one),
         lambda b, x, y, z: b.multiply(b.constant(2), b.sine(b.multiply(b.constant(sp.Rational(1, 2)), x))),
         lambda b, x, y, z: b.subtract(b.one, b.sine(x)),
     ):
-        assert not same(stated, as_stated(wrong))
+        assert not equivalent(stated, as_stated(wrong))
 
 
 SAME = [
@@ -136,16 +136,16 @@ def test_roots_and_other_functions_of_the_same_are_the_same():
         )
     )
     for make, expected in SAME:
-        assert same(squared, as_stated(make)) is expected
+        assert equivalent(squared, as_stated(make)) is expected
     root = as_stated(lambda b, x, y, z: b.multiply(b.square_root(x), b.multiply(b.square_root(x), b.square_root(y))))
-    assert same(root, as_stated(lambda b, x, y, z: b.multiply(x, b.square_root(y))))
-    assert not same(root, as_stated(lambda b, x, y, z: b.multiply(x, b.square_root(x))))
+    assert equivalent(root, as_stated(lambda b, x, y, z: b.multiply(x, b.square_root(y))))
+    assert not equivalent(root, as_stated(lambda b, x, y, z: b.multiply(x, b.square_root(x))))
     chosen = [
         as_stated(lambda b, x, y, z, t=turn: b.select(b.less(*((x, y) if t else (y, x))), z, b.add(z, x)))
         for turn in (True, False)
     ]
-    assert same(chosen[0], chosen[0])
-    assert not same(*chosen)
+    assert equivalent(chosen[0], chosen[0])
+    assert not equivalent(*chosen)
 
 
 def test_what_is_too_large_is_not_said_to_be_the_same():
@@ -155,7 +155,7 @@ def test_what_is_too_large_is_not_said_to_be_the_same():
             total = b.multiply(total, total)
         return total
 
-    assert not same(as_stated(power), as_stated(lambda b, x, y, z: b.add(power(b, x, y, z), b.one)))
+    assert not equivalent(as_stated(power), as_stated(lambda b, x, y, z: b.add(power(b, x, y, z), b.one)))
 
 
 def test_a_spelling_that_is_not_proved_is_not_taken(monkeypatch):

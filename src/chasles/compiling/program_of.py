@@ -15,12 +15,12 @@ from chasles.compiling.operands import Input, Output
 from chasles.compiling.scalars import Scalars
 from chasles.lowering.builder import Builder
 from chasles.lowering.cost import price
+from chasles.lowering.equivalence import equivalent
 from chasles.lowering.passes.angles import respelled
 from chasles.lowering.passes.guard import guarded
 from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import Op, Program, Result
 from chasles.lowering.rounding import points_of, steady
-from chasles.lowering.sameness import same
 
 __all__ = ["program_of"]
 
@@ -40,7 +40,7 @@ def program_of(name: str, inputs: Sequence[Input], outputs: Sequence[Output], *,
     stated = spelled(outputs, common=False)
     candidates = dict.fromkeys(_candidates(stated, outputs, spelled))
     ranked = sorted(steady(list(candidates), points_of(stated), stated), key=price)
-    return guarded(next((program for program in ranked if program == stated or same(stated, program)), stated))
+    return guarded(next((program for program in ranked if program == stated or equivalent(stated, program)), stated))
 
 
 def _candidates(stated: Program, outputs: Sequence[Output], spelled: Callable[..., Program]) -> Iterator[Program]:

@@ -30,7 +30,7 @@ class Circular:
         return self.powers == (0, 0) and all(exponents == (0, 0) for exponents, _ in self.above + self.below)
 
     def __add__(self, other: Circular) -> Circular:
-        one, another = (self._over(), other._over())
+        one, another = (self.over, other.over)
         if one[1] == another[1]:
             return _quotient(_plus(one[0], another[0]), one[1])
         above = _plus(_times(one[0], another[1]), _times(another[0], one[1]))
@@ -43,15 +43,16 @@ class Circular:
         return Circular(self.powers, tuple((exponents, -q) for exponents, q in self.above), self.below)
 
     def __mul__(self, other: Circular) -> Circular:
-        (a, b), (c, d) = self._over(), other._over()
+        (a, b), (c, d) = self.over, other.over
         return _quotient(_times(a, c), _times(b, d))
 
     def __truediv__(self, other: Circular) -> Circular:
         """The quotient; raises ZeroDivisionError for zero."""
-        (a, b), (c, d) = self._over(), other._over()
+        (a, b), (c, d) = self.over, other.over
         return _quotient(_times(a, d), _times(b, c))
 
-    def _over(self) -> tuple[Polynomial, Polynomial]:
+    @property
+    def over(self) -> tuple[Polynomial, Polynomial]:
         """Numerator and denominator as polynomials."""
         rise: Polynomial = {(max(self.powers[0], 0), max(self.powers[1], 0)): Fraction(1)}
         fall: Polynomial = {(max(-self.powers[0], 0), max(-self.powers[1], 0)): Fraction(1)}

@@ -15,7 +15,7 @@ from chasles.lowering.builder import Builder
 from chasles.lowering.circular import Circular, constant, multiple_of_angle
 from chasles.lowering.program import Op, Program, Step
 
-__all__ = ["angle_of", "respelled"]
+__all__ = ["respelled"]
 
 Value = tuple[int | None, Circular]
 """A function of the angle that a step holds; of none, if it is a number."""
@@ -37,20 +37,20 @@ def respelled(program: Program, *, halved: bool) -> Program:
     return with_fields(program, steps=spelling.builder.steps, results=results)
 
 
-def angle_of(program: Program, number: int) -> tuple[int, Fraction]:
+def _angle_of(program: Program, number: int) -> tuple[int, Fraction]:
     """The step of which a step is a multiple, and which multiple it is."""
     step = program.steps[number]
     match step.op:
         case Op.NEGATE:
-            angle, times = angle_of(program, step.operands[0])
+            angle, times = _angle_of(program, step.operands[0])
             return angle, -times
         case Op.MULTIPLY | Op.DIVIDE:
             first, second = (program.steps[k] for k in step.operands)
             if step.op is Op.MULTIPLY and first.op is Op.CONSTANT and first.value:
-                angle, times = angle_of(program, step.operands[1])
+                angle, times = _angle_of(program, step.operands[1])
                 return angle, first.value * times
             if second.op is Op.CONSTANT and second.value:
-                angle, times = angle_of(program, step.operands[0])
+                angle, times = _angle_of(program, step.operands[0])
                 return angle, times * second.value if step.op is Op.MULTIPLY else times / second.value
     return number, Fraction(1)
 
@@ -60,7 +60,7 @@ def _units(program: Program, *, halved: bool) -> dict[int, Fraction]:
     units: dict[int, Fraction] = {}
     for step in program.steps:
         if step.op in (Op.SINE, Op.COSINE):
-            angle, times = angle_of(program, step.operands[0])
+            angle, times = _angle_of(program, step.operands[0])
             old, new = units.get(angle, abs(times)), abs(times)
             units[angle] = Fraction(gcd(old.numerator, new.numerator), lcm(old.denominator, new.denominator))
     # What is half an angle already, as in cot(phi/2), is not halved again.
@@ -76,7 +76,7 @@ def _values(program: Program, *, halved: bool) -> list[Value | None]:
         if step.op is Op.CONSTANT:
             values.append((None, constant(step.value)))
         elif step.op in (Op.SINE, Op.COSINE):
-            angle, times = angle_of(program, step.operands[0])
+            angle, times = _angle_of(program, step.operands[0])
             cosine, sine = multiple_of_angle(int(times / units[angle]))
             values.append((angle, cosine if step.op is Op.COSINE else sine))
         else:

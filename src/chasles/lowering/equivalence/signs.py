@@ -8,8 +8,8 @@ from dataclasses import replace as with_fields
 
 from chasles.algebra.localization import Ratio
 from chasles.algebra.rings import Polynomial
-from chasles.lowering.algebra import Algebra
 from chasles.lowering.cases import Case, Comparison
+from chasles.lowering.equivalence.algebra import Algebra
 
 __all__ = ["Differences", "Fork", "Impossible", "Signs"]
 
@@ -87,7 +87,7 @@ class Signs:
     def is_zero(self, ratio: Ratio) -> bool:
         """Whether a fraction is known to be zero; raises `Impossible` where it is one that is not."""
         is_zero = ratio.is_zero or ((0,) in self.known.values() and self.of(ratio) == (0,))
-        if is_zero and self.differences.algebra.is_product_of_atoms(ratio):
+        if is_zero and self.differences.algebra.is_unit(ratio):
             raise Impossible
         return is_zero
 
@@ -110,7 +110,7 @@ class Signs:
         if kind == "equal":
             is_new = self.differences.find(difference)[0] not in self.known
             algebra = self.differences.algebra
-            if algebra.is_product_of_atoms(difference) or (is_new and algebra.cannot_vanish(difference)):
+            if algebra.is_unit(difference) or (is_new and algebra.cannot_vanish(difference)):
                 return False
         raise Fork(difference, wanted)
 

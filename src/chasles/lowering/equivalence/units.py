@@ -1,4 +1,4 @@
-"""What may be divided by, when a program is compared: products of what the request's expressions divide by."""
+"""What may be divided by, when a program is compared with a request: what the request's expressions divide by."""
 
 from __future__ import annotations
 
@@ -6,18 +6,19 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 from itertools import combinations_with_replacement
 
+from chasles.algebra.localization import Ratio
 from chasles.algebra.rings import Polynomial
 from chasles.problems.context import Context
 
-__all__ = ["Atoms", "Product"]
+__all__ = ["Product", "Units", "quotient"]
 
 LARGEST_POWER = 4
 Product = tuple[Fraction, tuple[int, ...]]
-"""A constant, and the powers of the atoms."""
+"""A constant, and the powers of the units."""
 
 
-class Atoms:
-    """The atoms of a context, and products of a few of them in normal form."""
+class Units:
+    """What does not vanish in a context, and products of a few such factors in normal form."""
 
     def __init__(self, context: Context) -> None:
         self._context = context
@@ -26,7 +27,7 @@ class Atoms:
         self._found: list[tuple[Polynomial, Product | None]] = []
 
     def product(self, polynomial: Polynomial) -> Product | None:
-        """The polynomial as a constant times powers of atoms, modulo the hypotheses; None if it is none."""
+        """The polynomial as a constant times powers of units, modulo the hypotheses; None if it is none."""
         for known, answer in self._found:
             if known == polynomial:
                 return answer
@@ -35,14 +36,14 @@ class Atoms:
         return found
 
     def add(self, polynomial: Polynomial) -> Product:
-        """The polynomial as an atom of its own."""
+        """The polynomial as a unit of its own."""
         atoms = self._context.field.atoms
         atoms.append(polynomial)
         self._products, self._waiting, self._found = [], iter(self._exponents()), []
         return Fraction(1), tuple(int(k == len(atoms) - 1) for k in range(len(atoms)))
 
     def any_product(self, passes: Callable[[Polynomial], bool]) -> bool:
-        """Whether some product of atoms passes a test."""
+        """Whether some product of units passes a test."""
         return any(passes(product) for _, product in self._all())
 
     def _product(self, polynomial: Polynomial) -> Product | None:
@@ -62,7 +63,7 @@ class Atoms:
         return None
 
     def _all(self) -> Iterator[tuple[tuple[int, ...], Polynomial]]:
-        """Products of atoms in normal form, small ones first."""
+        """Products of units in normal form, small ones first."""
         yield from self._products
         for exponents in self._waiting:
             product = self._context.basis.reduce(self._context.field.power_product(exponents))[1]
@@ -75,3 +76,10 @@ class Atoms:
         for degree in range(1, LARGEST_POWER + 1):
             for chosen in combinations_with_replacement(different, degree):
                 yield tuple(chosen.count(k) for k in range(len(atoms)))
+
+
+def quotient(above: Ratio, below: Ratio, scale: Fraction, exponents: tuple[int, ...]) -> Ratio:
+    """One fraction over another, whose numerator is the scale times a product of powers of units."""
+    field = above.field
+    numerator = above.numerator * field.power_product(below.denominator)
+    return Ratio(field, numerator, above.denominator).divided(scale, exponents)

@@ -1,7 +1,7 @@
-"""The stage on which a program is compared with its request: fractions, what vanishes and what cannot.
+"""The fractions in which a program is compared with its request: which of them vanish, and which cannot.
 
-Here every divisor that the request's expressions spell counts as an atom: the two are compared wherever the expressions
-have a value.
+Every divisor that the request's expressions spell counts as a unit: the two are compared wherever the expressions have
+a value.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from itertools import zip_longest
 from chasles.algebra.groebner import Basis, completed, stated
 from chasles.algebra.localization import Ratio
 from chasles.algebra.rings import Polynomial
-from chasles.lowering.atoms import Atoms
 from chasles.lowering.divisors import divisors_of
+from chasles.lowering.equivalence.units import Units, quotient
 from chasles.lowering.request import Request
 from chasles.problems.context import Context, build
 from chasles.statements import Goal, Problem, nonzero
@@ -51,7 +51,7 @@ class Algebra:
         self._remainders: dict[object, list[tuple[Polynomial, Polynomial]]] = {}
         self._roots: list[tuple[Ratio, Ratio | None]] = []
         self._nonzero: list[tuple[Polynomial, bool]] = []
-        self._atoms = Atoms(self.context)
+        self._units = Units(self.context)
         self._positive = positive
         self._norms = [Norm(variable.node) for variable in self.context.variables if variable.node is not None]
 
@@ -105,7 +105,7 @@ class Algebra:
         return root
 
     def _times(self, ratio: Ratio, divisor: Ratio) -> Ratio | None:
-        """The fraction times the square of the divisor, an atom, if it is written with just that below the line."""
+        """The fraction times the square of the divisor, a unit, if it is written with just that below the line."""
         one = self.quotient(self.constant(Fraction(1)), divisor)
         assert one is not None
         below = tuple(x - 2 * y for x, y in zip_longest(ratio.denominator, one.denominator, fillvalue=0))
@@ -114,31 +114,28 @@ class Algebra:
 
     def quotient(self, above: Ratio, below: Ratio) -> Ratio | None:
         """The quotient; None if that divides by what can be zero where the request's expressions have a value."""
-        field, found = self.context.field, self._atoms.product(below.numerator)
+        found = self._units.product(below.numerator)
         if found is None:
             if not self.cannot_vanish(below):
                 return None
-            found = self._atoms.add(below.numerator)
-        scale, exponents = found
-        return Ratio(field, above.numerator * field.power_product(below.denominator), above.denominator).divided(
-            scale, exponents
-        )
+            found = self._units.add(below.numerator)
+        return quotient(above, below, *found)
 
     def cannot_vanish(self, ratio: Ratio) -> bool:
-        """Whether the fraction is nonzero wherever all atoms are: were it zero, a product of atoms would be."""
-        if self.is_product_of_atoms(ratio):
+        """Whether the fraction is nonzero wherever all units are: were it zero, a product of units would be."""
+        if self.is_unit(ratio):
             return True
         for known, answer in self._nonzero:
             if known == ratio.numerator:
                 return answer
         basis = self._with((ratio.numerator,))
-        answer = self._atoms.any_product(lambda product: bool(basis.reduce(product)[1] == 0))
+        answer = self._units.any_product(lambda product: bool(basis.reduce(product)[1] == 0))
         self._nonzero.append((ratio.numerator, answer))
         return answer
 
-    def is_product_of_atoms(self, ratio: Ratio) -> bool:
-        """Whether the fraction's numerator is a constant times powers of atoms."""
-        return self._atoms.product(ratio.numerator) is not None
+    def is_unit(self, ratio: Ratio) -> bool:
+        """Whether the fraction's numerator is a constant times powers of units."""
+        return self._units.product(ratio.numerator) is not None
 
     def _remainder(self, polynomial: Polynomial) -> Polynomial:
         """The polynomial in normal form; the ways through a program ask for the same ones again and again."""

@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 from itertools import product
 
 from chasles.algebra.localization import Ratio
-from chasles.lowering.algebra import Algebra
 from chasles.lowering.cases import Choice
+from chasles.lowering.equivalence.algebra import Algebra
+from chasles.lowering.equivalence.reading import Reading, Settled, Unreadable, angles_of, scale_symbols
+from chasles.lowering.equivalence.signs import Differences, Fork, Impossible, Signs
 from chasles.lowering.program import Program
-from chasles.lowering.reading import Reading, Settled, Unreadable, angles_of, scale_symbols
 from chasles.lowering.request import Output, Request
-from chasles.lowering.signs import Differences, Fork, Impossible, Signs
 from chasles.problems.unfold import UndeclaredDivisor
 from chasles.problems.variables import Untreatable
 from chasles.statements.arrays import argument_name
@@ -31,9 +31,9 @@ def differences(request: Request, program: Program) -> tuple[str, ...]:
         return (said,)
     found: dict[str, None] = {}
     try:
-        stages = _Stages(request, program)
+        algebras = _Algebras(request, program)
         for way in product(*map(_cases, request.choices)):
-            found |= dict.fromkeys(_on_way(request, program, way, stages))
+            found |= dict.fromkeys(_on_way(request, program, way, algebras))
     except (Unreadable, Untreatable, UndeclaredDivisor) as error:
         found[str(error)] = None
     return tuple(found)
@@ -63,7 +63,7 @@ def _size(shape: tuple[int, ...]) -> int:
     return total
 
 
-class _Stages:
+class _Algebras:
     """The algebra for each set of values that the choices take, and what steps come to in it; each made once."""
 
     def __init__(self, request: Request, program: Program) -> None:
@@ -75,7 +75,7 @@ class _Stages:
         self._known: dict[tuple[tuple[Node, Node], ...], tuple[Algebra, Settled]] = {}
 
     def of(self, rules: dict[Node, Node]) -> tuple[Algebra, Settled]:
-        """The stage on which the rules hold."""
+        """The algebra in which the rules hold."""
         key = tuple(rules.items())
         if key not in self._known:
             algebra = Algebra(self._request, rules, self._further, tuple(self.scales.values()))
@@ -83,7 +83,7 @@ class _Stages:
         return self._known[key]
 
 
-def _on_way(request: Request, program: Program, way: Sequence[int], stages: _Stages) -> Iterator[str]:
+def _on_way(request: Request, program: Program, way: Sequence[int], algebras: _Algebras) -> Iterator[str]:
     """The differences where each choice is in the case that `way` says; past its last case a choice has no value."""
     rules: dict[Node, Node] = {}
     valueless: list[Symbol] = []
@@ -92,14 +92,14 @@ def _on_way(request: Request, program: Program, way: Sequence[int], stages: _Sta
             valueless += choice.symbols
         else:
             rules |= dict(zip(choice.symbols, choice.cases[place].values, strict=True))
-    algebra, settled = stages.of(rules)
+    algebra, settled = algebras.of(rules)
     waiting = [_signs(algebra, request.choices, way)]
     while waiting:
         signs = waiting.pop()
         if not signs.is_possible:
             continue
         try:
-            reading = Reading(program, request, signs, settled, stages.scales)
+            reading = Reading(program, request, signs, settled, algebras.scales)
             yield from _compared(request, reading, program, signs, valueless)
         except Fork as fork:
             waiting += signs.forked(fork)

@@ -9,19 +9,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
-from types import MappingProxyType
+from typing import Any
 
 from chasles.algebra.localization import Ratio
-from chasles.lowering.algebra import Algebra
-from chasles.lowering.program import Op, Program
+from chasles.lowering.arithmetic import Operators, applied
+from chasles.lowering.equivalence.algebra import Algebra
+from chasles.lowering.equivalence.signs import Signs
+from chasles.lowering.program import Op, Program, Step
 from chasles.lowering.request import Request
 from chasles.lowering.scales import is_scale
-from chasles.lowering.signs import Signs
 from chasles.vocabulary import Call, Node, Number, Scale, Sum, Symbol, uniform
 
 __all__ = ["Reading", "Settled", "Unreadable", "angles_of", "scale_symbols"]
 
 Linear = dict[Symbol, Fraction]
+UNSETTLED = (Op.SELECT, Op.LESS, Op.EQUAL, Op.DIVIDE, Op.SQUARE_ROOT)
 
 
 class Unreadable(ValueError):
@@ -35,23 +37,21 @@ class Settled:
     """
 
     def __init__(self, program: Program) -> None:
-        self.values: dict[int, Ratio | None] = {}
+        self.values: dict[int, Any] = {}
         self.steps: set[int] = set()
         for number, step in enumerate(program.steps):
-            if step.op not in (Op.SELECT, Op.DIVIDE, Op.SQUARE_ROOT) and self.steps.issuperset(step.operands):
+            if step.op not in UNSETTLED and self.steps.issuperset(step.operands):
                 self.steps.add(number)
 
 
-class Reading:
-    """The values of a program's steps on one way through its cases; None is what has no value."""
+class Reading(Operators):
+    """A program's steps as fractions on one way through its cases, read as far as they are needed.
+
+    None is what has no value. Raises `Unreadable`, and `Fork` where a comparison is not settled.
+    """
 
     def __init__(
-        self,
-        program: Program,
-        request: Request,
-        signs: Signs,
-        settled: Settled,
-        scales: Mapping[int, Symbol] = MappingProxyType({}),
+        self, program: Program, request: Request, signs: Signs, settled: Settled, scales: Mapping[int, Symbol]
     ) -> None:
         self._scales = scales
         self._program = program
@@ -59,69 +59,72 @@ class Reading:
         self._algebra: Algebra = signs.differences.algebra
         self._signs = signs
         self._settled = settled
-        self._values: dict[int, Ratio | None] = {}
+        self._values: dict[int, Any] = {}
 
-    def value(self, number: int) -> Ratio | None:
-        """The value of a step; raises `Unreadable`, or `Fork` where a comparison is not settled."""
+    def value(self, number: int) -> Any:
+        """A step's fraction; of a comparison, whether it holds."""
         values = self._settled.values if number in self._settled.steps else self._values
         if number not in values:
-            values[number] = self._value(number)
+            values[number] = self._value(number, self._program.steps[number])
         return values[number]
 
-    def _value(self, number: int) -> Ratio | None:
-        step = self._program.steps[number]
+    def _value(self, number: int, step: Step) -> Any:
         if number in self._scales:
             return self._algebra.entry(self._scales[number])
         match step.op:
             case Op.INPUT:
                 return self._input(step.argument, step.entry)
-            case Op.CONSTANT:
-                return self._algebra.constant(step.value)
-            case Op.NOT_A_NUMBER:
-                return None
             case Op.SINE | Op.COSINE:
                 name = "sin" if step.op is Op.SINE else "cos"
                 return self._algebra.entry(_call(name, _linear(self._program, self._request, step.operands[0])))
             case Op.SELECT:
-                return self.value(step.operands[1 if self._holds(step.operands[0]) else 2])
-            case _:
-                return self._arithmetic(number)
-
-    def _arithmetic(self, number: int) -> Ratio | None:
-        known: list[Ratio] = []
-        for operand in self._program.steps[number].operands:
-            value = self.value(operand)
-            if value is None:
-                # What is not a number makes all that it enters no number; what it is combined with need not be read.
+                return self.value(step.operands[1 if self.value(step.operands[0]) else 2])
+        operands = []
+        for operand in step.operands:
+            operands.append(self.value(operand))
+            if operands[-1] is None:
+                # What is not a number makes all that it enters no number, and no comparison with it holds; what it is
+                # combined with need not be read.
                 return None
-            known.append(value)
-        match self._program.steps[number].op:
-            case Op.ADD:
-                return known[0] + known[1]
-            case Op.SUBTRACT:
-                return known[0] - known[1]
-            case Op.MULTIPLY:
-                return known[0] * known[1]
-            case Op.NEGATE:
-                return -known[0]
-            case Op.DIVIDE:
-                if self._signs.is_zero(known[1]):
-                    return None
-                quotient = self._algebra.quotient(known[0], known[1])
-                if quotient is None:
-                    raise Unreadable(f"step {number} divides by what can be zero where the formula has a value")
-                return quotient
-            case Op.SQUARE_ROOT:
-                if self._signs.is_zero(known[0]):
-                    return self._algebra.constant(Fraction(0))
-                root = self._algebra.root(known[0])
-                if root is None:
-                    raise Unreadable(f"step {number} takes a root that is no norm of the formula")
-                return root
-            case Op.ARCTANGENT2:
-                return self._angle(number, known[0], known[1])
-            case op:
-                raise Unreadable(f"step {number}, {op.value}, is read as a number")
+        try:
+            return applied(self, step, operands)
+        except Unreadable as error:
+            raise Unreadable(f"step {number} {error}") from None
+
+    def constant(self, value: Fraction) -> Ratio:
+        return self._algebra.constant(value)
+
+    def not_a_number(self) -> None:
+        return None
+
+    def divide(self, above: Ratio, below: Ratio) -> Ratio | None:
+        if self._signs.is_zero(below):
+            return None
+        quotient = self._algebra.quotient(above, below)
+        if quotient is None:
+            raise Unreadable("divides by what can be zero where the formula has a value")
+        return quotient
+
+    def square_root(self, square: Ratio) -> Ratio:
+        if self._signs.is_zero(square):
+            return self._algebra.constant(Fraction(0))
+        root = self._algebra.root(square)
+        if root is None:
+            raise Unreadable("takes a root that is no norm of the formula")
+        return root
+
+    def arctangent2(self, sine: Ratio, cosine: Ratio) -> Ratio:
+        entry, vanishes = self._algebra.entry, self._algebra.vanishes
+        for symbol, angle in self._request.angles:
+            if vanishes(entry(angle.sine) - sine) and vanishes(entry(angle.cosine) - cosine):
+                return entry(symbol) * self._algebra.constant(1 / angle.times)
+        raise Unreadable("measures an angle that is none of the formula's")
+
+    def less(self, left: Ratio, right: Ratio) -> bool:  # type: ignore[override]
+        return self._signs.truth("less", left - right)
+
+    def equal(self, left: Ratio, right: Ratio) -> bool:  # type: ignore[override]
+        return self._signs.truth("equal", left - right)
 
     def _input(self, argument: int, entry: int) -> Ratio:
         node, row, column = self._request.place(argument, entry)
@@ -129,21 +132,6 @@ class Reading:
             return self._algebra.entry(node, row, column)
         except KeyError:
             raise Unreadable(f"it reads {node}, of which the formula has only the cosine and sine") from None
-
-    def _angle(self, number: int, sine: Ratio, cosine: Ratio) -> Ratio:
-        entry, vanishes = self._algebra.entry, self._algebra.vanishes
-        for symbol, angle in self._request.angles:
-            if vanishes(entry(angle.sine) - sine) and vanishes(entry(angle.cosine) - cosine):
-                return entry(symbol) * self._algebra.constant(1 / angle.times)
-        raise Unreadable(f"step {number} measures an angle that is none of the formula's")
-
-    def _holds(self, number: int) -> bool:
-        step = self._program.steps[number]
-        if step.op not in (Op.LESS, Op.EQUAL):
-            raise Unreadable(f"step {number}, {step.op.value}, is read as a truth value")
-        left, right = (self.value(operand) for operand in step.operands)
-        # No comparison with what is not a number holds.
-        return left is not None and right is not None and self._signs.truth(step.op.value, left - right)
 
 
 def scale_symbols(program: Program) -> dict[int, Symbol]:

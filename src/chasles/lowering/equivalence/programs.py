@@ -1,0 +1,178 @@
+"""Are two programs the same function? Both are evaluated over fractions in what goes in, and compared exactly.
+
+Cosines and sines of one angle are polynomials in those of a part of it, modulo cos^2 + sin^2 = 1; a root's square is
+what stands under it. Of every other function it is known only that like arguments give like values. So what is said to
+be equivalent is; what is not said to be may yet be.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from math import gcd, lcm
+
+from chasles.algebra.localization import Field, Ratio
+from chasles.algebra.normal_form import reduce_by
+from chasles.algebra.rings import Polynomial, make_ring
+from chasles.algebra.work_limit import OutOfTime, within
+from chasles.lowering.arithmetic import Operators, evaluated
+from chasles.lowering.circular import multiple_of_angle
+from chasles.lowering.equivalence.units import quotient
+from chasles.lowering.program import Op, Program
+
+__all__ = ["equivalent"]
+
+WORK = 3e7
+"""What is not seen with so many products of terms is not said to be equivalent."""
+MOST_MULTIPLES = 12
+"""So many times the part is an angle still written by it."""
+POLYNOMIAL = (Op.INPUT, Op.CONSTANT, Op.ADD, Op.SUBTRACT, Op.MULTIPLY, Op.DIVIDE, Op.NEGATE)
+CIRCULAR = (Op.SINE, Op.COSINE)
+
+Angle = tuple[Ratio, Fraction, Polynomial, Polynomial]
+"""What an angle is a multiple of, which multiple it is, its cosine and its sine."""
+
+
+def equivalent(one: Program, other: Program) -> bool:
+    """Whether the results of the two are equal wherever both have values; no is also said where that is not seen."""
+    if [r.shape for r in one.results] != [r.shape for r in other.results]:
+        return False
+    algebra = _Fractions(one, other)
+    try:
+        with within(WORK):
+            values, others = (evaluated(program.steps, algebra, algebra.entry) for program in (one, other))
+            pairs = dict.fromkeys(
+                pair
+                for r, s in zip(one.results, other.results, strict=True)
+                for pair in zip(r.entries, s.entries, strict=True)
+            )
+            return all(algebra.is_equal(values[a], others[b]) for a, b in pairs)
+    except (OutOfTime, ZeroDivisionError):
+        return False
+
+
+class _Fractions(Operators):
+    """Fractions in the entries of two programs' arguments, and in what functions give of fractions."""
+
+    def __init__(self, *programs: Program) -> None:
+        steps = [step for program in programs for step in program.steps]
+        entries = list(dict.fromkeys((step.argument, step.entry) for step in steps if step.op is Op.INPUT))
+        circular = sum(step.op in CIRCULAR for step in steps)
+        others = sum(step.op not in (*POLYNOMIAL, *CIRCULAR) for step in steps)
+        # A root comes before all that can stand under it, and a cosine before its sine and before those of a part.
+        names = [f"f{k}" for k in range(others)] + [f"{kind}{k}" for k in range(circular) for kind in "cs"]
+        ring = make_ring([*names, *(f"x{k}" for k in range(len(entries)))])
+        self._field = Field(ring, [])
+        made = iter(ring.generators)
+        self._free = [next(made) for _ in range(others)]
+        self._circles = iter([(next(made), next(made)) for _ in range(circular)])
+        self._entries = {entry: self._field.ratio(variable) for entry, variable in zip(entries, made, strict=True)}
+        self._generators: list[Polynomial] = []
+        self._angles: list[Angle] = []
+        self._known: list[tuple[Op, tuple[Ratio, ...], Ratio]] = []
+
+    def entry(self, argument: int, entry: int) -> Ratio:
+        """An entry of an argument."""
+        return self._entries[argument, entry]
+
+    def is_equal(self, one: Ratio, other: Ratio) -> bool:
+        """Whether two fractions are the same."""
+        return one is other or self._reduced(one - other).is_zero
+
+    def constant(self, value: Fraction) -> Ratio:
+        return self._field.constant(value)
+
+    def multiply(self, a: Ratio, b: Ratio) -> Ratio:
+        return self._reduced(a * b)
+
+    def divide(self, a: Ratio, b: Ratio) -> Ratio:
+        """The quotient, what it is divided by being a unit from here on; raises ZeroDivisionError for zero."""
+        divisor, units = self._reduced(b), self._field.atoms
+        exponents, scale = self._leading(divisor)
+        if not any(exponents):
+            return self._reduced(quotient(a, divisor, scale, ()))
+        unit = divisor.numerator * self._field.ring.constant(1 / scale)
+        place = next((k for k, known in enumerate(units) if known == unit), len(units))
+        if place == len(units):
+            units.append(unit)
+        return self._reduced(quotient(a, divisor, scale, (*(0,) * place, 1)))
+
+    def square_root(self, a: Ratio) -> Ratio:
+        known = len(self._known)
+        root = self._function(Op.SQUARE_ROOT, a)
+        if len(self._known) > known and not a.denominator:
+            self._generators.append(root.numerator * root.numerator - a.numerator)
+        return root
+
+    def sine(self, a: Ratio) -> Ratio:
+        return self._circular(a, 1)
+
+    def cosine(self, a: Ratio) -> Ratio:
+        return self._circular(a, 0)
+
+    def not_a_number(self) -> Ratio:
+        return self._function(Op.NOT_A_NUMBER)
+
+    def arctangent2(self, y: Ratio, x: Ratio) -> Ratio:
+        return self._function(Op.ARCTANGENT2, y, x)
+
+    def less(self, a: Ratio, b: Ratio) -> Ratio:  # type: ignore[override]
+        return self._function(Op.LESS, a, b)
+
+    def equal(self, a: Ratio, b: Ratio) -> Ratio:  # type: ignore[override]
+        return self._function(Op.EQUAL, a, b)
+
+    def select(self, condition: Ratio, if_true: Ratio, if_false: Ratio) -> Ratio:  # type: ignore[override]
+        return if_true if self.is_equal(if_true, if_false) else self._function(Op.SELECT, condition, if_true, if_false)
+
+    def _function(self, op: Op, *of: Ratio) -> Ratio:
+        """What a function gives of the fractions: what it gave of such before, or something new."""
+        for known, arguments, value in self._known:
+            if known is op and all(map(self.is_equal, arguments, of)):
+                return value
+        self._known.append((op, of, self._field.ratio(self._free.pop())))
+        return self._known[-1][2]
+
+    def _circular(self, angle: Ratio, which: int) -> Ratio:
+        """The cosine (0) or sine (1) of an angle, by those of the part of it that is known."""
+        angle = self._reduced(angle)
+        if angle.is_zero:
+            return self.constant(Fraction(1 - which))
+        times = self._leading(angle)[1]
+        whole = angle * self.constant(1 / times)
+        alike = [known for known in self._angles if self.is_equal(known[0], whole)]
+        for _, part, *circle in alike:
+            if (times / part).denominator == 1 and abs(times / part) <= MOST_MULTIPLES:
+                return self._field.ratio(self._multiple(int(times / part), circle)[which])
+        self._angles.append(self._part(whole, times, alike[-1:]))
+        return self._circular(angle, which)
+
+    def _part(self, whole: Ratio, times: Fraction, known: list[Angle]) -> Angle:
+        """A part by which the multiple of a whole is written, and what is known, if that is not too small a part."""
+        cosine, sine = next(self._circles)
+        for _, part, *circle in known:
+            common = Fraction(gcd(times.numerator, part.numerator), lcm(times.denominator, part.denominator))
+            if max(abs(times), part) <= MOST_MULTIPLES * common:
+                written = self._multiple(int(part / common), [cosine, sine])
+                self._generators += [old - new for old, new in zip(circle, written, strict=True)]
+                times = common
+        self._generators.append(cosine * cosine + sine * sine - 1)
+        return whole, abs(times), cosine, sine
+
+    def _multiple(self, times: int, circle: list[Polynomial]) -> tuple[Polynomial, Polynomial]:
+        """The cosine and the sine of so many times an angle."""
+        cosine, sine = circle
+        found = []
+        for function in multiple_of_angle(times):
+            terms = (self._field.ring.constant(q) * sine**i * cosine**j for (i, j), q in function.over[0].items())
+            found.append(sum(terms, self._field.ring.constant(Fraction(0))))
+        return found[0], found[1]
+
+    def _leading(self, ratio: Ratio) -> tuple[tuple[int, ...], Fraction]:
+        """The leading term of the numerator; raises ZeroDivisionError for zero."""
+        if ratio.is_zero:
+            raise ZeroDivisionError("a program divides by what is zero")
+        return self._field.ring.leading(ratio.numerator)
+
+    def _reduced(self, ratio: Ratio) -> Ratio:
+        numerator = reduce_by(self._field.ring, ratio.numerator, self._generators).remainder
+        return Ratio(self._field, numerator, ratio.denominator)
