@@ -10,7 +10,7 @@ from __future__ import annotations
 from fractions import Fraction
 from math import gcd, lcm
 
-from chasles.algebra.localization import Field, Ratio
+from chasles.algebra.localization import Localization, Ratio
 from chasles.algebra.normal_form import reduce_by
 from chasles.algebra.rings import Polynomial, make_ring
 from chasles.algebra.work_limit import OutOfTime, within
@@ -61,7 +61,7 @@ class _Fractions(Operators):
         # A root comes before all that can stand under it, and a cosine before its sine and before those of a part.
         names = [f"f{k}" for k in range(others)] + [f"{kind}{k}" for k in range(circular) for kind in "cs"]
         ring = make_ring([*names, *(f"x{k}" for k in range(len(entries)))])
-        self._field = Field(ring, [])
+        self._field = Localization(ring, [])
         made = iter(ring.generators)
         self._free = [next(made) for _ in range(others)]
         self._circles = iter([(next(made), next(made)) for _ in range(circular)])
