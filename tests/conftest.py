@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 from hypothesis import settings
 
-from .sampling import kept_and_left_out
+from .sampling import WHOLE, kept_and_left_out
 
 # How long an example takes says nothing on a machine that does other things too.
 settings.register_profile("untimed", deadline=None)
@@ -47,18 +48,47 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
 
 
 @pytest.fixture(scope="session")
-def report(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
-    """The files that `chasles report` writes, made once for all processes of a run."""
+def made_once(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str, Callable[[Path], object]], Path]:
+    """A folder that is filled once for all processes of a run, by the first that asks: `made_once(name, fill)`."""
     shared = tmp_path_factory.getbasetemp()
     if "PYTEST_XDIST_WORKER" in os.environ:
         shared = shared.parent
-    folder = shared / "report"
-    with only_one(shared / "report.lock"):
-        if not folder.exists():
-            command = [sys.executable, "-m", "chasles", "report", "--out", str(folder)]
-            done = subprocess.run(command, capture_output=True, text=True, check=False)
-            assert done.returncode == 0, done.stderr
-    return {path.name: path.read_text("utf-8") for path in folder.iterdir()}
+
+    def made(name: str, fill: Callable[[Path], object]) -> Path:
+        folder = shared / name
+        with only_one(shared / f"{name}.lock"):
+            if not folder.exists():
+                unfinished = shared / f"{name}.unfinished"
+                shutil.rmtree(unfinished, ignore_errors=True)
+                fill(unfinished)
+                unfinished.rename(folder)
+        return folder
+
+    return made
+
+
+@pytest.fixture(scope="session")
+def hasty_compiler(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """A C compiler that optimises nothing, for what is built and not timed; the usual one where the whole is tried."""
+    compiler = os.environ.get("CC", "cc")
+    if WHOLE or os.name != "posix":
+        return compiler
+    script = tmp_path_factory.mktemp("compiler") / "cc"
+    script.write_text(f'#!/bin/sh\nexec {compiler} "$@" -O0\n', "utf-8")
+    script.chmod(0o755)
+    return str(script)
+
+
+@pytest.fixture(scope="session")
+def report(made_once: Callable[[str, Callable[[Path], object]], Path]) -> dict[str, str]:
+    """The files that `chasles report` writes."""
+
+    def write(folder: Path) -> None:
+        command = [sys.executable, "-m", "chasles", "report", "--out", str(folder)]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+
+    return {path.name: path.read_text("utf-8") for path in made_once("report", write).iterdir()}
 
 
 @contextmanager

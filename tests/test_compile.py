@@ -42,19 +42,22 @@ def cache(tmp_path_factory):
 def empty_cache(tmp_path, monkeypatch):
     monkeypatch.setenv("CHASLES_CACHE", str(tmp_path))
     monkeypatch.setattr(store, "_loaded", {})
-    # For which instructions it is compiled does not matter to where it is kept; for one set it takes a third.
-    monkeypatch.setattr(kernels, "instructions", "baseline")
     return tmp_path / "compiled"
+
+
+@pytest.fixture(autouse=True)
+def hastily(request, monkeypatch):
+    """Values are of optimised loops for this machine's instructions; all else is compiled for one set, as it stands."""
+    if not (WHOLE or "draw" in request.fixturenames):
+        monkeypatch.setenv("CHASLES_INSTRUCTIONS", "baseline")
+        monkeypatch.setattr(kernels, "instructions", "baseline")
+        monkeypatch.setattr(compiler, "_ONCE", ("-O0",))
+        monkeypatch.setattr(compiler, "_BLOCK", ("-O0", "-fno-trapping-math"))
 
 
 @pytest.fixture(params=[pytest.param("c", marks=needs_c), "numpy"])
 def backend(request, monkeypatch):
-    """Everything is to hold of the compiled kernels and of those where there is no compiler.
-
-    Values are of the loops for this machine's instructions; for all else those are compiled that every machine has.
-    """
-    if not (WHOLE or "draw" in request.fixturenames):
-        monkeypatch.setattr(kernels, "instructions", "baseline")
+    """Everything is to hold of the compiled kernels and of those where there is no compiler."""
     if request.param == "numpy":
         monkeypatch.setenv("CC", "no-such-compiler")
     return request.param

@@ -111,12 +111,12 @@ def test_missing_python_header_is_named(tmp_path: Path) -> None:
 
 
 @pytest.fixture(scope="module")
-def c_library(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def c_library(tmp_path_factory: pytest.TempPathFactory, hasty_compiler: str) -> Path:
     """The prefix into which CMake has installed the C library, its self-test passed."""
     tmp = tmp_path_factory.mktemp("c_library")
     # As with a compiler that offers no more; the extension, which has the same files, is compiled for all instructions.
     plain = () if WHOLE else ("-Dchasles_has_x86-64-v3=OFF",)
-    succeed(cmake(), "-S", ROOT, "-B", tmp / "build", *plain)
+    succeed(cmake(), "-S", ROOT, "-B", tmp / "build", *plain, CC=hasty_compiler)
     succeed(cmake(), "--build", tmp / "build")
     succeed(cmake().with_name("ctest"), "--test-dir", tmp / "build", "--no-tests=error")
     succeed(cmake(), "--install", tmp / "build", "--prefix", tmp / "prefix")

@@ -9,8 +9,7 @@ import sys
 import tarfile
 import venv
 import zipfile
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from email import message_from_bytes
 from hashlib import sha256
 from importlib import metadata
@@ -22,7 +21,7 @@ import chasles
 
 from .sampling import WHOLE
 
-fcntl = pytest.importorskip("fcntl", reason="the environments are laid out as on Unix")
+pytest.importorskip("fcntl", reason="the environments are laid out as on Unix")
 ROOT = Path(__file__).resolve().parents[1]
 DOWNLOADS = "CHASLES_TEST_DOWNLOADS"
 EPOCH = "1700000000"
@@ -58,32 +57,18 @@ needs_c = pytest.mark.skipif(not can_compile(), reason="no C compiler or no Pyth
 
 
 @pytest.fixture(scope="session")
-def once(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str, Callable[[Path], None]], Path]:
+def once(made_once: Callable[[str, Callable[[Path], object]], Path]) -> Callable[[str, Callable[[Path], None]], Path]:
     """The only file in the folder of a name, made there by the first test process that asks for it."""
-    shared = tmp_path_factory.getbasetemp()
-    shared = shared.parent if os.environ.get("PYTEST_XDIST_WORKER") else shared
 
     def make(name: str, maker: Callable[[Path], None]) -> Path:
-        folder = shared / "packages" / name
-        folder.parent.mkdir(exist_ok=True)
-        with locked(folder.with_suffix(".lock")):
-            if not folder.exists():
-                draft = folder.with_suffix(".draft")
-                shutil.rmtree(draft, ignore_errors=True)
-                draft.mkdir()
-                maker(draft)
-                draft.rename(folder)
-        (made,) = folder.iterdir()
+        def fill(folder: Path) -> None:
+            folder.mkdir()
+            maker(folder)
+
+        (made,) = made_once(f"package-{name}", fill).iterdir()
         return made
 
     return make
-
-
-@contextmanager
-def locked(path: Path) -> Iterator[None]:
-    with path.open("w") as file:
-        fcntl.flock(file, fcntl.LOCK_EX)
-        yield
 
 
 def build(source: Path, out: Path, **environment: str) -> None:
@@ -122,9 +107,9 @@ def pure_wheel(once, sdist: Path) -> Path:
 
 
 @pytest.fixture(scope="session")
-def compiled_wheel(once, sdist: Path) -> Path:
+def compiled_wheel(once, sdist: Path, hasty_compiler: str) -> Path:
     """The wheel that is built from the source distribution where there is a compiler."""
-    return once("compiled", lambda out: build(sdist, out, **COMPILED))
+    return once("compiled", lambda out: build(sdist, out, **COMPILED, CC=hasty_compiler))
 
 
 class Environment:

@@ -7,6 +7,7 @@ import os
 import shutil
 import subprocess
 import sys
+from collections.abc import Callable
 from itertools import islice
 from pathlib import Path
 
@@ -43,11 +44,12 @@ def _short_book(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture
-def generated(tmp_path: Path) -> Path:
-    folder = tmp_path / "generated"
-    done = run("--out", str(folder))
-    assert done.exit_code == 0, done.stderr
-    return folder
+def generated(made_once: Callable[[str, Callable[[Path], object]], Path], tmp_path: Path) -> Path:
+    def emit(folder: Path) -> None:
+        done = run("--out", str(folder))
+        assert done.exit_code == 0, done.stderr
+
+    return shutil.copytree(made_once("short-book", emit), tmp_path / "generated")
 
 
 def contents(folder: Path) -> dict[str, tuple[bytes, int]]:
