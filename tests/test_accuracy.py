@@ -82,7 +82,7 @@ class Book:
             entry = next(e for e in self._chapter if e.name == name)
             program = lower(entry, self._judge.decide)
             names = [result.name for result in program.results]
-            request = specification_of(name, entry.statement, results=names, standing=self._judge.standing)  # type: ignore[arg-type]
+            request = specification_of(name, entry.statement, results=names, accepted=self._judge.accepted)  # type: ignore[arg-type]
             self._made[name] = request, program
         return self._made[name]
 

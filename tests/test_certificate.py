@@ -698,10 +698,10 @@ def test_every_certificate_of_the_book_is_accepted() -> None:
     checked = 0
     for decision in decisions:
         if decision.certificate is not None:
-            check(decision.repaired, "printed", decision.certificate, judge.standing)
+            check(decision.repaired, "printed", decision.certificate, judge.accepted)
             checked += 1
         if isinstance(decision.verdict, Fails) and not isinstance(decision.statement, Inverse):
-            problem = problem_of(decision.statement, standing=judge.standing)
+            problem = problem_of(decision.statement, standing=judge.accepted)
             check_counterexample(problem, decision.verdict.counterexample)
     assert checked >= (98 if WHOLE else 98 // EVERY)
 
@@ -724,10 +724,10 @@ def test_an_inverse_has_a_certificate_for_each_branch() -> None:
     assert inverses
     for decision in inverses:
         certificate = decision.certificate
-        for says, _ in problems_of_inverse(decision.statement, judge.standing):
+        for says, _ in problems_of_inverse(decision.statement, judge.accepted):
             others = {k: v for k, v in certificate["branches"].items() if k != says}
             with pytest.raises(Rejected, match="malformed"):
-                check(decision.statement, "printed", {"branches": others}, judge.standing)
+                check(decision.statement, "printed", {"branches": others}, judge.accepted)
 
 
 def test_a_certificate_is_checked_in_the_form_in_which_it_was_made() -> None:

@@ -15,7 +15,7 @@ from chasles.cli import main
 from chasles.decisions.memory import Memory
 from chasles.decisions.session import Session
 from chasles.decisions.shipped import shipped
-from chasles.deriving import Passage, Road, state, steps, walk
+from chasles.deriving import CheckedDerivation, CheckedStep, state, steps, walk
 from chasles.statements import Claim, DeclarationError, Statement, load
 from chasles.statements.derivation import (
     Ansatz,
@@ -67,14 +67,14 @@ def judge() -> Session:
     return Session(book=load(), memory=None if WHOLE else Memory(shipped=shipped(BOOK)))
 
 
-class Walked(dict[str, Road]):
+class Walked(dict[str, CheckedDerivation]):
     """The roads by name, each walked when it is asked for."""
 
     def __init__(self, judge: Session) -> None:
         super().__init__()
         self.judge = judge
 
-    def __missing__(self, name: str) -> Road:
+    def __missing__(self, name: str) -> CheckedDerivation:
         self[name] = walk(ROADS[name], self.judge)
         return self[name]
 
@@ -84,8 +84,8 @@ def walked(judge: Session) -> Walked:
     return Walked(judge)
 
 
-def last(road: Road) -> Passage:
-    return road.passages[-1]
+def last(road: CheckedDerivation) -> CheckedStep:
+    return road.steps[-1]
 
 
 def road_of(*made: Step, to: Statement, **more: object) -> Derivation:
@@ -96,7 +96,7 @@ def road_of(*made: Step, to: Statement, **more: object) -> Derivation:
 def test_a_road_arrives(walked: Walked, name: str) -> None:
     road = walked[name]
     assert road.arrives, f"{last(road).kind}: {last(road).reason}"
-    assert not [passage for passage in road.passages if isinstance(passage.verdict, Undecided)]
+    assert not [step for step in road.steps if isinstance(step.verdict, Undecided)]
     ends = [comparison.statement for comparison in road.comparisons]
     assert road.derivation.to in (None, *ends)
 
@@ -112,7 +112,7 @@ def test_what_is_found_is_printed_or_the_difference_is_reported(walked: Walked) 
 
 
 def test_every_kind_of_step_is_taken(walked: Walked) -> None:
-    assert {passage.kind for name in SOME for passage in walked[name].passages} == KINDS
+    assert {step.kind for name in SOME for step in walked[name].steps} == KINDS
 
 
 @pytest.mark.parametrize(
@@ -127,7 +127,7 @@ def test_every_kind_of_step_is_taken(walked: Walked) -> None:
     ],
 )
 def test_unknowns_are_found(walked: Walked, name: str, found: str) -> None:
-    equations = [f"{plain(left)} = {plain(right)}" for p in walked[name].passages for left, right in p.equations]
+    equations = [f"{plain(left)} = {plain(right)}" for p in walked[name].steps for left, right in p.equations]
     assert found in equations
 
 
@@ -249,7 +249,7 @@ def test_a_claim_that_fails_is_not_taken_nor_used(judge: Session) -> None:
     for first in (Take(wrong), Factor(e, using=(wrong,))):
         made = road_of(Consider(Q @ e), first, Compare(true), to=true)
         road = walk(made, judge)
-        assert len(road.passages) == 2
+        assert len(road.steps) == 2
         assert not road.arrives
 
 

@@ -33,7 +33,7 @@ def test_a_repair_stands_in_for_a_claim_that_fails() -> None:
     assert isinstance(decision.verdict, Fails)
     assert decision.correction is not None
     assert decision.correction.form == decision.correction.found == "repair"
-    assert decision.sides == judge.standing(wrong) == (w, decision.correction.repairs[0].right)
+    assert decision.sides == judge.accepted(wrong) == (w, decision.correction.repairs[0].right)
     assert plain(decision.sides[1]) == "3 (x x y)"
 
 
@@ -42,7 +42,7 @@ def test_what_rests_on_it_is_decided_with_the_repair() -> None:
     decision = judge.decide(resting)
     assert isinstance(decision.verdict, Holds)
     assert {key: used.form for key, used in decision.given.items()} == {"9.2/1": "repair", "9.1/1": "printed"}
-    check(decision.repaired, "printed", decision.certificate, decision.standing)
+    check(decision.repaired, "printed", decision.certificate, decision.accepted)
     with pytest.raises(Rejected):
         check(decision.repaired, "printed", decision.certificate)
 
@@ -52,7 +52,7 @@ def test_without_a_book_nothing_is_repaired() -> None:
     assert not judge.decide(wrong).stands
     assert isinstance(judge.decide(resting).verdict, Undecided)
     with pytest.raises(TypeError, match="does not stand"):
-        judge.standing(wrong)
+        judge.accepted(wrong)
 
 
 def test_a_declared_form_stands_in_where_the_search_finds_nothing() -> None:
@@ -89,7 +89,7 @@ def test_an_inverse_says_what_it_inverts_and_what_its_values_satisfy() -> None:
     decision = Session().decide(halving(formula, w / 2, obeyed))
     assert isinstance(decision.verdict, HoldsUnder)
     assert {key: used.form for key, used in decision.given.items()} == {"9.6/1": "printed", "9.7/1": "printed"}
-    check(decision.statement, "printed", decision.certificate, decision.standing)
+    check(decision.statement, "printed", decision.certificate, decision.accepted)
 
 
 def test_an_inverse_of_what_is_repaired_inverts_the_repair() -> None:
@@ -97,7 +97,7 @@ def test_an_inverse_of_what_is_repaired_inverts_the_repair() -> None:
     decision = Session(book=book(slip)).decide(halving(slip, w / 2))
     assert isinstance(decision.verdict, HoldsUnder)
     assert decision.given["9.6/1"].form == "repair"
-    check(decision.statement, "printed", decision.certificate, decision.standing)
+    check(decision.statement, "printed", decision.certificate, decision.accepted)
 
 
 @pytest.mark.parametrize("place", ["of", "satisfying"])

@@ -21,7 +21,7 @@ from chasles.decisions import recalled
 from chasles.decisions.decision import Decision
 from chasles.decisions.memory import Memory
 from chasles.decisions.plain_data import from_data, to_data
-from chasles.decisions.prediction import foresee
+from chasles.decisions.prediction import predict
 from chasles.decisions.processes import spread
 from chasles.decisions.session import Session
 from chasles.statements import Claim, Hypothesis, Inverse, Statement, load, rotation
@@ -175,7 +175,7 @@ def test_foresight_changes_no_verdict(
 ) -> None:
     monkeypatch.setattr(spreading, "processors", lambda: 2)
     judge = Session(book=BOOK)
-    foresee(judge, [entry.statement for entry in SOME])
+    predict(judge, [entry.statement for entry in SOME])
     for entry, decision in zip(SOME, decisions[1], strict=True):
         assert outcome(judge.decide(entry.statement)) == outcome(decision)
 
@@ -186,7 +186,7 @@ def test_inverses_are_foreseen(decisions: tuple[Session, list[Decision]], monkey
     for statement, _ in inverses:
         for given in statement.relied_on:
             judge.decide(given)
-    foresee(judge, [statement for statement, _ in inverses])
+    predict(judge, [statement for statement, _ in inverses])
     monkeypatch.setattr("chasles.decisions.session.decide_problem", forbidden)
     assert len(inverses) >= 3
     for statement, decision in inverses:

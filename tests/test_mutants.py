@@ -74,7 +74,7 @@ def sentences(chapter: Chapter, judge: Session) -> Iterator[tuple[Claim | Theore
 def problem(sentence: Claim | Theorem, form: str, judge: Session, refused: list[str]) -> Problem | None:
     """The problem, if the sentence can be written and makes sense."""
     try:
-        return problem_of(sentence, form, judge.standing)
+        return problem_of(sentence, form, judge.accepted)
     except (Misfit, TypeError) as reason:
         refused.append(str(reason))
         return None

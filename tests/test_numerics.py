@@ -421,7 +421,7 @@ def test_several_results_are_the_blocks_of_the_right_side() -> None:
 def test_the_form_that_stands_is_the_reference() -> None:
     wrong = Claim("1", p_0, a, corrected=-a, kernel=Kernel(of=(a,)))
     printed_value = specification_of("p", wrong).reference({a: [1, 2, 3]}, 20)
-    corrected_value = specification_of("p", wrong, standing=methodcaller("form", "corrected")).reference(
+    corrected_value = specification_of("p", wrong, accepted=methodcaller("form", "corrected")).reference(
         {a: [1, 2, 3]}, 20
     )
     assert printed_value == ([[1], [2], [3]],)

@@ -38,7 +38,7 @@ def failing() -> list[Claim]:
 
 
 def repaired(statement: Statement) -> tuple[Repair, ...]:
-    return repair(statement, JUDGE.standing, beside=BESIDE)
+    return repair(statement, JUDGE.accepted, context=BESIDE)
 
 
 repaired_once = cache(repaired)
@@ -46,7 +46,7 @@ repaired_once = cache(repaired)
 
 def holds(statement: Statement, left: Node, right: Node) -> bool:
     """Whether the sides are equal, decided here and now."""
-    problem = problem_of(statement.saying(left, right), "printed", JUDGE.standing)
+    problem = problem_of(statement.saying(left, right), "printed", JUDGE.accepted)
     return isinstance(decide_problem(problem), Holds | HoldsUnder)
 
 
@@ -100,7 +100,7 @@ def test_a_print_that_is_right_for_another_left_inverse_is_told_from_a_wrong_one
     assert not holds(statement, left, found.right)
     assert not holds(statement, found.left, right)
     # Without the claim that leaves the matrix free there is no other matrix, and the blocks have to change.
-    alone = repair(statement, JUDGE.standing)
+    alone = repair(statement, JUDGE.accepted)
     assert all(each.modulo is None and each.left == left for each in alone)
 
 

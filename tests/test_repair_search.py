@@ -184,21 +184,21 @@ def test_what_rests_on_the_statement_is_not_asked() -> None:
     wrong = Claim("9", rate(M), CPM(w))
     later = Claim("10", rate(u), M @ rate(z), given=(wrong,))
 
-    def standing(statement: Statement) -> Equation:
+    def accepted(statement: Statement) -> Equation:
         assert statement.number != "9"
         return statement.printed
 
-    assert repair(wrong, standing, beside=(wrong, later)) == ()
+    assert repair(wrong, accepted, context=(wrong, later)) == ()
 
 
 def test_what_rests_on_a_statement_that_does_not_stand_is_not_repaired() -> None:
     claim = Claim("9", z, 2 * cross(x, y), given=(Definition("8", z, cross(x, y)),))
     assert repair(claim)
 
-    def standing(statement: Statement) -> Equation:
+    def accepted(statement: Statement) -> Equation:
         raise TypeError(f"({statement.number}) does not stand")
 
-    assert repair(claim, standing) == ()
+    assert repair(claim, accepted) == ()
 
 
 def test_nothing_is_given_that_was_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -103,7 +103,7 @@ def contradictions(entry: Entry, verdict: Verdict, opinion: Opinion) -> Iterator
 def test_numbers_agree_with_every_verdict(section: str) -> None:
     found: list[str] = []
     for entry, sentence, verdict in decided(section):
-        found += contradictions(entry, verdict, opinion_on(sentence, standing=JUDGE.standing))
+        found += contradictions(entry, verdict, opinion_on(sentence, accepted=JUDGE.accepted))
     assert not found, "\n".join(found)
 
 
@@ -132,7 +132,7 @@ def opinion_from_roots(sentence: Statement | Theorem) -> Opinion:
     refused = ""
     for version in rooted(sentence):
         try:
-            return opinion_on(version, standing=JUDGE.standing)
+            return opinion_on(version, accepted=JUDGE.accepted)
         except TypeError as error:
             refused = str(error)
     raise TypeError(refused)
@@ -184,7 +184,7 @@ def test_counterexamples_have_the_values_that_they_say(section: str) -> None:
     for entry, sentence, verdict in decided(section):
         if isinstance(verdict, Fails):
             assert isinstance(sentence, Statement)
-            problem = problem_of(sentence, standing=JUDGE.standing)
+            problem = problem_of(sentence, standing=JUDGE.accepted)
             for error in recomputed(problem, verdict.counterexample):
                 assert abs(error) * 10**AGREEMENT < 1, entry.number
 
@@ -220,7 +220,7 @@ def test_without_a_hypothesis_that_it_needs_a_claim_is_violated(section: str) ->
     for entry, sentence, verdict in decided(section):
         if not isinstance(verdict, HoldsUnder) or isinstance(sentence, Inverse):
             continue
-        problem = problem_of(sentence, standing=JUDGE.standing)
+        problem = problem_of(sentence, standing=JUDGE.accepted)
         for hypothesis in problem.hypotheses:
             # That a matrix is definite is needed for its squares to be squares, not for an equation.
             if hypothesis.text in verdict.needs and hypothesis.equations and hypothesis.kind != "definite":
@@ -241,7 +241,7 @@ def test_a_turned_sign_is_seen() -> None:
             continue
         for right in islice(flipped_signs(statement.right), 1):
             mutant = replace(statement, right=right)
-            opinion = opinion_on(mutant, standing=JUDGE.standing, motions=1)
+            opinion = opinion_on(mutant, accepted=JUDGE.accepted, motions=1)
             # A term that vanishes at all motions may have either sign: the prover knows.
             assert opinion.agrees == JUDGE.decide(mutant).verdict.true, entry.number
             assert opinion.agrees or opinion.differs
@@ -257,7 +257,7 @@ def test_repairs_agree_too(section: str) -> None:
             continue
         assert correction.repairs
         for found in correction.repairs:
-            opinion = opinion_on(statement.saying(found.left, found.right), standing=JUDGE.standing)
+            opinion = opinion_on(statement.saying(found.left, found.right), accepted=JUDGE.accepted)
             assert opinion.agrees, (entry.number, found.changes, opinion)
 
 
@@ -265,7 +265,7 @@ def test_repairs_agree_too(section: str) -> None:
 def test_what_is_said_to_be_a_square_is_not_negative(section: str) -> None:
     for entry in CHAPTER:
         if entry.section.number == section and isinstance(entry.statement, Theorem):
-            problem = problem_of(entry.statement, standing=JUDGE.standing)
+            problem = problem_of(entry.statement, standing=JUDGE.accepted)
             for form in entry.statement.forms:
                 for square in form.squares if isinstance(form, Definite | OnlyWhere) else ():
                     assert all(World(problem, seed).instant()(square)[0][0] > 0 for seed in range(5)), entry.number

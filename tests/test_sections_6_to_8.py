@@ -86,7 +86,7 @@ def test_the_certificates_prove_it(chapter: Chapter, judge: Session) -> None:
     for entry in here(chapter):
         decision = judge.decide(entry.statement)
         if decision.certificate is not None:
-            check(decision.repaired, "printed", decision.certificate, judge.standing)
+            check(decision.repaired, "printed", decision.certificate, judge.accepted)
 
 
 def test_steiner_by_dyads_fails_in_a_block_without_p(chapter: Chapter, judge: Session) -> None:
@@ -96,7 +96,7 @@ def test_steiner_by_dyads_fails_in_a_block_without_p(chapter: Chapter, judge: Se
     row, column_ = decision.verdict.counterexample.entry
     assert (row <= 3) != (column_ <= 3)
     assert decision.verdict.counterexample.at["m"] > 0
-    check_counterexample(problem_of(statement, "printed", judge.standing), decision.verdict.counterexample)
+    check_counterexample(problem_of(statement, "printed", judge.accepted), decision.verdict.counterexample)
     assert decision.correction is not None
     assert isinstance(decision.correction.verdict, Holds | HoldsUnder)
 

@@ -70,7 +70,7 @@ def searched(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 def new_judge(monkeypatch: pytest.MonkeyPatch) -> None:
     """Exercises are solved with a judge of their own, who knows what is shipped and nothing else."""
     judge = Session(book=CHAPTER, memory=Memory(shipped=SHIPPED))
-    monkeypatch.setattr("chasles.exercises.decided._judge", lambda: judge)
+    monkeypatch.setattr("chasles.exercises.decided._session", lambda: judge)
 
 
 def book_of(*statements: Statement) -> Chapter:
@@ -213,8 +213,8 @@ def test_a_forged_repair_is_not_believed(change: str) -> None:
         "verdict": (with_fields(first, verdict=Session().decide(long).verdict),),
         "none of them": ("text",),
     }[change]
-    assert not repairs_stand(slip, forged, judge.standing, (), judge.verdict_on)
-    assert repairs_stand(slip, repairs, judge.standing, (), judge.verdict_on)
+    assert not repairs_stand(slip, forged, judge.accepted, (), judge.verdict_on)
+    assert repairs_stand(slip, repairs, judge.accepted, (), judge.verdict_on)
     if change != "none of them":
         memory = Memory(shipped={key: to_data(forged)})
         assert Session(book=book_of(slip), memory=memory).decide(slip).correction == true.correction
@@ -230,8 +230,8 @@ def test_repairs_of_definitions_are_checked_by_the_claims_that_rest_on_them(sear
                 found += 1
                 other = with_fields(repair, right=Sum((repair.right, repair.right)))
                 beside = [each.statement for each in CHAPTER if isinstance(each.statement, Statement)]
-                assert repairs_stand(entry.statement, (repair,), judge.standing, beside, judge.verdict_on)
-                assert not repairs_stand(entry.statement, (other,), judge.standing, beside, judge.verdict_on)
+                assert repairs_stand(entry.statement, (repair,), judge.accepted, beside, judge.verdict_on)
+                assert not repairs_stand(entry.statement, (other,), judge.accepted, beside, judge.verdict_on)
     assert found > 1
 
 

@@ -8,9 +8,9 @@ from __future__ import annotations
 from functools import cache
 
 from chasles.decisions.decision import Decisions
-from chasles.decisions.recalled import judge_of, retained
+from chasles.decisions.recalled import retained, session_of
 from chasles.decisions.session import Session
-from chasles.deriving import Road, walk
+from chasles.deriving import CheckedDerivation, walk
 from chasles.repairs.repair import Repair
 from chasles.several import Several
 from chasles.statements import Chapter, load
@@ -35,9 +35,9 @@ def decide(number: str, chapter: Named = BOOK) -> Decisions:
         LookupError: if the chapter has no such number; those near it are named.
         TypeError: for a number that is no text.
     """
-    book, judge = _asked(number, chapter)
-    decided = Decisions(judge.decide(entry.statement) for entry in statements_cited(book, [number]))
-    retained(judge.memory)
+    book, session = _asked(number, chapter)
+    decided = Decisions(session.decide(entry.statement) for entry in statements_cited(book, [number]))
+    retained(session.memory)
     return decided
 
 
@@ -50,19 +50,19 @@ def repair(number: str, chapter: Named = BOOK) -> Several[Repair]:
     return Several(found for correction in corrections if correction is not None for found in correction.repairs)
 
 
-def derive(number: str, chapter: Named = BOOK) -> Road:
+def derive(number: str, chapter: Named = BOOK) -> CheckedDerivation:
     """The road to an equation, walked: each step's result is found and decided, the end is compared with the print.
 
     Takes what `decide` takes, and the name of a road. Raises LookupError if no road leads there, or several do, which
     are named.
     """
-    book, judge = _asked(number, chapter)
+    book, session = _asked(number, chapter)
     found = derivations_cited(roads(book.package), [number])
     if len(found) > 1:
         raise UnknownNumber(f"{len(found)} roads lead to {number}: name one of {', '.join(found)}")
     [road] = found.values()
-    walked = walk(road, judge)
-    retained(judge.memory)
+    walked = walk(road, session)
+    retained(session.memory)
     return walked
 
 
@@ -73,15 +73,15 @@ def __getattr__(name: str) -> Chapter:
 
 
 def _asked(number: str, chapter: Named) -> tuple[Chapter, Session]:
-    """The chapter, and the judge who decides its statements."""
+    """The chapter, and the session that decides its statements."""
     if not isinstance(number, str):
         raise TypeError(f"a number is given as text, since 3.1 is not 3.10: {str(number)!r}, and not {number!r}")
     book = chapter if isinstance(chapter, Chapter) else _loaded(chapter)
-    known = _judges.get(id(book))
+    known = _sessions.get(id(book))
     if known is None:
-        known = _judges[id(book)] = (book, judge_of(book))
+        known = _sessions[id(book)] = (book, session_of(book))
     return known
 
 
-_judges: dict[int, tuple[Chapter, Session]] = {}
+_sessions: dict[int, tuple[Chapter, Session]] = {}
 _loaded = cache(load)

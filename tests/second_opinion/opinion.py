@@ -13,7 +13,7 @@ from typing import Any
 from chasles.numerics.small_matrices import Matrix
 from chasles.statements import Claim, Condition, Goal, Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import problems_of_inverse
-from chasles.statements.problem import Standing, default_sides
+from chasles.statements.problem import AcceptedSides, default_sides
 from chasles.statements.statement import bare
 from chasles.vocabulary import Node, Rate
 
@@ -57,7 +57,7 @@ class Opinion:
 def opinion_on(
     sentence: Sentence,
     form: str = "printed",
-    standing: Standing = default_sides,
+    accepted: AcceptedSides = default_sides,
     motions: int = MOTIONS,
 ) -> Opinion:
     """The opinion on a sentence in one of its forms.
@@ -65,9 +65,9 @@ def opinion_on(
     Raises `Misfit` if the form does not fit together, and `NoMotion` where no motion satisfies what is assumed.
     """
     if isinstance(sentence, Inverse):
-        found = [second_opinion(problem, motions) for _, problem in problems_of_inverse(sentence, standing)]
+        found = [second_opinion(problem, motions) for _, problem in problems_of_inverse(sentence, accepted)]
         return min(found, key=lambda opinion: opinion.least)
-    problem = problem_of(sentence, form, standing)
+    problem = problem_of(sentence, form, accepted)
     if isinstance(sentence, Condition) and sentence.on and sentence.solution is None:
         conditions = (*problem.conditions, *problem.goals)
         unknowns = tuple(dict.fromkeys((*problem.unknowns, *sentence.on)))

@@ -70,7 +70,7 @@ def test_no_bar_moves(monkeypatch: pytest.MonkeyPatch) -> None:
         def end(self) -> None: ...
 
     monkeypatch.setattr(waiting, "_Wait", Bar)
-    assert list(waiting.watched("ab", 2, "Doing")) == ["a", "b"]
+    assert list(waiting.progress("ab", 2, "Doing")) == ["a", "b"]
     with waiting.silent():
-        assert list(waiting.watched("abc", 3, "Doing")) == ["a", "b", "c"]
+        assert list(waiting.progress("abc", 3, "Doing")) == ["a", "b", "c"]
     assert drawn == [2]

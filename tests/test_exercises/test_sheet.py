@@ -188,7 +188,7 @@ def undecided(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("chasles.decisions.session.decide_problem", lambda *_: Undecided("it is beyond the prover"))
     monkeypatch.setattr("chasles.decisions.session.repair", lambda *_, **__: ())
     judge = Session(book=load())
-    monkeypatch.setattr("chasles.exercises.decided._judge", lambda: judge)
+    monkeypatch.setattr("chasles.exercises.decided._session", lambda: judge)
 
 
 @pytest.mark.usefixtures("undecided")

@@ -1,7 +1,7 @@
-"""Fractions without greatest common divisors: a numerator over powers of declared, nonvanishing atoms.
+"""Fractions without greatest common divisors: a numerator over powers of declared nonzero factors.
 
 Nothing is ever cancelled, because a fraction vanishes exactly when its numerator does; and what is divided by stays in
-sight, as the list of atoms.
+sight, as the list of these factors.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ __all__ = ["Localization", "Ratio"]
 
 @dataclass(slots=True)
 class Localization:
-    """A ring together with the atoms that may be divided by, in the order in which they were declared."""
+    """A ring together with the nonzero factors that may be divided by, in the order in which they were declared."""
 
     ring: Ring
-    atoms: list[Polynomial]
+    nonzero: list[Polynomial]
     _products: dict[tuple[int, ...], Polynomial] = field(default_factory=dict)
 
     def ratio(self, numerator: Polynomial) -> Ratio:
@@ -31,12 +31,12 @@ class Localization:
         return Ratio(self, self.ring.constant(Fraction(value)), ())
 
     def power_product(self, exponents: tuple[int, ...]) -> Polynomial:
-        """The product of the atoms with the given exponents."""
+        """The product of the nonzero factors with the given exponents."""
         if exponents not in self._products:
             total = self.ring.constant(Fraction(1))
-            for atom, exponent in zip(self.atoms, exponents, strict=False):
+            for factor, exponent in zip(self.nonzero, exponents, strict=False):
                 for _ in range(exponent):
-                    total = _times(total, atom)
+                    total = _times(total, factor)
             self._products[exponents] = total
         return self._products[exponents]
 
@@ -73,9 +73,9 @@ class Ratio:
         return _times(self.numerator, self.field.power_product(missing)) if any(missing) else self.numerator
 
     def divided(self, constant: Fraction, exponents: tuple[int, ...]) -> Ratio:
-        """The fraction divided by a constant times a product of powers of atoms.
+        """The fraction divided by a constant times a product of powers of nonzero factors.
 
-        An atom that comes to stand above the line stays below it too, so that it is seen to have been divided by.
+        A factor that moves into the numerator stays in the denominator too, so that it is seen to have been divided by.
         """
         numerator = self.numerator if constant == 1 else self.numerator * self.field.ring.constant(1 / constant)
         total = _product(self.denominator, exponents)

@@ -1,4 +1,4 @@
-"""Matrices of fractions over declared atoms: sums, products, determinants."""
+"""Matrices of fractions over declared nonzero factors: sums, products, determinants."""
 
 from __future__ import annotations
 

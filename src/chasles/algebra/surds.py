@@ -180,7 +180,7 @@ def square_root(value: Fraction) -> SurdSum | None:
     return None if parts is None else SurdSum({(0, parts[1], NONE): Fraction(parts[0], value.denominator)})
 
 
-def root_of(value: SurdSum, beside: Iterable[SurdSum] = ()) -> SurdSum | None:
+def root_of(value: SurdSum, in_use: Iterable[SurdSum] = ()) -> SurdSum | None:
     """The square root of a number, beside which roots of others are in use; None if none is known to be exact.
 
     The transcendental number counts as positive.
@@ -195,7 +195,7 @@ def root_of(value: SurdSum, beside: Iterable[SurdSum] = ()) -> SurdSum | None:
         return square_root(rational)
     if not value.is_algebraic or any(nested for _, _, nested in value.terms) or value.is_negative:
         return None
-    others = [other for other in beside if other != value]
+    others = [other for other in in_use if other != value]
     denested = _denested(value)
     if denested is not None:
         return denested

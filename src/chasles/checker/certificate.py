@@ -16,7 +16,7 @@ from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, cleared, par
 from chasles.checker.witness import point_of, require
 from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import problems_of_inverse
-from chasles.statements.problem import Standing, default_sides
+from chasles.statements.problem import AcceptedSides, default_sides
 from chasles.statements.spins import with_spins
 
 __all__ = ["Rejected", "check"]
@@ -26,17 +26,17 @@ def check(
     said: Problem | Statement | Theorem | Inverse,
     form: str,
     certificate: Mapping[str, Any],
-    standing: Standing = default_sides,
+    accepted: AcceptedSides = default_sides,
 ) -> None:
     """Every entry of every equation holds wherever the hypotheses do, and somewhere they do: the certificate proves it.
 
-    `standing` gives the sides with which given statements are used; a problem needs neither form nor standing. Raises
+    `accepted` gives the sides with which given statements are used; a problem needs neither form nor standing. Raises
     `Rejected` with the reason if the certificate does not prove the statement, and what `problem_of` raises.
     """
     if isinstance(said, Inverse):
-        problems = dict(problems_of_inverse(said, standing))
+        problems = dict(problems_of_inverse(said, accepted))
     else:
-        problems = {"": said if isinstance(said, Problem) else problem_of(said, form, standing)}
+        problems = {"": said if isinstance(said, Problem) else problem_of(said, form, accepted)}
     try:
         for says, problem in problems.items():
             _check(problem, certificate["branches"][says] if isinstance(said, Inverse) else certificate)
@@ -84,24 +84,24 @@ def _division(reading: Reading, label: str, term: str) -> Division:
 def _follows(
     reading: Reading, divisions: list[Division], claim: Polynomial, said: Mapping[str, Any], what: str
 ) -> set[int]:
-    """The variables in a claim of which division leaves nothing, less cofactors times what vanishes, over atoms."""
+    """The variables in a claim that is, up to division, the combination said; raises `Rejected` for any other."""
     occurring, total = claim.places, ZERO
     for label, cofactor in said.get("cofactors", {}).items():
         if label not in reading.vanishing:
             raise Rejected(f"{what} is said to follow from {label!r}, which the statement does not assume")
         occurring |= reading.vanishing[label].places
         total += parsed(cofactor, reading.places) * reading.vanishing[label]
-    if divided(cleared(claim - total * _over(reading, said), reading.atoms)[0], divisions):
+    if divided(cleared(claim - total * _over(reading, said), reading.nonzero)[0], divisions):
         raise Rejected(f"{what} does not follow")
     return occurring
 
 
 def _over(reading: Reading, said: Mapping[str, Any]) -> Polynomial:
-    """One over a product of powers of atoms."""
+    """One over a product of powers of nonzero factors."""
     total = ONE
     for label, power in said.get("denominator", {}).items():
-        place = reading.places.get(squeezed(label), len(reading.atoms))
-        if place >= len(reading.atoms):
+        place = reading.places.get(squeezed(label), len(reading.nonzero))
+        if place >= len(reading.nonzero):
             raise Rejected(f"the certificate divides by {label!r}, which is not declared nonzero")
         total *= powered(place, power)
     return total

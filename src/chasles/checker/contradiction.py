@@ -28,7 +28,7 @@ def check_contradiction(problem: Problem, hypotheses: Collection[str], certifica
             place = reading.places[squeezed(label)]
             if not 1 <= power <= 127:
                 raise Rejected(f"the certificate has {power!r} where an exponent from 1 to 127 is due")
-            total *= product([reading.atoms[place]], power)
+            total *= product([reading.nonzero[place]], power)
             is_positive &= power % 2 == 0 or place in reading.greater
         for label, cofactor in certificate["contradiction"].items():
             total -= parsed(cofactor, reading.places) * reading.vanishing[label]
@@ -43,7 +43,7 @@ def check_contradiction(problem: Problem, hypotheses: Collection[str], certifica
 def _is_nonnegative(reading: Reading, polynomial: Polynomial) -> bool:
     """Whether every term is a positive number times squares, norms and what is declared positive."""
     free = {place for place, what in enumerate(reading.variables) if what[0] == "norm"}
-    free |= {place for atom in reading.greater.values() for place in atom.places if not atom - variable(place)}
+    free |= {place for factor in reading.greater.values() for place in factor.places if not factor - variable(place)}
     return all(
         coefficient * polynomial.below > 0
         and all(power % 2 == 0 or place in free for place, power in exponents(monomial))

@@ -67,8 +67,8 @@ def _symbols(reading: Reading, polynomial: Polynomial) -> set[w.Node]:
     found: set[w.Node] = set()
     for place in polynomial.places:
         match reading.variables[place]:
-            case ("inverse", int() as atom):
-                found |= _symbols(reading, reading.atoms[atom])
+            case ("inverse", int() as factor):
+                found |= _symbols(reading, reading.nonzero[factor])
             case ("moment", int() as inside, *_):
                 found |= _symbols(reading, Polynomial({inside: 1}))
             case (_, w.Node() as of, *_):

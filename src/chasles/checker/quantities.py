@@ -18,15 +18,15 @@ __all__ = ["Quantities", "squeezed"]
 class Quantities:
     """Every expression, `rules` applied, as a matrix of polynomials; and all that is `vanishing`, by name.
 
-    The variables, by place and by name: first the inverses of the `atoms`, as many as there are. `units` tell of which
-    fraction of each angle, by its name, the cosine and sine are variables.
+    The variables, by place and by name: first the inverses of the factors that are
+    `nonzero`. `units` tell of which fraction of each angle, by its name, the cosine and sine are variables.
     """
 
     def __init__(self, rules: Mapping[w.Node, w.Node], units: Mapping[str, Fraction]) -> None:
         self.rules = rules
         self.variables: list[tuple[Any, ...]] = []
         self.places: dict[str, int] = {}
-        self.atoms: list[Polynomial] = []
+        self.nonzero: list[Polynomial] = []
         self.vanishing: dict[str, Polynomial] = {}
         self._units = units
         self._known: dict[w.Node, Matrix] = {}
@@ -64,7 +64,7 @@ class Quantities:
 
     def vanish(self, label: str, polynomial: Polynomial) -> None:
         """From here on, this is zero; raises `Rejected` where something else has that label."""
-        polynomial = cleared(polynomial, self.atoms)[0]
+        polynomial = cleared(polynomial, self.nonzero)[0]
         if self.vanishing.setdefault(label, polynomial) - polynomial:
             raise Rejected(f"two different hypotheses are both called {label}")
 
@@ -89,7 +89,7 @@ class Quantities:
     def _speed(self, place: int) -> Polynomial:
         match self.variables[place]:
             case ("inverse", int() as k):
-                return -variable(place, 2) * self.rate(self.atoms[k])
+                return -variable(place, 2) * self.rate(self.nonzero[k])
             case ("norm", w.Node() as of):
                 return self(w.Dot(of, w.Rate(of)))[0][0] * self.inverse(w.Norm(of))
             case ("cos" | "sin" as function, w.Symbol() as angle, Fraction() as unit):
@@ -169,7 +169,7 @@ class Quantities:
         """Whether a variable differs from element to element."""
         match self.variables[place]:
             case ("inverse", int() as k):
-                return any(self._differs(other, running) for other in self.atoms[k].places)
+                return any(self._differs(other, running) for other in self.nonzero[k].places)
             case ("norm", w.Node() as of):
                 return any(self._differs(other, running) for (entry,) in self(of) for other in entry.places)
             case ("entry" | "cos" | "sin", w.Symbol() as symbol, *_):
@@ -204,14 +204,14 @@ class Quantities:
         return cosine, sine
 
     def inverse(self, node: w.Node) -> Polynomial:
-        """One over a scalar; raises `Rejected` unless it is a number times a product of atoms."""
-        value, below = cleared(self(node)[0][0], self.atoms)
-        for inverse, atom in [(ONE, ONE), *((variable(k), atom) for k, atom in enumerate(self.atoms))]:
-            top = max(atom.terms, default=0)
-            if top in value.terms and top in atom.terms:
-                scale = Fraction(value.terms[top] * atom.below, atom.terms[top] * value.below)
-                if not value - atom * number(scale):
-                    return inverse * product(self.atoms, below) * number(1 / scale)
+        """One over a scalar; raises `Rejected` unless it is a number times a product of nonzero factors."""
+        value, below = cleared(self(node)[0][0], self.nonzero)
+        for inverse, nonzero in [(ONE, ONE), *((variable(k), one) for k, one in enumerate(self.nonzero))]:
+            top = max(nonzero.terms, default=0)
+            if top in value.terms and top in nonzero.terms:
+                scale = Fraction(value.terms[top] * nonzero.below, nonzero.terms[top] * value.below)
+                if not value - nonzero * number(scale):
+                    return inverse * product(self.nonzero, below) * number(1 / scale)
         match self.rules.get(node, node):
             case w.Negative(term):
                 return -self.inverse(term)

@@ -51,7 +51,7 @@ class Said:
 
 
 class Reading(Quantities):
-    """A problem as polynomials: what is `vanishing` is zero, by name; no atom is, and some are `greater`.
+    """A problem as polynomials: `vanishing` ones are zero, `nonzero` ones are not, `greater` ones are positive.
 
     `names` tell of which fraction of each angle the cosine and sine are variables; nothing else is taken from them.
     Raises `Rejected` for what has no polynomial form.
@@ -72,7 +72,7 @@ class Reading(Quantities):
         for place, (hypothesis, _) in enumerate(divisors):
             self.variable(f"{place + 1}. {hypothesis.text}", "inverse", place)
         for hypothesis, node in divisors:
-            self.atoms.append(cleared(self(node)[0][0], self.atoms)[0])
+            self.nonzero.append(cleared(self(node)[0][0], self.nonzero)[0])
             self._positive(hypothesis)
         for goal in problem.goals:
             self.difference(goal.left, goal.right)
@@ -82,16 +82,16 @@ class Reading(Quantities):
         """What is greater than zero: a positive scalar, the leading minors of a positive-definite matrix."""
         entries = self(hypothesis.subjects[0]) if hypothesis.kind in ("positive", "definite") else []
         for size in range(1, len(entries) + 1):
-            minor, below = cleared(determinant([row[:size] for row in entries[:size]]), self.atoms)
-            self.positive.append((hypothesis.text, minor * product(self.atoms, below)))
+            minor, below = cleared(determinant([row[:size] for row in entries[:size]]), self.nonzero)
+            self.positive.append((hypothesis.text, minor * product(self.nonzero, below)))
             if size == len(entries) and not below:
-                self.greater[len(self.atoms) - 1] = minor
+                self.greater[len(self.nonzero) - 1] = minor
 
     def _conditions(self) -> Iterator[Said]:
         for goal in self.problem.conditions:
             for i, j, entry in self.difference(goal.left, goal.right):
                 if entry:
-                    self.conditions.append(cleared(entry, self.atoms)[0])
+                    self.conditions.append(cleared(entry, self.nonzero)[0])
                     yield Said(f"{len(self.conditions)}. {goal.label}", f"[{i + 1}, {j + 1}]", entry)
 
     def _hypotheses(self) -> Iterator[Said]:
@@ -125,7 +125,7 @@ class Reading(Quantities):
         for order in range(MOST_ORDERS + 1):
             dots = f" ({'d' * order}ot)" if order else ""
             for each in said:
-                polynomial = cleared(each.polynomial, self.atoms)[0]
+                polynomial = cleared(each.polynomial, self.nonzero)[0]
                 self.vanish(f"{each.label}{dots} {each.place}", polynomial)
                 if moves and (each.counts or order > self.highest):
                     each.is_new = each.is_new and bool(divided(polynomial, known))
@@ -148,7 +148,7 @@ class Reading(Quantities):
             self.unclosed.append(said.label)
         is_ahead = any(what[0] == "entry" and what[2] > self.highest for what in kinds)
         if is_ahead and said.ties:
-            stated, polynomial = (cleared(each, self.atoms)[0] for each in (said.stated, said.polynomial))
+            stated, polynomial = (cleared(each, self.nonzero)[0] for each in (said.stated, said.polynomial))
             self.ahead.append((stated, polynomial))
         return not is_ahead
 

@@ -93,8 +93,8 @@ def _objection(reading: Reading, goal: Goal, shown: Shown) -> str:
 
 def _bound(reading: Reading, places: set[int]) -> set[int]:
     """The variables in these places, and all those of which anything is assumed."""
-    assumed = (*reading.vanishing.values(), *reading.atoms, *(positive for _, positive in reading.positive))
-    return {place for place in places.union(*(p.places for p in assumed)) if place >= len(reading.atoms)}
+    assumed = (*reading.vanishing.values(), *reading.nonzero, *(positive for _, positive in reading.positive))
+    return {place for place in places.union(*(p.places for p in assumed)) if place >= len(reading.nonzero)}
 
 
 def _completed(reading: Reading, at: Mapping[str, Fraction], relevant: set[int]) -> Point:
@@ -190,9 +190,9 @@ def _root(square: Fraction) -> Fraction | None:
 
 
 def _quotient(reading: Reading, polynomial: Polynomial, point: Point) -> Value:
-    """The value of an expression, its inverses of atoms evaluated too."""
-    numerator, powers = cleared(polynomial, reading.atoms)
-    below = value_at(product(reading.atoms, powers), point)
+    """The value of an expression, its inverses of nonzero factors evaluated too."""
+    numerator, powers = cleared(polynomial, reading.nonzero)
+    below = value_at(product(reading.nonzero, powers), point)
     if len(below) != 1:
         raise Rejected("what is divided by is zero at the point, or a sum in a transcendental number")
     ((shift, divisor),) = below.items()

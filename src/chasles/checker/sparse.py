@@ -74,26 +74,26 @@ class Polynomial:
         return {place: Polynomial(terms, self.below) for place, terms in total.items()}
 
 
-def cleared(polynomial: Polynomial, atoms: list[Polynomial]) -> tuple[Polynomial, int]:
-    """The polynomial times the least product of atoms that leaves no inverse in it, and the powers of these.
+def cleared(polynomial: Polynomial, nonzero: list[Polynomial]) -> tuple[Polynomial, int]:
+    """The polynomial times the least product of nonzero factors that leaves no inverse in it, and the powers of these.
 
-    Variable k is the inverse of atom k, as long as there are atoms.
+    Variable k is the inverse of nonzero factor k, as long as there are any.
     """
     parts: dict[int, dict[int, int]] = {}
     for monomial, coefficient in polynomial.terms.items():
-        inverses = monomial & (1 << 8 * len(atoms)) - 1
+        inverses = monomial & (1 << 8 * len(nonzero)) - 1
         parts.setdefault(inverses, {})[monomial - inverses] = coefficient
     if parts.keys() <= {0}:
         return polynomial, 0
     powers = sorted(pair for inverses in parts for pair in exponents(inverses))
     top = sum(power << 8 * place for place, power in dict(powers).items())
-    terms = (Polynomial(part, polynomial.below) * product(atoms, top - inverses) for inverses, part in parts.items())
+    terms = (Polynomial(part, polynomial.below) * product(nonzero, top - inverses) for inverses, part in parts.items())
     return reduce(add, terms), top
 
 
-def product(atoms: list[Polynomial], powers: int) -> Polynomial:
-    """The product of the atoms to these powers, packed as in a monomial."""
-    return reduce(mul, (atoms[k] for k, power in exponents(powers) for _ in range(power)), ONE)
+def product(nonzero: list[Polynomial], powers: int) -> Polynomial:
+    """The product of the nonzero factors to these powers, packed as in a monomial."""
+    return reduce(mul, (nonzero[k] for k, power in exponents(powers) for _ in range(power)), ONE)
 
 
 def _bytes(monomial: int) -> bytes:

@@ -26,7 +26,7 @@ def point_of(reading: Reading, values: Mapping[str, Any]) -> Point:
     An angle that occurs beside its own cosine and sine is transcendental, because these are rational (Lindemann). With
     pi, or another such angle, in play it is given in units of pi: its cosine and sine must be those of quarter turns.
     """
-    stated = (*reading.vanishing.values(), *reading.atoms, *(positive for _, positive in reading.positive))
+    stated = (*reading.vanishing.values(), *reading.nonzero, *(positive for _, positive in reading.positive))
     in_play = "pi" in values or any(reading.places.get("pi") in polynomial.places for polynomial in stated)
     pi = {reading.places["pi"]} if "pi" in reading.places and in_play else set()
     numbers: dict[int, Any] = dict.fromkeys(pi, Fraction(1))
@@ -64,8 +64,8 @@ def value_at(polynomial: Polynomial, point: Point) -> dict[int, Any]:
 
 def _standing_for(reading: Reading, occurring: set[int]) -> set[int]:
     """The variables that occur, and those by which they are what they are: a norm's vector, a cosine's sine."""
-    inverses = {place for place in occurring if place < len(reading.atoms)}
-    needed = occurring.union(*(reading.atoms[place].places for place in inverses)) - inverses
+    inverses = {place for place in occurring if place < len(reading.nonzero)}
+    needed = occurring.union(*(reading.nonzero[place].places for place in inverses)) - inverses
     for place in tuple(needed):
         match reading.variables[place]:
             case ("cos", *_):
@@ -78,15 +78,15 @@ def _standing_for(reading: Reading, occurring: set[int]) -> set[int]:
 
 
 def require(reading: Reading, point: Point, occurring: set[int]) -> None:
-    """All that occurs has a value at the point; what vanishes does, no atom does, and what is positive is."""
+    """All that occurs has a value at the point; what vanishes does, no nonzero factor does, and what is positive is."""
     if lacking := _standing_for(reading, occurring) - point.keys():
         names = {place: name for name, place in reading.places.items()}
         raise Rejected(f"no value is given for {', '.join(names[place] for place in sorted(lacking))}")
     for label, polynomial in reading.vanishing.items():
         if polynomial.places <= point.keys() and value_at(polynomial, point):
             raise Rejected(f"the point does not satisfy {label}")
-    for label, atom in zip(reading.places, reading.atoms, strict=False):
-        if atom.places <= point.keys() and not value_at(atom, point):
+    for label, factor in zip(reading.places, reading.nonzero, strict=False):
+        if factor.places <= point.keys() and not value_at(factor, point):
             raise Rejected(f"the point does not satisfy {label}")
     for label, positive in reading.positive:
         values = value_at(positive, point).values() if positive.places <= point.keys() else [1]

@@ -11,7 +11,7 @@ from chasles.decisions.memory import Memory
 from chasles.decisions.session import Session
 from chasles.decisions.shipped import ANSWERS, as_text
 from chasles.deriving import walk
-from chasles.report.waiting import watched
+from chasles.report.waiting import progress
 from chasles.statements import Chapter
 from chasles.statements.exercises import sentences_of_exercises
 from chasles.statements.packages import BOOK
@@ -19,15 +19,15 @@ from chasles.statements.packages import BOOK
 __all__ = ["answers"]
 
 
-def answers(book: Chapter, judge: Session) -> dict[str, str]:
+def answers(book: Chapter, session: Session) -> dict[str, str]:
     """The file of the answers, by its name: each stands with what asks for it first, in the order of the book.
 
-    What the judge has found is asked as those will ask who have it from here: all that is checked then is there too.
+    All is asked again of a session that knows only what is kept, so that what a check needs is kept too.
     """
-    finding = list(_asking(book, judge))
-    for _, ask in watched(iter(finding), len(finding), "Walking"):
+    finding = list(_asking(book, session))
+    for _, ask in progress(iter(finding), len(finding), "Walking"):
         ask()
-    memory = Memory(judge.memory.everything)
+    memory = Memory(session.memory.everything)
     asking = list(_asking(book, Session(book=book, memory=memory)))
     known: set[str] = set()
     groups: dict[str, dict[str, Any]] = {}
@@ -41,12 +41,12 @@ def answers(book: Chapter, judge: Session) -> dict[str, str]:
     return {ANSWERS: as_text(groups)}
 
 
-def _asking(book: Chapter, judge: Session) -> Iterator[tuple[str, Callable[[], object]]]:
+def _asking(book: Chapter, session: Session) -> Iterator[tuple[str, Callable[[], object]]]:
     """What asks questions: by name, and how it does."""
     for entry in book:
-        yield f"({entry.number}) {entry.name}", partial(judge.decide, entry.statement)
+        yield f"({entry.number}) {entry.name}", partial(session.decide, entry.statement)
     for name, road in all_roads(book).items():
-        yield f"road {name}", partial(walk, road, judge)
+        yield f"road {name}", partial(walk, road, session)
     if book.package == BOOK:
         for name, sentence in sentences_of_exercises().items():
-            yield f"exercise {name}", partial(judge.decide, sentence)
+            yield f"exercise {name}", partial(session.decide, sentence)

@@ -14,7 +14,7 @@ import click
 from chasles.cli import completing
 from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.nearest import nearest
-from chasles.report.waiting import watched
+from chasles.report.waiting import progress
 from chasles.statements import Chapter, Entry, load
 from chasles.statements.citing import UnknownNumber, statements_cited
 from chasles.statements.packages import BOOK, folder_of
@@ -104,9 +104,9 @@ def chosen(book: Chapter, numbers: Sequence[str], sections: Sequence[str]) -> tu
     return book.select(tuple(cited), sections)
 
 
-def decisions(entries: Sequence[Entry], judge: Session) -> Iterator[tuple[Entry, Decision]]:
+def decisions(entries: Sequence[Entry], session: Session) -> Iterator[tuple[Entry, Decision]]:
     """The decision on each statement, with a progress bar where it takes long."""
-    return watched(judge.decide_all(entries), len(entries), "Deciding")
+    return progress(session.decide_all(entries), len(entries), "Deciding")
 
 
 def _place(error: Exception, package: str) -> str | None:

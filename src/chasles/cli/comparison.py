@@ -19,7 +19,7 @@ from chasles.lowering.lower import lower
 from chasles.lowering.refusal import LoweringError
 from chasles.nearest import nearest
 from chasles.numerics import Evidence, Specification, Unsatisfiable, specification_of, specification_of_inverse, verify
-from chasles.report.waiting import watched
+from chasles.report.waiting import progress
 from chasles.statements import Chapter, Entry, Inverse, Kernel, Theorem
 from chasles.statements.packages import generated_package
 
@@ -64,11 +64,11 @@ def asking(book: Chapter, names: Sequence[str]) -> list[Asked]:
 
 
 def compared(
-    asked: Sequence[Asked], kernels: ModuleType, strategies: Sequence[str], samples: int, judge: Session
+    asked: Sequence[Asked], kernels: ModuleType, strategies: Sequence[str], samples: int, session: Session
 ) -> Iterator[Evidence]:
     """The evidence on each kernel, precision by precision. Raises Failure where there is nothing to compare."""
     tasks = list(product(asked, PRECISIONS, strategies))
-    for (entry, kernel), precision, strategy in watched(tasks, len(tasks), "Comparing with 50 digits"):
+    for (entry, kernel), precision, strategy in progress(tasks, len(tasks), "Comparing with 50 digits"):
         name = kernel.name
         function = getattr(kernels, name, None)
         if function is None:
@@ -78,7 +78,7 @@ def compared(
             )
         options = {"dtype": precision, "strategies": (strategy,), "samples": samples, "batched": True}
         try:
-            yield verify(_specification(entry, kernel, judge), function, **options)
+            yield verify(_specification(entry, kernel, session), function, **options)
         except (LoweringError, Unsatisfiable, TypeError) as error:
             raise Failure(f"{name} cannot be compared with ({entry.number}): {error}") from error
 
@@ -88,11 +88,11 @@ def backend_of(kernels: ModuleType) -> str:
     return getattr(kernels, "backend", "numpy")
 
 
-def _specification(entry: Entry, kernel: Kernel, judge: Session) -> Specification:
-    program = lower(entry, judge.decide, kernel)
+def _specification(entry: Entry, kernel: Kernel, session: Session) -> Specification:
+    program = lower(entry, session.decide, kernel)
     of = entry.statement
     assert not isinstance(of, Theorem)
     names = [result.name for result in program.results]
     if isinstance(of, Inverse):
-        return specification_of_inverse(program.name, of, kernel, names, roundings(program), judge.standing)
-    return specification_of(program.name, of, kernel, names, roundings(program), judge.standing)
+        return specification_of_inverse(program.name, of, kernel, names, roundings(program), session.accepted)
+    return specification_of(program.name, of, kernel, names, roundings(program), session.accepted)

@@ -7,12 +7,12 @@ from pathlib import Path
 
 from chasles.bounds import Bound, bound_of, key_of, remembered
 from chasles.cli.failures import Failure
-from chasles.decisions.prediction import foresee
+from chasles.decisions.prediction import predict
 from chasles.decisions.processes import spread
 from chasles.decisions.session import Session
 from chasles.lowering.program import Program
 from chasles.lowering.request import Request
-from chasles.report.waiting import watched
+from chasles.report.waiting import progress
 from chasles.statements import Entry
 from chasles.statements import Kernel as Asked
 from chasles.targets import MANIFEST, EmissionError, Kernel, discover, render
@@ -24,7 +24,7 @@ A_KERNEL = 0.025
 """About how many seconds it takes to make a kernel and to prove it equal to its statement."""
 
 
-def commissioned(entries: Sequence[Entry], judge: Session, *folders: Path) -> tuple[Kernel, ...]:
+def commissioned(entries: Sequence[Entry], session: Session, *folders: Path) -> tuple[Kernel, ...]:
     """The kernels of all statements that ask for some; error bounds that a manifest in `folders` has are taken over.
 
     Raises Failure with a line for each kernel that is refused, and where a bound has to be proved without python-flint.
@@ -39,12 +39,12 @@ def commissioned(entries: Sequence[Entry], judge: Session, *folders: Path) -> tu
     def made(asked: tuple[Entry, Asked]) -> Kernel | str:
         """The kernel, or why it is refused."""
         try:
-            return kernel_of(asked[0], judge.decide, asked[1], prove)
+            return kernel_of(asked[0], session.decide, asked[1], prove)
         except EmissionError as error:
             return str(error)
 
     asking = [(entry, kernel) for entry in entries for kernel in entry.kernels]
-    _decide(judge, entries)
+    _decide(session, entries)
     found = spread(made, asking, A_KERNEL)
     refused = [why for why in found if isinstance(why, str)]
     if refused:
@@ -52,10 +52,10 @@ def commissioned(entries: Sequence[Entry], judge: Session, *folders: Path) -> tu
     return tuple(kernel for kernel in found if isinstance(kernel, Kernel))
 
 
-def _decide(judge: Session, entries: Sequence[Entry]) -> None:
-    """Let the judge decide all there is to decide before the work is spread, so that nothing is decided twice."""
-    foresee(judge, [entry.statement for entry in entries])
-    for _ in watched(judge.decide_all(entries), len(entries), "Deciding"):
+def _decide(session: Session, entries: Sequence[Entry]) -> None:
+    """Let the session decide all there is to decide before the work is spread, so that nothing is decided twice."""
+    predict(session, [entry.statement for entry in entries])
+    for _ in progress(session.decide_all(entries), len(entries), "Deciding"):
         pass
 
 
@@ -79,12 +79,12 @@ def _proved(program: Program, request: Request) -> Bound:
         ) from error
 
 
-def emitted(kernels: tuple[Kernel, ...], beside: Mapping[str, str]) -> dict[str, str]:
-    """The text of each file by its path, pages `beside` the kernels among them.
+def emitted(kernels: tuple[Kernel, ...], pages: Mapping[str, str]) -> dict[str, str]:
+    """The text of each file by its path: the kernels in all languages, and the `pages`.
 
     Raises Failure where a language cannot spell a kernel.
     """
     try:
-        return render(kernels, discover(), beside)
+        return render(kernels, discover(), pages)
     except EmissionError as error:
         raise Failure(f"nothing was emitted: {error}") from error

@@ -8,7 +8,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING
 
 from chasles.cli.book import decisions
-from chasles.decisions.prediction import foresee
+from chasles.decisions.prediction import predict
 from chasles.decisions.session import Decision, Session
 from chasles.report.decisions import Decided
 from chasles.report.details import number_in_words
@@ -71,15 +71,15 @@ def decide(
     What the chapter brings along, and what was decided in an earlier run, is only checked. Where all is to be decided
     `anew`, that is not asked for, or something is rejected, everything is decided.
     """
-    from chasles.decisions.recalled import forget, judge_of, retained
+    from chasles.decisions.recalled import forget, retained, session_of
 
     started = perf_counter()
-    judge = judge_of(book, anew or not recheck)
-    memory = judge.memory
-    decided = _decided(entries, judge)
+    session = session_of(book, anew or not recheck)
+    memory = session.memory
+    decided = _decided(entries, session)
     deciding = perf_counter() - started - memory.seconds
     if not recheck:
-        return Outcome(decided, deciding), judge
+        return Outcome(decided, deciding), session
     from chasles.cli.rechecking import recheck as check_again
 
     outcome = Outcome(decided, deciding, check_again(decided, memory))
@@ -87,12 +87,12 @@ def decide(
         forget()
         return decide(entries, book, anew=True)
     retained(memory)
-    return outcome, judge
+    return outcome, session
 
 
-def _decided(entries: Sequence[Entry], judge: Session) -> tuple[Decided, ...]:
-    foresee(judge, [entry.statement for entry in entries])
-    return tuple(decisions(entries, judge))
+def _decided(entries: Sequence[Entry], session: Session) -> tuple[Decided, ...]:
+    predict(session, [entry.statement for entry in entries])
+    return tuple(decisions(entries, session))
 
 
 def _stands_in_wrongly(decision: Decision) -> bool:

@@ -78,14 +78,14 @@ def _prove(decision: Decision) -> None:
     """Raises `Rejected` unless the certificate proves what stands."""
     certificate = decision.certificate
     assert certificate is not None
-    check(decision.repaired, "printed", certificate, decision.standing)
+    check(decision.repaired, "printed", certificate, decision.accepted)
 
 
 def _refute(decision: Decision) -> None:
     """Raises `Rejected` unless the counterexample refutes the print."""
     assert isinstance(decision.verdict, Fails)
     assert not isinstance(decision.statement, Inverse)
-    problem = problem_of(decision.statement, "printed", decision.standing)
+    problem = problem_of(decision.statement, "printed", decision.accepted)
     check_counterexample(problem, decision.verdict.counterexample)
 
 
@@ -95,5 +95,5 @@ def _contradict(decision: Decision) -> None:
     assert isinstance(verdict, Contradictory)
     assert verdict.certificate is not None
     assert not isinstance(decision.statement, Inverse)
-    problem = problem_of(decision.statement, "printed", decision.standing)
+    problem = problem_of(decision.statement, "printed", decision.accepted)
     check_contradiction(problem, verdict.hypotheses, verdict.certificate)

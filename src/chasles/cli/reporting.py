@@ -64,8 +64,8 @@ def reported(book: Chapter, as_site: bool = False, address: str = "") -> Reporte
     Raises Failure for contradictory declarations, and for damaged files.
     """
     started = perf_counter()
-    outcome, judge = decide(book.entries, book)
-    roads = walked(_roads_of(book), judge)
+    outcome, session = decide(book.entries, book)
+    roads = walked(_roads_of(book), session)
     decisions = {entry.name: decision for entry, decision in outcome.decided}
     again = outcome.rechecked
     assert again is not None

@@ -66,9 +66,9 @@ class Verification:
 
 
 def verified(
-    asked: Sequence[Asked], kernels: ModuleType, strategies: Sequence[str], samples: int, judge: Session
+    asked: Sequence[Asked], kernels: ModuleType, strategies: Sequence[str], samples: int, session: Session
 ) -> Verification:
     """Compare the kernels asked for at so many points of each kind, in each precision."""
     started = perf_counter()
-    evidence = tuple(compared(asked, kernels, strategies, samples, judge))
+    evidence = tuple(compared(asked, kernels, strategies, samples, session))
     return Verification(backend_of(kernels), evidence, perf_counter() - started)

@@ -118,7 +118,7 @@ class Decision(Displayed):
         found = getattr(verdict, "certificate", None) if verdict.true else None
         return None if found is None else Certificate(found)
 
-    def standing(self, given: Statement) -> Equation:
+    def accepted(self, given: Statement) -> Equation:
         """The sides with which the decision used a given statement."""
         used = self.given.get(key_of(given))
         return default_sides(given) if used is None else used.sides

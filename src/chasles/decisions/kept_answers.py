@@ -9,7 +9,7 @@ from chasles.checker.certificate import Rejected, check
 from chasles.checker.refutation import check_counterexample
 from chasles.repairs.repair import Repair, claims_of
 from chasles.statements import Problem, Statement, problem_of
-from chasles.statements.problem import Standing
+from chasles.statements.problem import AcceptedSides
 from chasles.verdict import Fails, Holds, HoldsUnder, Verdict
 from chasles.vocabulary import Misfit, Node
 
@@ -37,15 +37,15 @@ def verdict_stands(problem: Problem, verdict: Any) -> bool:
 def repairs_stand(
     statement: Statement,
     repairs: Any,
-    standing: Standing,
-    beside: Iterable[Statement],
+    accepted: AcceptedSides,
+    context: Iterable[Statement],
     verdict_on: Callable[[Problem], Verdict],
 ) -> bool:
     """Whether each repair is proved by its certificate; what else it says of claims is asked of `verdict_on`."""
-    known = tuple(beside)
+    known = tuple(context)
     try:
         return isinstance(repairs, tuple) and all(
-            isinstance(each, Repair) and _stands(statement, each, standing, known, verdict_on) for each in repairs
+            isinstance(each, Repair) and _stands(statement, each, accepted, known, verdict_on) for each in repairs
         )
     except MALFORMED:
         return False
@@ -54,12 +54,12 @@ def repairs_stand(
 def _stands(
     statement: Statement,
     repair: Repair,
-    standing: Standing,
-    beside: tuple[Statement, ...],
+    accepted: AcceptedSides,
+    context: tuple[Statement, ...],
     verdict_on: Callable[[Problem], Verdict],
 ) -> bool:
-    claims = claims_of(statement, repair, beside)
-    problems = [[problem_of(claim, "printed", standing) for claim in group] for group in claims]
+    claims = claims_of(statement, repair, context)
+    problems = [[problem_of(claim, "printed", accepted) for claim in group] for group in claims]
     return (
         bool(problems)
         and any(verdict_stands(problem, repair.verdict) for problem in problems[0])

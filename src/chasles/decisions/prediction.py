@@ -1,6 +1,6 @@
 """Many statements at once: what can be decided without waiting for another verdict is decided over processes first.
 
-Only the memory of the judge is filled: what it decides afterwards, one by one, is the same as without.
+Only the memory of the session is filled: what it decides afterwards, one by one, is the same as without.
 """
 
 from __future__ import annotations
@@ -19,30 +19,30 @@ from chasles.statements.inversion import problems_of_inverse
 from chasles.verdict import Fails
 from chasles.vocabulary import Misfit
 
-__all__ = ["foresee"]
+__all__ = ["predict"]
 
 Question = tuple[Problem, tuple[Hypothesis, ...]]
 A_VERDICT, A_REPAIR, A_CHECK = 0.004, 0.06, 0.002
 """About how many seconds each takes."""
 
 
-def foresee(judge: Session, sentences: Iterable[Sentence]) -> None:
-    """Let the judge remember the verdicts on these sentences, and the repairs of those that do not stand."""
-    memory = judge.memory
+def predict(session: Session, sentences: Iterable[Sentence]) -> None:
+    """Fill the memory with the verdicts on these sentences, and with the repairs of those that are wrong as printed."""
+    memory = session.memory
     asked = {s: {memory.key_of_verdict(*question): question for question in _questions(s)} for s in sentences}
     questions = {key: question for of_sentence in asked.values() for key, question in of_sentence.items()}
     _check(memory, questions)
     left = [key for key in questions if not memory.knows(key)]
-    verdicts = spread(lambda key: judge.verdict_on(*questions[key]), left, A_VERDICT)
+    verdicts = spread(lambda key: session.verdict_on(*questions[key]), left, A_VERDICT)
     for key, verdict in zip(left, verdicts, strict=True):
         memory.remember(key, verdict)
-    if not judge.searches:
+    if not session.searches:
         return
 
     def repairs_of(statement: Statement) -> tuple[str, tuple[Repair, ...] | None] | None:
         """Their key, and the repairs unless they were kept from another time."""
         try:
-            key, found = judge.search(statement)
+            key, found = session.search(statement)
         except TypeError:
             return None
         return key, None if memory.has_accepted(key) else found

@@ -21,7 +21,7 @@ from chasles.decisions.session import Session
 from chasles.decisions.shipped import shipped
 from chasles.statements import Chapter
 
-__all__ = ["forget", "judge_of", "retained"]
+__all__ = ["forget", "retained", "session_of"]
 
 ENGINE = (
     *("vocabulary", "statements", "rewriting", "algebra", "checker", "problems", "points", "prover"),
@@ -33,8 +33,8 @@ MOST = 4096
 """Answers that are kept: some ten books of this size."""
 
 
-def judge_of(book: Chapter, anew: bool = False) -> Session:
-    """A judge who knows what the chapter brings, and what was decided in earlier runs; nothing where all is `anew`."""
+def session_of(book: Chapter, anew: bool = False) -> Session:
+    """A session that knows what the chapter brings and what earlier runs decided; nothing where all is `anew`."""
     return Session(book=book, memory=None if anew else Memory(_recalled(), shipped(book.package)))
 
 

@@ -74,7 +74,7 @@ class Session:
             known = self._decisions[id(sentence)] = self._decide(sentence)
         return known
 
-    def standing(self, statement: Statement) -> Equation:
+    def accepted(self, statement: Statement) -> Equation:
         """The sides with which a given statement is used; raises DoesNotStand."""
         return self._used(statement).sides
 
@@ -131,13 +131,13 @@ class Session:
         it rests on.
         """
         before = self._book[: None if isinstance(sentence, Definition) else self._place.get(id(sentence))]
-        used = [self.standing(given) for given in sentence.relied_on]
+        used = [self.accepted(given) for given in sentence.relied_on]
         key = self.memory.key_of_repairs(sentence, used, before)
 
         def stand(repairs: Any) -> bool:
-            return repairs_stand(sentence, repairs, self.standing, before, self.verdict_on)
+            return repairs_stand(sentence, repairs, self.accepted, before, self.verdict_on)
 
-        return key, self.memory.answer(key, stand, lambda: repair(sentence, self.standing, beside=before))
+        return key, self.memory.answer(key, stand, lambda: repair(sentence, self.accepted, context=before))
 
     def verdict_on(self, problem: Problem, own: tuple[Hypothesis, ...] = ()) -> Verdict:
         """The verdict on a problem; `own` are the hypotheses whose use it reports."""
@@ -149,8 +149,8 @@ class Session:
     def _form(self, sentence: Statement | Theorem) -> Verdict:
         """The verdict on a sentence as printed."""
         try:
-            standing = default_sides if isinstance(sentence, Definition) else self.standing
-            problem = problem_of(sentence, "printed", standing)
+            accepted = default_sides if isinstance(sentence, Definition) else self.accepted
+            problem = problem_of(sentence, "printed", accepted)
         except Misfit as misfit:
             return IllFormed(str(misfit))
         except TypeError as error:
@@ -182,7 +182,7 @@ class Session:
         certificates: dict[str, Any] = {}
         verdict: Verdict | None = None
         try:
-            problems = list(problems_of_inverse(sentence, self.standing))
+            problems = list(problems_of_inverse(sentence, self.accepted))
         except Misfit as misfit:
             return IllFormed(str(misfit))
         except TypeError as error:

@@ -1,5 +1,5 @@
 """Walking a derivation: each step's result is computed and decided; the end is compared with the print."""
 
-from chasles.deriving.walk import Passage, Road, walk
+from chasles.deriving.walk import CheckedDerivation, CheckedStep, walk
 
-__all__ = ["Passage", "Road", "walk"]
+__all__ = ["CheckedDerivation", "CheckedStep", "walk"]

@@ -93,7 +93,7 @@ def _forms(statement: Statement, state: State) -> Iterator[tuple[str, Equation]]
     for form in FORMS:
         if form != "repair" and statement.form_exists(form):
             yield form, statement.form(form)
-        elif form == "repair" and (correction := state.judge.decide(statement).correction) is not None:
+        elif form == "repair" and (correction := state.session.decide(statement).correction) is not None:
             yield from ((form, (found.left, found.right)) for found in correction.repairs)
 
 

@@ -31,7 +31,7 @@ class State:
     """The equations reached, those solved for last, the ansatz made, and each statement as it was found on the road."""
 
     derivation: Derivation
-    judge: Session
+    session: Session
     equations: tuple[Equation, ...] = ()
     solved: tuple[Equation, ...] = ()
     ansatz: Ansatz | None = None
@@ -46,10 +46,10 @@ class State:
     def _relied_on(self, statement: Statement) -> Equation:
         """The sides with which a statement may be used; raises ValueError for a claim of which no form holds."""
         if isinstance(statement, Claim):
-            decision = self.judge.decide(statement)
+            decision = self.session.decide(statement)
             if not decision.stands:
                 raise ValueError(f"{cited(statement)} is used, and it {decision.verdict.name}")
-        return self.judge.standing(statement)
+        return self.session.accepted(statement)
 
     def environment(self, using: Iterable[Statement] = (), rules: Rules = ()) -> Problem:
         """What may be used: rules of the statements that are given, and all that is assumed."""
@@ -71,7 +71,7 @@ class State:
         if not made:
             return Holds({"entries": {}}, {})
         try:
-            return self.judge.verdict_on(with_fields(problem, goals=made))
+            return self.session.verdict_on(with_fields(problem, goals=made))
         except Misfit as error:
             return IllFormed(str(error))
         except (UndeclaredDivisor, Untreatable) as error:
@@ -79,7 +79,7 @@ class State:
 
     def combination(self, node: Node, terms: Sequence[Node], problem: Problem) -> Node:
         """The expression written with the terms: a conjecture. Raises `NoCombination`."""
-        memory = self.judge.memory
+        memory = self.session.memory
         fits = partial(combination_fits, node)
         key = memory.key_of_combination(node, terms, problem)
         found: Node = memory.answer(key, fits, lambda: combined(node, terms, problem))

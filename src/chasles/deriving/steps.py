@@ -63,7 +63,7 @@ def carry_out(step: Step, state: State) -> StepResult:
 
 
 def _take(step: Take, state: State) -> StepResult:
-    decisions = [state.judge.decide(statement) for statement in step.statements]
+    decisions = [state.session.decide(statement) for statement in step.statements]
     verdicts = [d.correction.verdict if d.correction and not d.verdict.true else d.verdict for d in decisions]
     verdict = next((v for v in verdicts if not v.true), verdicts[0])
     said = "; ".join(f"{cited(s)} {s.says}" for s in step.statements)

@@ -28,14 +28,14 @@ from chasles.statements.derivation import (
 from chasles.verdict import IllFormed, Undecided, Verdict
 from chasles.vocabulary import Misfit, Symbol
 
-__all__ = ["Passage", "Road", "walk"]
+__all__ = ["CheckedDerivation", "CheckedStep", "walk"]
 
 STUCK = (Misfit, TypeError, ValueError, LookupError, Untreatable, UndeclaredDivisor, SingularResidue, Unsampled)
 """Why a step cannot be carried out: words that do not fit, nothing to work on, no such combination."""
 
 
 @dataclass(frozen=True, slots=True)
-class Passage:
+class CheckedStep:
     """A step that was made: what kind, why, the equations after it, the verdict on it; what came of a comparison."""
 
     kind: str
@@ -46,16 +46,14 @@ class Passage:
 
 
 @dataclass(frozen=True, slots=True, repr=False)
-class Road(Displayed):
+class CheckedDerivation(Displayed):
     """A derivation that was walked, as far as it went: it ends at the first step that is not true."""
 
     derivation: Derivation
-    passages: tuple[Passage, ...]
+    steps: tuple[CheckedStep, ...]
 
     def __repr__(self) -> str:
-        return (
-            f"<road to {self.derivation.number}: {'arrives' if self.arrives else 'stops'} after {len(self.passages)}>"
-        )
+        return f"<road to {self.derivation.number}: {'arrives' if self.arrives else 'stops'} after {len(self.steps)}>"
 
     def __str__(self) -> str:
         return self._repr_text_()
@@ -63,11 +61,11 @@ class Road(Displayed):
     @property
     def arrives(self) -> bool:
         """Whether every step is true and every comparison was decided, down to the last."""
-        return len(self.passages) == len(self.derivation.steps) and all(map(_passable, self.passages))
+        return len(self.steps) == len(self.derivation.steps) and all(map(_goes_on, self.steps))
 
     @property
     def comparisons(self) -> tuple[PrintComparison, ...]:
-        return tuple(p.comparison for p in self.passages if p.comparison is not None)
+        return tuple(p.comparison for p in self.steps if p.comparison is not None)
 
     @property
     def differences(self) -> tuple[PrintComparison, ...]:
@@ -75,29 +73,29 @@ class Road(Displayed):
         return tuple(c for c in self.comparisons if c.form != "printed")
 
 
-def walk(derivation: Derivation, judge: Session) -> Road:
+def walk(derivation: Derivation, session: Session) -> CheckedDerivation:
     """The road of a derivation; the first step that is not true, or cannot be made, is its last."""
-    road = Road(derivation, tuple(_passages(derivation, State(derivation, judge))))
+    road = CheckedDerivation(derivation, tuple(_checked_steps(derivation, State(derivation, session))))
     # What another time took for a combination is decided step by step; where it was none, the road is walked without.
-    return walk(derivation, judge) if not road.arrives and judge.memory.forget_conjectures() else road
+    return walk(derivation, session) if not road.arrives and session.memory.forget_conjectures() else road
 
 
-def _passages(derivation: Derivation, state: State) -> Iterator[Passage]:
+def _checked_steps(derivation: Derivation, state: State) -> Iterator[CheckedStep]:
     for step in derivation.steps:
-        passage = _passage(step, state)
-        yield passage
-        if not _passable(passage):
+        checked = _checked(step, state)
+        yield checked
+        if not _goes_on(checked):
             return
 
 
-def _passable(passage: Passage) -> bool:
+def _goes_on(checked: CheckedStep) -> bool:
     """A comparison lets the road go on if it was decided, whatever came of it."""
-    if passage.comparison is not None:
-        return not isinstance(passage.comparison.printed, Undecided)
-    return passage.verdict.true
+    if checked.comparison is not None:
+        return not isinstance(checked.comparison.printed, Undecided)
+    return checked.verdict.true
 
 
-def _passage(step: Step, state: State) -> Passage:
+def _checked(step: Step, state: State) -> CheckedStep:
     try:
         if isinstance(step, Compare):
             return _compared(step, state)
@@ -105,9 +103,9 @@ def _passage(step: Step, state: State) -> Passage:
     except STUCK as error:
         said = str(error)
         verdict = IllFormed(said) if isinstance(error, Misfit | UndeclaredDivisor) else Undecided(said)
-        return Passage(step.kind, said, state.equations, verdict)
+        return CheckedStep(step.kind, said, state.equations, verdict)
     _move_on(step, state, outcome)
-    return Passage(step.kind, outcome.reason, outcome.equations, outcome.verdict)
+    return CheckedStep(step.kind, outcome.reason, outcome.equations, outcome.verdict)
 
 
 def _move_on(step: Step, state: State, outcome: StepResult) -> None:
@@ -123,7 +121,7 @@ def _move_on(step: Step, state: State, outcome: StepResult) -> None:
             state.ansatz = None
 
 
-def _compared(step: Compare, state: State) -> Passage:
+def _compared(step: Compare, state: State) -> CheckedStep:
     comparison = compare(step, state)
     statement = step.statement
     state.found[id(statement)] = _as_found(statement, comparison)
@@ -132,7 +130,7 @@ def _compared(step: Compare, state: State) -> Passage:
         before[comparison.found[0]] = comparison.found
         state.equations = tuple(before.values())
     said = f"{cited(statement)}: {comparison.words}"
-    return Passage(step.kind, said, (comparison.found,), comparison.verdict, comparison)
+    return CheckedStep(step.kind, said, (comparison.found,), comparison.verdict, comparison)
 
 
 def _as_found(statement: Statement, comparison: PrintComparison) -> Statement:

@@ -31,13 +31,13 @@ class Refuted(AssertionError):
 
 
 @cache
-def _judge() -> Session:
+def _session() -> Session:
     return Session(book=load, memory=Memory(shipped=shipped(BOOK)))
 
 
 def _decided(sentence: Sentence) -> Decision:
     """The decision on a sentence; raises DoesNotStand for one that is undecided, with nothing that stands in for it."""
-    decision = _judge().decide(sentence)
+    decision = _session().decide(sentence)
     if isinstance(decision.verdict, Undecided) and not decision.stands:
         raise DoesNotStand(f"it rests on ({sentence.number}), which is undecided: {decision.verdict.reason}")
     return decision
@@ -63,12 +63,12 @@ class Decided:
 
         Raises Refuted if the road does not arrive, DoesNotStand if that is not known.
         """
-        walked = walk(road, _judge())
+        walked = walk(road, _session())
         if not walked.arrives:
-            last = walked.passages[-1]
+            last = walked.steps[-1]
             unknown = isinstance(last.verdict, Undecided)
             raise (DoesNotStand if unknown else Refuted)(f"the road stops at {last.kind}: {last.reason}")
-        equations = [equation for passage in walked.passages for equation in passage.equations]
+        equations = [equation for step in walked.steps for equation in step.equations]
         lines = [stated("", *sides) for sides in dict.fromkeys(equations) if plain(sides[0]) != plain(sides[1])]
         shown = tuple(line for line in lines if len(line.text) <= MOST_SHOWN)
         self.steps.append(SolutionStep(f"{says} {road.says}", (), shown))
@@ -97,5 +97,5 @@ class Decided:
 
     def sides(self, statement: Statement, moved: Mapping[Any, Node] | None = None) -> tuple[Node, Node]:
         """Both sides of a statement as it stands, repaired where its print fails; `moved` says it of other symbols."""
-        left, right = _judge().standing(statement)
+        left, right = _session().accepted(statement)
         return (replace(left, moved), replace(right, moved)) if moved else (left, right)

@@ -66,7 +66,7 @@ class Writing:
                 for frame in self.search.frames
                 if len(frame.rows) == len(frame.rows[0])
             ],
-            "divisors": [text_of(ring, atom) for _, atom in context.atoms],
+            "divisors": [text_of(ring, atom) for _, atom in context.nonzero],
             "witness": self._witness(witness),
         }
         certificate = {part: said for part, said in certificate.items() if said or part in ALWAYS}

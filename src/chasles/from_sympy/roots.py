@@ -102,7 +102,7 @@ class _Resolver:
         numerator = ratio.numerator
         below: list[tuple[Polynomial, Node]] = []
         for place, power in enumerate(ratio.denominator):
-            hypothesis, atom = context.atoms[place]
+            hypothesis, atom = context.nonzero[place]
             assert hypothesis is not None
             numerator = numerator * atom if power % 2 else numerator
             below += [(atom, hypothesis.nonvanishing[0])] * ((power + 1) // 2)

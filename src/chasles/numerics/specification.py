@@ -14,7 +14,7 @@ from chasles.numerics.small_matrices import Matrix
 from chasles.statements import Hypothesis, Kernel, Packed, Statement, problem_of, symmetric
 from chasles.statements.arrays import argument_name, core_shape
 from chasles.statements.kernel import Argument, nodes_of, places_of
-from chasles.statements.problem import Standing, default_sides
+from chasles.statements.problem import AcceptedSides, default_sides
 from chasles.statements.statement import bare
 from chasles.vocabulary import Block, Call, Node, Symbol, children, plain
 from chasles.vocabulary.nodes import measured
@@ -110,7 +110,7 @@ def specification_of(
     kernel: Kernel | None = None,
     results: Sequence[str] = (),
     roundings: int = ROUNDINGS,
-    standing: Standing = default_sides,
+    accepted: AcceptedSides = default_sides,
 ) -> Specification:
     """What a statement's kernel must compute: the right side of the accepted form, as a function of the inputs.
 
@@ -121,8 +121,8 @@ def specification_of(
     kernel = kernel or (statement.kernel and statement.kernel.variants(name)[0])
     if kernel is None:
         raise TypeError(f"({statement.number}) asks for no kernel: give it one, or leave it out")
-    left, right = standing(statement)
-    problem = problem_of(statement.saying(left, right), "printed", standing)
+    left, right = accepted(statement)
+    problem = problem_of(statement.saying(left, right), "printed", accepted)
     rules = dict(problem.rules)
     parts = _parts(statement, kernel, right)
     names = results or kernel.results or (plain(statement.left),)

@@ -11,7 +11,7 @@ from chasles.numerics.small_matrices import Matrix
 from chasles.numerics.specification import ROUNDINGS, Specification, Values, expected_output, inputs_of
 from chasles.problems.variables import angle_multiples
 from chasles.statements import Branch, Inverse, Kernel, Statement
-from chasles.statements.problem import Standing, default_sides
+from chasles.statements.problem import AcceptedSides, default_sides
 from chasles.statements.statement import bare, is_rule
 from chasles.vocabulary import Call, Negative, Node, Sum, plain
 
@@ -29,7 +29,7 @@ def specification_of_inverse(
     kernel: Kernel | None = None,
     results: Sequence[str] = (),
     roundings: int = ROUNDINGS,
-    standing: Standing = default_sides,
+    accepted: AcceptedSides = default_sides,
 ) -> Specification:
     """What an inverse's kernel must compute: what it gives, with the values of the first branch that applies.
 
@@ -39,7 +39,7 @@ def specification_of_inverse(
     kernel = kernel or (sentence.kernel and sentence.kernel.variants(name)[0])
     if kernel is None:
         raise TypeError(f"({sentence.number}) asks for no kernel: give it one, or leave it out")
-    rules = dict(_rule(given, standing) for given in sentence.given if is_rule(given))
+    rules = dict(_rule(given, accepted) for given in sentence.given if is_rule(given))
     names = results or kernel.results or map(plain, sentence.gives)
 
     def reference(values: Values, digits: int) -> tuple[Matrix, ...]:
@@ -58,8 +58,8 @@ def specification_of_inverse(
     )
 
 
-def _rule(given: Statement, standing: Standing) -> tuple[Node, Node]:
-    left, right = standing(given)
+def _rule(given: Statement, accepted: AcceptedSides) -> tuple[Node, Node]:
+    left, right = accepted(given)
     return bare(left), right
 
 

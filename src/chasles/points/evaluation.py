@@ -57,11 +57,11 @@ def ratio_at(context: Context, ratio: Ratio, point: Point) -> Value | None:
 
 
 def satisfies(context: Context, point: Point) -> bool:
-    """Whether every generator and condition vanishes at the point and no atom does."""
+    """Whether every generator and condition vanishes at the point and no nonzero factor does."""
     vanishing = (*context.generators, *context.conditions)
     return (
         all(is_zero(evaluate(context, g.polynomial, point)) for g in vanishing)
-        and all(not is_zero(evaluate(context, atom, point)) for _, atom in context.atoms)
+        and all(not is_zero(evaluate(context, factor, point)) for _, factor in context.nonzero)
         and all(_is_positive(context, h, point) for h in context.active if h.kind == "positive")
     )
 

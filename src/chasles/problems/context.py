@@ -1,4 +1,4 @@
-"""The stage on which a problem is decided: its ring, its hypotheses as polynomials, what may be divided by.
+"""The context in which a problem is decided: its ring, its hypotheses as polynomials, what may be divided by.
 
 Only hypotheses about symbols that occur, and that no rule replaces, become polynomials; those on the others are checked
 at the witness and at every counterexample.
@@ -16,7 +16,7 @@ from chasles.algebra.groebner import Basis, stated
 from chasles.algebra.localization import Localization, Ratio
 from chasles.algebra.matrices import each
 from chasles.algebra.rings import Polynomial, Ring, make_ring
-from chasles.problems.relevance import bearing, complete_subjects, free_symbols, is_turned
+from chasles.problems.relevance import complete_subjects, free_symbols, is_turned, relevant_hypotheses
 from chasles.problems.scanning import scan
 from chasles.problems.unfold import Matrix, UndeclaredDivisor, Unfolder
 from chasles.problems.variables import Unlisted, Untreatable, Variable, Variables
@@ -59,7 +59,7 @@ class Context:
     unfold: Unfolder
     generators: tuple[Generator, ...]
     basis: Basis
-    atoms: tuple[tuple[Hypothesis | None, Polynomial], ...]
+    nonzero: tuple[tuple[Hypothesis | None, Polynomial], ...]
     active: tuple[Hypothesis, ...]
     transcendental: frozenset[int]
     pi_measures: bool
@@ -84,9 +84,9 @@ def build(problem: Problem) -> Context:
         scan(found, goal.left, 0, rules)
         scan(found, goal.right, 0, rules)
     complete_subjects(problem, found)
-    active = bearing(problem, found)
+    active = relevant_hypotheses(problem, found)
     order = "grevlex" if any(h.kind in ("rotation", "half_turn", "orthonormal") for h in active) else "lex"
-    unfold, atoms = _door(problem, found, active, order)
+    unfold, nonzero = _door(problem, found, active, order)
     variables, ring = unfold.variables, unfold.field.ring
     generators = tuple(_generators(unfold, variables, active))
     # In a lexicographic order, equations that give a variable are used so by themselves.
@@ -104,7 +104,7 @@ def build(problem: Problem) -> Context:
         unfold,
         generators,
         basis,
-        atoms,
+        nonzero,
         active,
         frozenset(bare | circle),
         bool(pi_measures and bare),
@@ -115,7 +115,7 @@ def build(problem: Problem) -> Context:
 def _door(
     problem: Problem, found: Variables, active: tuple[Hypothesis, ...], order: str
 ) -> tuple[Unfolder, tuple[tuple[Hypothesis | None, Polynomial], ...]]:
-    """The way into a ring that has a variable for everything that occurs, and the atoms."""
+    """The way into a ring that has a variable for everything that occurs, and the nonzero factors."""
     while True:
         variables = tuple(found.listed(problem.unknowns))
         ring = make_ring([variable.name for variable in variables], order)
@@ -123,12 +123,12 @@ def _door(
             twice = next(name for name in ring.names if ring.names.count(name) > 1)
             raise Untreatable(f"two different symbols are both named {twice}: rename one")
         unfold = Unfolder(Localization(ring, []), variables, dict(problem.rules), found.running)
-        atoms = _declare_atoms(unfold, active)
+        nonzero = _declare_nonzero(unfold, active)
         if found.running:
             _unfold_all(problem, unfold)
         lacks, unfold.moments.lacks = unfold.moments.lacks, None
         if not lacks:
-            return unfold, atoms
+            return unfold, nonzero
         found.moments |= lacks
 
 
@@ -157,7 +157,7 @@ def _refuse_restrictions(
                 )
 
 
-def _declare_atoms(
+def _declare_nonzero(
     unfold: Unfolder, active: tuple[Hypothesis, ...]
 ) -> tuple[tuple[Hypothesis | None, Polynomial], ...]:
     """What may be divided by; an expression that itself divides comes after what it divides by."""
@@ -173,7 +173,7 @@ def _declare_atoms(
                 continue
             if numerator == 0:
                 raise Vanishing(hypothesis)
-            unfold.field.atoms.append(numerator)
+            unfold.field.nonzero.append(numerator)
             declared.append((hypothesis, numerator))
         if len(postponed) == len(waiting):
             unfold(postponed[0][1])

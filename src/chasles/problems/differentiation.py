@@ -43,14 +43,14 @@ class Differentiation:
         self._known.clear()
 
     def __call__(self, ratio: Ratio) -> Ratio:
-        """The time derivative of a fraction, by the quotient rule over its atoms."""
+        """The time derivative of a fraction, by the quotient rule over its denominator."""
         total = self.of_polynomial(ratio.numerator)
         total = Ratio(self.field, total.numerator, joined(total.denominator, ratio.denominator))
         for place, power in enumerate(ratio.denominator):
             if power:
                 below = [0] * (place + 1)
                 below[place] = 1
-                change = self.of_polynomial(self.field.atoms[place]) * ratio
+                change = self.of_polynomial(self.field.nonzero[place]) * ratio
                 change = change.divided(Fraction(1), tuple(below)) * self.field.constant(power)
                 total = total - change
         return total

@@ -1,4 +1,4 @@
-"""Divisors: only constants and the atoms that a hypothesis declares nonzero may stand below a fraction."""
+"""Divisors: only constants and the factors that a hypothesis declares nonzero may stand below a fraction."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Divisors:
         self.entries = entries
 
     def __call__(self, node: Node) -> tuple[Fraction, tuple[int, ...]]:
-        """A divisor as a constant times powers of atoms; raises `UndeclaredDivisor` if it is no such product."""
+        """A divisor as a constant times powers of nonzero factors; raises `UndeclaredDivisor` for any other."""
         match node:
             case Group(of):
                 return self(of)
@@ -57,8 +57,8 @@ class Divisors:
             except UndeclaredDivisor:
                 pass
         ratio = self.entries(node)[0][0]
-        for place, atom in enumerate(self.field.atoms):
-            constant = _multiple(self.field, ratio.numerator, atom)
+        for place, factor in enumerate(self.field.nonzero):
+            constant = _multiple(self.field, ratio.numerator, factor)
             if constant is not None:
                 exponents = [0] * max(place + 1, len(ratio.denominator))
                 exponents[place] = 1
@@ -79,16 +79,16 @@ class Divisors:
 
 
 def joined(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:
-    """The exponents of a product of two products of atoms."""
+    """The exponents of a product of two products of nonzero factors."""
     size = max(len(one), len(other))
     one, other = one + (0,) * (size - len(one)), other + (0,) * (size - len(other))
     return tuple(a + b for a, b in zip(one, other, strict=True))
 
 
-def _multiple(field: Localization, polynomial: object, atom: object) -> Fraction | None:
-    """The constant c with polynomial = c atom, if there is one."""
+def _multiple(field: Localization, polynomial: object, factor: object) -> Fraction | None:
+    """The constant c with polynomial = c factor, if there is one."""
     if polynomial == 0:
         return None
-    (exponents, c), (other, d) = field.ring.leading(polynomial), field.ring.leading(atom)
+    (exponents, c), (other, d) = field.ring.leading(polynomial), field.ring.leading(factor)
     constant = c / d
-    return constant if exponents == other and polynomial == atom * field.ring.constant(constant) else None
+    return constant if exponents == other and polynomial == factor * field.ring.constant(constant) else None

@@ -37,8 +37,8 @@ class BodyMoments:
     def integral(self, integrand: Ratio) -> Ratio:
         """The integral of an expression; raises `Untreatable` if it is no polynomial in the running variables."""
         ring, running = self._field.ring, set(self._running)
-        atoms = [atom for atom, power in zip(self._field.atoms, integrand.denominator, strict=False) if power]
-        looked_at = [(integrand.numerator, self._hidden), *((atom, self._hidden | running) for atom in atoms)]
+        nonzero = [factor for factor, power in zip(self._field.nonzero, integrand.denominator, strict=False) if power]
+        looked_at = [(integrand.numerator, self._hidden), *((factor, self._hidden | running) for factor in nonzero)]
         if any(exponents[k] for p, refused in looked_at for exponents, _ in ring.terms(p) for k in refused):
             raise Untreatable("what is integrated is no polynomial in what differs from element to element")
         parts: dict[Factors, dict[tuple[int, ...], Fraction]] = {}

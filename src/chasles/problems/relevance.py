@@ -9,7 +9,7 @@ from chasles.problems.variables import Variables
 from chasles.statements import Hypothesis, Problem
 from chasles.vocabulary import Contract, Node, Rate, Skew, Symbol, undotted
 
-__all__ = ["bearing", "complete_subjects", "free_symbols", "is_turned"]
+__all__ = ["complete_subjects", "free_symbols", "is_turned", "relevant_hypotheses"]
 
 Rates = dict[Node, list[tuple[int, dict[Symbol, int]]]]
 """For each symbol, of which of its rates a rule speaks, and by which rates of which symbols."""
@@ -29,7 +29,7 @@ def complete_subjects(problem: Problem, found: Variables) -> None:
                     scan(found, node, 0, rules)
 
 
-def bearing(problem: Problem, found: Variables) -> tuple[Hypothesis, ...]:
+def relevant_hypotheses(problem: Problem, found: Variables) -> tuple[Hypothesis, ...]:
     """The hypotheses on symbols that occur freely, and on what these share a hypothesis with, rates included."""
     rules = dict(problem.rules)
     symbols = {

@@ -65,7 +65,7 @@ def _used_hypotheses(context: Context, solved: tuple[Solved, ...], done: list[Pr
     used = {h for k in places if (h := context.generators[k].hypothesis) is not None}
     used |= set(context.problem.presupposed)
     denominators = [e.ratio.denominator for e in done] + [s.value.denominator for s in solved]
-    for place, (hypothesis, _) in enumerate(context.atoms):
+    for place, (hypothesis, _) in enumerate(context.nonzero):
         if hypothesis is not None and any(len(d) > place and d[place] for d in denominators):
             used.add(hypothesis)
     return used
@@ -116,10 +116,10 @@ def _certificate(
     divided by, and the conditions, are numbered in the order in which the problem declares them.
     """
     ring = context.field.ring
-    atoms = _atom_labels(context)
+    nonzero = _factor_labels(context)
 
     def said(denominator: tuple[int, ...], cofactors: Mapping[str, Polynomial]) -> dict[str, Any]:
-        powers = {label: power for label, power in zip(atoms, denominator, strict=False) if power}
+        powers = {label: power for label, power in zip(nonzero, denominator, strict=False) if power}
         texts = {label: written(ring, cofactor) for label, cofactor in cofactors.items()}
         return ({"denominator": powers} if powers else {}) | ({"cofactors": texts} if texts else {})
 
@@ -141,10 +141,10 @@ def _certificate(
     return shown | {"witness": {name: str(value) for name, value in sorted(witness.items())}}
 
 
-def _atom_labels(context: Context) -> list[str]:
+def _factor_labels(context: Context) -> list[str]:
     divisors = [h for h in context.problem.hypotheses for _ in h.nonvanishing]
     labels = []
-    for hypothesis, _ in context.atoms:
+    for hypothesis, _ in context.nonzero:
         assert hypothesis is not None
         labels.append(f"{divisors.index(hypothesis) + 1}. {hypothesis.text}")
     return labels

@@ -1,7 +1,8 @@
 """Conditions determine symbols: a linear system, solved once and for all by its normal equations.
 
 For conditions M u = v, a left inverse of M is adj(M^T M) M^T / det(M^T M). It exists where the determinant is, modulo
-the hypotheses, a product of atoms; the multipliers of the conditions are the certificate that u has the value found.
+the hypotheses, a product of nonzero factors; the multipliers of the conditions are the certificate that u has the value
+found.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ LARGEST_POWER = 16
 
 @dataclass(frozen=True, slots=True)
 class Solved:
-    """variable = numerator / product of atoms, because product variable - numerator = a combination of what vanishes.
+    """variable = numerator / product of nonzero factors: product variable - numerator is a combination of zeros.
 
     `conditions` are cofactors on the conditions' polynomials, `cofactors` on the context's generators.
     """
@@ -106,7 +107,7 @@ def _linear(
 def _left_inverse(
     context: Context, matrix: list[list[Polynomial]]
 ) -> tuple[tuple[int, ...], Fraction, list[list[Polynomial]]]:
-    """Exponents of atoms, a constant and multipliers X: X M is the constant times the atoms, modulo the hypotheses."""
+    """Exponents, a constant and X: X M is the constant times powers of nonzero factors, modulo the hypotheses."""
     size = len(matrix[0])
     columns = list(zip(*matrix, strict=True))
     gram = [[_reduced(context, reduce(add, map(mul, a, b))) for b in columns] for a in columns]
@@ -176,10 +177,10 @@ def _adjugate(context: Context, gram: list[list[Polynomial]]) -> tuple[Polynomia
 
 
 def _as_atoms(context: Context, determinant: Polynomial) -> tuple[tuple[int, ...], Fraction]:
-    """The determinant as a constant times powers of the atoms, modulo the hypotheses."""
+    """The determinant as a constant times powers of the nonzero factors, modulo the hypotheses."""
     ring, field = context.field.ring, context.field
     if determinant != 0:
-        for exponents in _exponents(len(field.atoms)):
+        for exponents in _exponents(len(field.nonzero)):
             candidate = _reduced(context, field.power_product(exponents))
             if candidate == 0:
                 continue
@@ -193,7 +194,7 @@ def _as_atoms(context: Context, determinant: Polynomial) -> tuple[tuple[int, ...
 
 
 def _exponents(size: int) -> Iterator[tuple[int, ...]]:
-    """Exponents of so many atoms, the least total first."""
+    """Exponents of so many factors, the least total first."""
     for total in range(LARGEST_POWER + 1):
         for first in combinations_with_replacement(range(size), total):
             yield tuple(first.count(k) for k in range(size))

@@ -35,7 +35,7 @@ WORK = 2e6
 """The work that a proof of a contradiction may take, in products of terms."""
 Item = TypeVar("Item")
 Proof = tuple[Combination, tuple[int, ...], Polynomial]
-"""Cofactors on the generators, powers of the atoms, and what these are, less the combination: it is never positive."""
+"""Cofactors, powers of nonzero factors, and the product of these less the combination: it is never positive."""
 
 
 def holds_somewhere(context: Context) -> bool:
@@ -129,7 +129,7 @@ def _contradicting(
         return None
     cofactors, powers, rest = proof
     used = {context.generators[k].hypothesis for k in cofactors}
-    used |= {h for (h, _), power in zip(context.atoms, powers, strict=False) if power}
+    used |= {h for (h, _), power in zip(context.nonzero, powers, strict=False) if power}
     degrees = context.field.ring.degrees(rest) if rest != 0 else ()
     used |= {h for k, h in _greater(context).items() if k < len(degrees) and degrees[k]}
     names = {h.text for h in used if h is not None}
@@ -138,17 +138,19 @@ def _contradicting(
         return None
     ring = context.field.ring
     divisors = [h.text for h in core for _ in h.nonvanishing]
-    atoms = ((h.text, power) for (h, _), power in zip(context.atoms, powers, strict=False) if h is not None and power)
+    nonzero = (
+        (h.text, power) for (h, _), power in zip(context.nonzero, powers, strict=False) if h is not None and power
+    )
     return core, {
         "contradiction": {context.generators[k].label: written(ring, c) for k, c in sorted(cofactors.items())},
-        "nonvanishing": {f"{divisors.index(text) + 1}. {text}": power for text, power in atoms},
+        "nonvanishing": {f"{divisors.index(text) + 1}. {text}": power for text, power in nonzero},
         "variables": list(ring.names),
     }
 
 
 def _proof(context: Context) -> Proof | None:
     """A combination of what vanishes that cannot vanish, if one is found."""
-    positive = [h is not None and _is_positive(context, h) for h, _ in context.atoms]
+    positive = [h is not None and _is_positive(context, h) for h, _ in context.nonzero]
     basis = completed(context.basis)
     for powers in _powers(positive):
         product = context.field.power_product(powers)
@@ -160,7 +162,7 @@ def _proof(context: Context) -> Proof | None:
 
 
 def _powers(positive: list[bool]) -> Iterator[tuple[int, ...]]:
-    """None of the atoms, each of them, all of them, and their squares."""
+    """None of the nonzero factors, each of them, all of them, and their squares."""
     size = len(positive)
     yield (0,) * size
     for power in (1, 2):
@@ -172,7 +174,9 @@ def _powers(positive: list[bool]) -> Iterator[tuple[int, ...]]:
 def _square_sum(context: Context, basis: Basis) -> Proof | None:
     """A product of squares of what does not vanish, or one, and a sum of squares, among what vanishes."""
     ring = context.field.ring
-    places = {k: j for k, v in enumerate(ring.generators) for j, (_, atom) in enumerate(context.atoms) if atom == v}
+    places = {
+        k: j for k, v in enumerate(ring.generators) for j, (_, factor) in enumerate(context.nonzero) if factor == v
+    }
     for number, generator in enumerate(basis.generators):
         others = Basis(ring, _without(basis.generators, number), _without(basis.origins, number), complete=False)
         cofactors, rest = others.reduce(generator)
@@ -181,7 +185,7 @@ def _square_sum(context: Context, basis: Basis) -> Proof | None:
             if _is_nonnegative(context, rest * scale) and {k for k, power in enumerate(exponents) if power} <= {
                 *places
             }:
-                powers = [0] * len(context.atoms)
+                powers = [0] * len(context.nonzero)
                 for k, j in places.items():
                     powers[j] = exponents[k]
                 parts = dict(basis.origins[number])
@@ -209,12 +213,12 @@ def _is_nonnegative(context: Context, polynomial: Polynomial) -> bool:
 def _greater(context: Context) -> dict[int, Hypothesis]:
     """The variables that are declared positive."""
     variables = context.field.ring.generators
-    positive = [(h, atom) for h, atom in context.atoms if h is not None and _is_positive(context, h)]
-    return {k: h for k, variable in enumerate(variables) for h, atom in positive if atom == variable}
+    positive = [(h, factor) for h, factor in context.nonzero if h is not None and _is_positive(context, h)]
+    return {k: h for k, variable in enumerate(variables) for h, factor in positive if factor == variable}
 
 
 def _is_positive(context: Context, hypothesis: Hypothesis) -> bool:
-    """Whether the atom of a hypothesis is positive, which it may not be where it is the numerator of what is."""
+    """Whether what a hypothesis declares positive is a factor itself, not only the numerator of a fraction."""
     return hypothesis.kind in ("positive", "definite") and not any(
         any(entry.denominator) for row in context.unfold(hypothesis.subjects[0]) for entry in row
     )

@@ -157,7 +157,7 @@ def _used(context: Context, solved: tuple[Solved, ...], suspects: Sequence[Suspe
             polynomials += [r.numerator for r in ratios]
             polynomials += [context.field.power_product(r.denominator) for r in ratios]
     ties = [_places(ring, g.polynomial) for g in context.generators]
-    ties += [_places(ring, atom) for _, atom in context.atoms]
+    ties += [_places(ring, factor) for _, factor in context.nonzero]
     ties += [*_together(context), *_below_norms(context)]
     # By which fraction of an angle its cosine and sine are measured is told from their names alone.
     places = {place for place, variable in enumerate(context.variables) if variable.unit != 1}

@@ -14,13 +14,13 @@ from itertools import combinations
 
 from chasles.algebra.modular import MODULUS, combination
 from chasles.prover.decide import decide_problem
-from chasles.repairs.modular_test import REFUSED, ModularTest, on_trial
+from chasles.repairs.modular_test import REFUSED, ModularTest, modular_test
 from chasles.repairs.one_term import Change, distinct_terms, instead, rescaled
 from chasles.rewriting.coefficients import AngleFunction, added, spelled, times
 from chasles.rewriting.places import Place, put, separate_sums
 from chasles.rewriting.term_basis import TermBasis, fit
 from chasles.statements import Claim, Statement, problem_of
-from chasles.statements.problem import Standing, default_sides
+from chasles.statements.problem import AcceptedSides, default_sides
 from chasles.vocabulary import Block, Contract, Dot, Misfit, Node, Rate, Symbol, Transpose, Zero, plain, replace
 
 __all__ = ["Freedom", "freedom_of", "other_objects"]
@@ -43,28 +43,28 @@ class Freedom:
         return f"({self.claim.number}) says the same of {plain(self.symbol)} + c {plain(self.row)}^T for every vector c"
 
 
-def freedom_of(left: Node, beside: Iterable[Claim], standing: Standing) -> Iterator[Freedom]:
-    """What claims `beside` leave free of the symbol that the left side is, or is the rate of."""
+def freedom_of(left: Node, context: Iterable[Claim], accepted: AcceptedSides) -> Iterator[Freedom]:
+    """What claims `context` leave free of the symbol that the left side is, or is the rate of."""
     symbol = left.of if isinstance(left, Rate) else left
-    for claim in beside:
+    for claim in context:
         if not isinstance(symbol, Symbol) or claim.restates is not None or claim.solves is not None:
             continue
         one, other = default_sides(claim)
         match other:
             case Contract((first, Rate(Symbol() as array))) if first == symbol:
                 try:
-                    trial = on_trial(claim, one, other, standing)
+                    test = modular_test(claim, one, other, accepted)
                 except REFUSED:
                     continue
-                blocks = dict(trial.problem.rules).get(array) if trial is not None else None
-                if trial is not None and isinstance(blocks, Block):
-                    yield from (Freedom(symbol, row, claim) for row in _rows(trial, blocks))
+                blocks = dict(test.problem.rules).get(array) if test is not None else None
+                if test is not None and isinstance(blocks, Block):
+                    yield from (Freedom(symbol, row, claim) for row in _rows(test, blocks))
 
 
-def _rows(trial: ModularTest, array: Block) -> Iterator[Block]:
+def _rows(test: ModularTest, array: Block) -> Iterator[Block]:
     """The array with some of its blocks, or all, whose squares add up to a constant."""
     blocks = [line[0] for line in array.rows]
-    rates = [trial.varied.flat(Dot(block, Rate(block))) for block in blocks]
+    rates = [test.varied.flat(Dot(block, Rate(block))) for block in blocks]
     for size in range(len(blocks), 0, -1):
         for chosen in combinations(range(len(blocks)), size):
             if not any(sum(entries) % MODULUS for entries in zip(*(rates[k] for k in chosen), strict=True)):
@@ -74,28 +74,28 @@ def _rows(trial: ModularTest, array: Block) -> Iterator[Block]:
 
 
 def other_objects(
-    statement: Statement, sides: tuple[Node, Node], freedom: Freedom, palette: TermBasis, standing: Standing
+    statement: Statement, sides: tuple[Node, Node], freedom: Freedom, palette: TermBasis, accepted: AcceptedSides
 ) -> Iterator[Change]:
     """The printed right side, with a few other numbers at most, for another object that the claim allows."""
     left, right = sides
-    trial = on_trial(statement, left, right, standing, [freedom.row, Rate(freedom.row)])
-    if trial is None:
+    test = modular_test(statement, left, right, accepted, [freedom.row, Rate(freedom.row)])
+    if test is None:
         return
-    multiples = list(_multiples(trial, freedom, palette))
-    columns = [trial.varied.flat(replace(left, {freedom.symbol: multiple})) for _, _, multiple in multiples]
+    multiples = list(_multiples(test, freedom, palette))
+    columns = [test.varied.flat(replace(left, {freedom.symbol: multiple})) for _, _, multiple in multiples]
     terms = [term for _, terms in separate_sums(right) for term in terms]
-    shares = [trial.share(trial.varied, term) for term in terms]
+    contributions = [test.contribution(test.varied, term) for term in terms]
     for size in range(MOST_RESCALED + 1):
         found = False
         for chosen in combinations(range(len(terms)), size):
-            values = combination([*columns, *(shares[k] for k in chosen)], trial.gap(trial.varied))
+            values = combination([*columns, *(contributions[k] for k in chosen)], test.residual(test.varied))
             if values is None:
                 continue
             numbers = {terms[k]: value + 1 for k, value in zip(chosen, values[len(columns) :], strict=True)}
             other = _other(freedom, multiples, values)
-            if other is not None and _allowed(freedom, other, statement, standing):
+            if other is not None and _allowed(freedom, other, statement, accepted):
                 found = True
-                yield _changed(trial, freedom, other, numbers)
+                yield _changed(test, freedom, other, numbers)
         if found:
             return
 
@@ -104,20 +104,20 @@ _Multiple = tuple[AngleFunction, Node, Node]
 """A function, a dyad of a vector and the row, and their product."""
 
 
-def _multiples(trial: ModularTest, freedom: Freedom, palette: TermBasis) -> Iterator[_Multiple]:
-    row = _in_letters(trial, freedom.row)
-    for vector in distinct_terms(trial, (node for node in palette.vectors if not isinstance(node, Rate)), ()):
+def _multiples(test: ModularTest, freedom: Freedom, palette: TermBasis) -> Iterator[_Multiple]:
+    row = _in_letters(test, freedom.row)
+    for vector in distinct_terms(test, (node for node in palette.vectors if not isinstance(node, Rate)), ()):
         dyad = Contract((vector, Transpose(row)))
         if fit(freedom.symbol, dyad):
-            yield from ((function, dyad, times(function.node, dyad)) for function in trial.fractions)
+            yield from ((function, dyad, times(function.node, dyad)) for function in test.fractions)
 
 
-def _in_letters(trial: ModularTest, row: Block) -> Block:
+def _in_letters(test: ModularTest, row: Block) -> Block:
     """The row in the letters that stand for its blocks."""
-    letters = [left for left, _ in trial.problem.rules if isinstance(left, Symbol)]
+    letters = [left for left, _ in test.problem.rules if isinstance(left, Symbol)]
     named = []
     for (block,) in row.rows:
-        same = (k for k in letters if k.shape == block.shape and trial.varied.flat(k) == trial.varied.flat(block))
+        same = (k for k in letters if k.shape == block.shape and test.varied.flat(k) == test.varied.flat(block))
         named.append((next(same, block),))
     return Block(tuple(named))
 
@@ -132,20 +132,20 @@ def _other(freedom: Freedom, multiples: list[_Multiple], values: list[Fraction])
     return added([freedom.symbol, *terms]) if terms else None
 
 
-def _allowed(freedom: Freedom, other: Node, statement: Statement, standing: Standing) -> bool:
+def _allowed(freedom: Freedom, other: Node, statement: Statement, accepted: AcceptedSides) -> bool:
     """Whether the claim holds for the other object too."""
     left, right = default_sides(freedom.claim)
     given = tuple(dict.fromkeys((*freedom.claim.given, *statement.given)))
     claim = with_fields(freedom.claim.saying(left, replace(right, {freedom.symbol: other})), given=given)
     try:
-        return decide_problem(problem_of(claim, "printed", standing)).true
+        return decide_problem(problem_of(claim, "printed", accepted)).true
     except (Misfit, TypeError):
         return False
 
 
-def _changed(trial: ModularTest, freedom: Freedom, other: Node, numbers: dict[Place, Fraction]) -> Change:
-    left, right = replace(trial.left, {freedom.symbol: other}), trial.right
-    words = [instead(left, trial.left)]
+def _changed(test: ModularTest, freedom: Freedom, other: Node, numbers: dict[Place, Fraction]) -> Change:
+    left, right = replace(test.left, {freedom.symbol: other}), test.right
+    words = [instead(left, test.left)]
     for place, number in reversed(numbers.items()):
         new, said = rescaled(place.node, number)
         right = put(right, place.path, new)

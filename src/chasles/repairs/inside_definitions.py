@@ -15,23 +15,23 @@ from chasles.rewriting.places import everywhere
 from chasles.rewriting.term_basis import TermBasis, fit
 from chasles.vocabulary import Block, Identity, Negative, Node, Zero, children, plain, printed, rebuilt, replace
 
-__all__ = ["opened_changes"]
+__all__ = ["block_edits"]
 
 
-def opened_changes(trial: ModularTest, palette: TermBasis) -> Iterator[Change]:
+def block_edits(test: ModularTest, palette: TermBasis) -> Iterator[Change]:
     """The right sides, arrays opened, that are true with one other block, or with that and a block put in."""
-    rules = dict(trial.problem.rules)
-    right = _opened(trial.right, rules)
-    if right == trial.right:
+    rules = dict(test.problem.rules)
+    right = _opened(test.right, rules)
+    if right == test.right:
         return
     names = {_opened(letter, rules): f"{plain(letter)} = " for letter in reversed(rules)}
-    one_block = list(new_coefficients(trial.of(right)))
+    one_block = list(new_coefficients(test.of(right)))
     yield from one_block
     for array, other in () if one_block else _completed(right, palette):
         new = _replaced(right, array, other)
         words = names.get(array, "") + instead(other, array)
-        if fit(trial.left, new):
-            for change in new_coefficients(trial.of(new)):
+        if fit(test.left, new):
+            for change in new_coefficients(test.of(new)):
                 yield with_fields(change, words=(words, *change.words))
 
 

@@ -18,7 +18,7 @@ from chasles.rewriting.coefficients import ONE, AngleFunction, Term, split
 from chasles.rewriting.places import Path, Place, put, with_term
 from chasles.rewriting.term_basis import fit
 from chasles.statements import Claim, Goal, Problem, Statement, problem_of
-from chasles.statements.problem import Standing
+from chasles.statements.problem import AcceptedSides
 from chasles.vocabulary import (
     Block,
     Call,
@@ -37,7 +37,7 @@ from chasles.vocabulary import (
     plain,
 )
 
-__all__ = ["REFUSED", "ModularTest", "on_trial"]
+__all__ = ["REFUSED", "ModularTest", "modular_test"]
 
 REFUSED = (Misfit, TypeError, Untreatable, UndeclaredDivisor, SingularResidue, Unsampled)
 """Why an equation cannot be tried: it does not fit, cannot be posed, is not treated, or divides by zero."""
@@ -60,47 +60,47 @@ class ModularTest:
     varied: Sampled
     fixed: Sampled
     probe: Sampled = field(init=False)
-    _shares: dict[tuple[int, Path, Node | None], Column] = field(init=False, default_factory=dict)
+    _contributions: dict[tuple[int, Path, Node | None], Column] = field(init=False, default_factory=dict)
     _directions: dict[Node, Direction] = field(init=False, default_factory=dict)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "probe", Sampled(self.fixed.context, self.fixed.points[:PROBED]))
 
-    def miss(self, at: Sampled, left: Node, right: Node) -> Column:
+    def residual_of(self, at: Sampled, left: Node, right: Node) -> Column:
         """By how much other sides differ, less what the statement lets them differ by."""
         if isinstance(left, Inverse):
             return at.flat(Sum((Identity(left.shape[0]), Negative(Contract((left.of, right))))))
-        gap = minus(at.flat(left), at.flat(right))
+        residual = minus(at.flat(left), at.flat(right))
         if isinstance(self.statement, Claim) and self.statement.restates is not None:
-            return minus(gap, at.flat(self.problem.goals[0].right))
-        return gap
+            return minus(residual, at.flat(self.problem.goals[0].right))
+        return residual
 
-    def gap(self, at: Sampled) -> Column:
+    def residual(self, at: Sampled) -> Column:
         """By how much the sides differ."""
         key = id(at), (), None
-        if key not in self._shares:
-            self._shares[key] = self.miss(at, self.left, self.right)
-        return self._shares[key]
+        if key not in self._contributions:
+            self._contributions[key] = self.residual_of(at, self.left, self.right)
+        return self._contributions[key]
 
-    def share(self, at: Sampled, place: Place, term: Node | None = None) -> Column:
+    def contribution(self, at: Sampled, place: Place, term: Node | None = None) -> Column:
         """What a term in a place of the right side contributes: the one that stands there, or one added to it.
 
         Nothing if it does not fit there, or cannot be told.
         """
         term = place.node if term is None else term
         key = id(at), place.path, term
-        if key not in self._shares:
+        if key not in self._contributions:
             try:
-                self._shares[key] = self._contributed(at, place, term)
+                self._contributions[key] = self._contribution_of(at, place, term)
             except (Misfit, Unsampled):
-                self._shares[key] = [0] * len(self.gap(at))
-        return self._shares[key]
+                self._contributions[key] = [0] * len(self.residual(at))
+        return self._contributions[key]
 
-    def _contributed(self, at: Sampled, place: Place, term: Node) -> Column:
+    def _contribution_of(self, at: Sampled, place: Place, term: Node) -> Column:
         if place.apart and fit(place.node, term) and not isinstance(self.left, Inverse):
             return _lifted(at, self.right, place.path, term)
         more = put(self.right, place.path, with_term(place.node, term))
-        return minus(self.gap(at), self.miss(at, self.left, more))
+        return minus(self.residual(at), self.residual_of(at, self.left, more))
 
     def of(self, right: Node) -> ModularTest:
         """The same trial of another right side."""
@@ -108,7 +108,9 @@ class ModularTest:
 
     def holds(self, left: Node, right: Node) -> bool:
         """Whether other sides agree at all points."""
-        return not any(self.miss(self.probe, left, right)) and not any(self.miss(self.varied, left, right))
+        return not any(self.residual_of(self.probe, left, right)) and not any(
+            self.residual_of(self.varied, left, right)
+        )
 
     def is_constant(self, scalar: Node) -> bool:
         """Whether a scalar depends on angles alone."""
@@ -229,15 +231,15 @@ def _scalars(node: Node) -> Iterator[Node]:
     return (part for part in _parts(node) if isinstance(part, Call | Symbol) and part.is_scalar)
 
 
-def on_trial(
-    statement: Statement, left: Node, right: Node, standing: Standing, beside: Iterable[Node] = ()
+def modular_test(
+    statement: Statement, left: Node, right: Node, accepted: AcceptedSides, extra: Iterable[Node] = ()
 ) -> ModularTest | None:
-    """The equation with these sides, at points where what is `beside` it has values too; None without such points.
+    """The equation with these sides, at points where what is `extra` it has values too; None without such points.
 
     Raises `Misfit` or TypeError for an equation that cannot be posed, `Untreatable` for what the prover does not treat.
     """
-    problem = problem_of(statement.saying(left, right), "printed", standing)
-    context = build(with_fields(problem, goals=(*problem.goals, *(Goal("", node, node) for node in beside))))
+    problem = problem_of(statement.saying(left, right), "printed", accepted)
+    context = build(with_fields(problem, goals=(*problem.goals, *(Goal("", node, node) for node in extra))))
     solved = solve_conditions(context)[1]
     if context.pi_measures:
         return None

@@ -84,20 +84,20 @@ def missing(term: Node) -> str:
     return f"the term {plain(term)} is added"
 
 
-def new_coefficients(trial: ModularTest) -> Iterator[Change]:
+def new_coefficients(test: ModularTest) -> Iterator[Change]:
     """The right sides that are true with another coefficient of one term, of a block or of the whole."""
-    gap = trial.gap(trial.probe)
-    for place in linear_places(trial.right):
+    residual = test.residual(test.probe)
+    for place in linear_places(test.right):
         if not place.term:
             continue
-        share = trial.share(trial.probe, place)
-        ratio = multiple(gap, share)
+        contribution = test.contribution(test.probe, place)
+        ratio = multiple(residual, contribution)
         number = None if ratio is None else rational(ratio)
         if number is not None:
             new, words = rescaled(place.node, number + 1)
-            yield Change(trial.left, put(trial.right, place.path, new), (words,), other_number(number + 1))
+            yield Change(test.left, put(test.right, place.path, new), (words,), other_number(number + 1))
         elif not place.inside and not (place.node.is_scalar and place.path):
-            yield from _refitted(trial, place, gap, share)
+            yield from _refitted(test, place, residual, contribution)
 
 
 def rescaled(term: Node, number: Fraction) -> tuple[Node | None, str]:
@@ -108,24 +108,24 @@ def rescaled(term: Node, number: Fraction) -> tuple[Node | None, str]:
     return new, f"the sign of {plain(term)} is turned" if number == -1 else instead(new, term)
 
 
-def _refitted(trial: ModularTest, place: Place, gap: Column, share: Column) -> Iterator[Change]:
+def _refitted(test: ModularTest, place: Place, residual: Column, contribution: Column) -> Iterator[Change]:
     """A coefficient that depends on angles: first it is seen whether any number would do where the angles are fixed."""
-    core = trial.split(place.node).core
+    core = test.split(place.node).core
     core = ONE if core is None else core
-    if multiple(plus(gap, share), trial.share(trial.probe, place, core)) is None:
+    if multiple(plus(residual, contribution), test.contribution(test.probe, place, core)) is None:
         return
-    wanted = plus(trial.gap(trial.varied), trial.share(trial.varied, place))
-    found = fitted(trial, [trial.share(trial.varied, place, core)], wanted)
+    wanted = plus(test.residual(test.varied), test.contribution(test.varied, place))
+    found = fitted(test, [test.contribution(test.varied, place, core)], wanted)
     if found and (coefficient := spelled(found[0])) is not None:
         new = times(coefficient, core)
-        right, words = put(trial.right, place.path, new), (instead(new, place.node),)
-        yield Change(trial.left, right, words, other_coefficient(found[0]))
+        right, words = put(test.right, place.path, new), (instead(new, place.node),)
+        yield Change(test.left, right, words, other_coefficient(found[0]))
 
 
-def fitted(trial: ModularTest, cores: Sequence[Column], wanted: Column) -> list[Coefficient] | None:
+def fitted(test: ModularTest, cores: Sequence[Column], wanted: Column) -> list[Coefficient] | None:
     """The coefficients of cores, given at the varied points, that make up what is wanted; None unless unique."""
-    for functions in (trial.functions, trial.fractions, trial.squares):
-        columns = [trial.times(trial.varied, function, core) for core in cores for function in functions]
+    for functions in (test.functions, test.fractions, test.squares):
+        columns = [test.times(test.varied, function, core) for core in cores for function in functions]
         values = combination(columns, wanted)
         if values is not None:
             size = len(functions)
@@ -133,51 +133,51 @@ def fitted(trial: ModularTest, cores: Sequence[Column], wanted: Column) -> list[
     return None
 
 
-def other_terms(trial: ModularTest, palette: TermBasis) -> Iterator[Change]:
+def other_terms(test: ModularTest, palette: TermBasis) -> Iterator[Change]:
     """The right sides that are true with one more term somewhere, or with another behind a printed coefficient."""
-    for place in linear_places(trial.right):
+    for place in linear_places(test.right):
         if place.inside or (place.node.is_scalar and place.path):
             continue
         terms = place.node.terms if isinstance(place.node, Sum) else (place.node,)
-        new = distinct_terms(trial, palette.terms(place.node), terms)
+        new = distinct_terms(test, palette.terms(place.node), terms)
         if place.open:
-            yield from _completed(trial, place, new)
+            yield from _completed(test, place, new)
         if place.term and place.apart and not isinstance(place.node, Sum | Block):
-            yield from _replaced(trial, place, new)
+            yield from _replaced(test, place, new)
 
 
-def distinct_terms(trial: ModularTest, terms: Iterable[Node], known: Iterable[Node | None]) -> tuple[Node, ...]:
+def distinct_terms(test: ModularTest, terms: Iterable[Node], known: Iterable[Node | None]) -> tuple[Node, ...]:
     """The terms that are no multiples of each other, nor of known ones, where the angles are fixed; none is zero."""
-    seen = {trial.direction(node) for node in known if node is not None} | {()}
+    seen = {test.direction(node) for node in known if node is not None} | {()}
     kept: list[Node] = []
     for term in terms:
-        direction = trial.direction(term)
+        direction = test.direction(term)
         if direction not in seen:
             seen.add(direction)
             kept.append(term)
     return tuple(kept)
 
 
-def _completed(trial: ModularTest, place: Place, terms: Iterable[Node]) -> Iterator[Change]:
+def _completed(test: ModularTest, place: Place, terms: Iterable[Node]) -> Iterator[Change]:
     for term in terms:
-        if multiple(trial.gap(trial.probe), trial.share(trial.probe, place, term)) is None:
+        if multiple(test.residual(test.probe), test.contribution(test.probe, place, term)) is None:
             continue
-        found = fitted(trial, [trial.share(trial.varied, place, term)], trial.gap(trial.varied))
+        found = fitted(test, [test.contribution(test.varied, place, term)], test.residual(test.varied))
         if found and (coefficient := spelled(found[0])) is not None:
             new = times(coefficient, term)
-            right = put(trial.right, place.path, with_term(place.node, new))
-            yield Change(trial.left, right, (missing(new),), new_term(found[0]) + 2 * (not place.apart))
+            right = put(test.right, place.path, with_term(place.node, new))
+            yield Change(test.left, right, (missing(new),), new_term(found[0]) + 2 * (not place.apart))
 
 
-def _replaced(trial: ModularTest, place: Place, terms: Iterable[Node]) -> Iterator[Change]:
+def _replaced(test: ModularTest, place: Place, terms: Iterable[Node]) -> Iterator[Change]:
     """Another core behind the printed coefficient; with no coefficient, only if there are other terms or blocks."""
-    coefficient = trial.split(place.node).coefficient
+    coefficient = test.split(place.node).coefficient
     if coefficient == ONE and not place.path:
         return
-    wanted = plus(trial.gap(trial.probe), trial.share(trial.probe, place))
+    wanted = plus(test.residual(test.probe), test.contribution(test.probe, place))
     for term in terms:
         new = times(coefficient, term)
-        sign = multiple(wanted, trial.share(trial.probe, place, new))
+        sign = multiple(wanted, test.contribution(test.probe, place, new))
         if sign in (1, MODULUS - 1):
             new = new if sign == 1 else Negative(new)
-            yield Change(trial.left, put(trial.right, place.path, new), (instead(new, place.node),), REPLACED)
+            yield Change(test.left, put(test.right, place.path, new), (instead(new, place.node),), REPLACED)

@@ -12,15 +12,15 @@ from dataclasses import replace as with_fields
 from itertools import islice
 
 from chasles.repairs.free_objects import freedom_of, other_objects
-from chasles.repairs.inside_definitions import opened_changes
-from chasles.repairs.modular_test import REFUSED, ModularTest, on_trial
+from chasles.repairs.inside_definitions import block_edits
+from chasles.repairs.modular_test import REFUSED, ModularTest, modular_test
 from chasles.repairs.one_term import Change, new_coefficients, other_terms
 from chasles.repairs.residues import Unsampled
 from chasles.repairs.several_terms import combined_changes
 from chasles.repairs.single_edits import SingleEdit, in_letters, undone
 from chasles.rewriting.term_basis import TermBasis, fit, palette_of
 from chasles.statements import Claim, Statement
-from chasles.statements.problem import Standing
+from chasles.statements.problem import AcceptedSides
 from chasles.statements.statement import bare
 from chasles.vocabulary import Node, Rate, Symbol, children, symbols_of
 
@@ -32,10 +32,10 @@ class Nearest:
     """What can be changed in a statement: the symbols at hand are those of its sides and of the `given_sides`."""
 
     statement: Statement
-    standing: Standing
+    accepted: AcceptedSides
     given_sides: tuple[Node, ...] = ()
-    beside: tuple[Claim, ...] = ()
-    _trials: dict[tuple[Node, Node, int], tuple[ModularTest | None, TermBasis]] = field(default_factory=dict)
+    context: tuple[Claim, ...] = ()
+    _known_tests: dict[tuple[Node, Node, int], tuple[ModularTest | None, TermBasis]] = field(default_factory=dict)
 
     def changes(self, left: Node, right: Node) -> Iterator[Change]:
         """Candidates for sides that fit; one without words if they agree as they are."""
@@ -58,19 +58,19 @@ class Nearest:
     def agree(self, left: Node, right: Node) -> bool:
         """Whether two sides agree at generic points."""
         try:
-            trial = on_trial(self.statement, left, right, self.standing)
-            return trial is not None and not any(trial.gap(trial.varied))
+            test = modular_test(self.statement, left, right, self.accepted)
+            return test is not None and not any(test.residual(test.varied))
         except REFUSED:
             return False
 
     def single_changes(self, left: Node, right: Node, turns: int = 2) -> Iterator[Change]:
         """One change to the right side; in a second turn, with letters that it does not have."""
-        for turn, (trial, palette) in enumerate(islice(self._on_trial(left, right), turns)):
+        for turn, (test, palette) in enumerate(islice(self._tests(left, right), turns)):
             others = in_letters(right, self.letters) if turn else undone(right)
             slips = [Change(left, u.node, (u.words,), u.effort) for u in others if fit(left, u.node)]
-            coefficients = () if turn else new_coefficients(trial)
-            changes = (*coefficients, *slips, *other_terms(trial, palette))
-            found = [change for change in changes if self._holds(trial, change)]
+            coefficients = () if turn else new_coefficients(test)
+            changes = (*coefficients, *slips, *other_terms(test, palette))
+            found = [change for change in changes if self._holds(test, change)]
             yield from found
             if found:
                 return
@@ -81,11 +81,11 @@ class Nearest:
             true = [Change(left, meant, ())] if self.agree(left, meant) else self.single_changes(left, meant, turns=1)
             yield from (with_fields(change, words=(words, *change.words)) for change in true)
 
-    def _holds(self, trial: ModularTest, change: Change) -> bool:
+    def _holds(self, test: ModularTest, change: Change) -> bool:
         if bare(change.left) == bare(change.right):
             return False
         try:
-            return trial.holds(change.left, change.right)
+            return test.holds(change.left, change.right)
         except Unsampled:
             return self.agree(change.left, change.right)
         except REFUSED:
@@ -93,41 +93,41 @@ class Nearest:
 
     def _other_objects(self, left: Node, right: Node) -> Iterator[Change]:
         palette = palette_of([right], self.own)
-        for freedom in freedom_of(left, self.beside, self.standing):
+        for freedom in freedom_of(left, self.context, self.accepted):
             try:
-                yield from other_objects(self.statement, (left, right), freedom, palette, self.standing)
+                yield from other_objects(self.statement, (left, right), freedom, palette, self.accepted)
             except REFUSED:
                 continue
 
     def _several_changes(self, left: Node, right: Node) -> Iterator[Change]:
-        for trial, palette in self._on_trial(left, right):
-            found = [change for change in combined_changes(trial, palette) if self._holds(trial, change)]
+        for test, palette in self._tests(left, right):
+            found = [change for change in combined_changes(test, palette) if self._holds(test, change)]
             yield from found
             if found:
                 return
 
     def _inner_changes(self, left: Node, right: Node) -> Iterator[Change]:
-        for trial, palette in list(self._on_trial(left, right))[1:]:
-            yield from (change for change in opened_changes(trial, palette) if self._holds(trial, change))
+        for test, palette in list(self._tests(left, right))[1:]:
+            yield from (change for change in block_edits(test, palette) if self._holds(test, change))
 
-    def _on_trial(self, left: Node, right: Node) -> Iterator[tuple[ModularTest, TermBasis]]:
+    def _tests(self, left: Node, right: Node) -> Iterator[tuple[ModularTest, TermBasis]]:
         """The equation at points, first with the symbols of its right side alone, then with all that are at hand."""
         for turn, nodes in enumerate(([right], [right, left, *self.given_sides])):
             key = left, right, turn
-            if key not in self._trials:
+            if key not in self._known_tests:
                 order = max(map(_order, nodes)) if turn else 0
-                self._trials[key] = self._tried(left, right, palette_of(nodes, self.own, order))
-            trial, palette = self._trials[key]
-            if trial is not None:
-                yield trial, palette
+                self._known_tests[key] = self._tried(left, right, palette_of(nodes, self.own, order))
+            test, palette = self._known_tests[key]
+            if test is not None:
+                yield test, palette
 
     def _tried(self, left: Node, right: Node, palette: TermBasis) -> tuple[ModularTest | None, TermBasis]:
         try:
-            trial = on_trial(self.statement, left, right, self.standing, palette.nodes)
-            failing = trial is not None and any(trial.gap(trial.probe)) and any(trial.gap(trial.varied))
+            test = modular_test(self.statement, left, right, self.accepted, palette.nodes)
+            failing = test is not None and any(test.residual(test.probe)) and any(test.residual(test.varied))
         except REFUSED:
             return None, palette
-        return trial if failing else None, palette
+        return test if failing else None, palette
 
     @property
     def letters(self) -> list[Symbol]:
@@ -154,9 +154,9 @@ class Nearest:
             yield from in_letters(right, letters, of=strays)
 
 
-def given_sides(statement: Statement, standing: Standing) -> tuple[Node, ...]:
+def given_sides(statement: Statement, accepted: AcceptedSides) -> tuple[Node, ...]:
     """Both sides of all that a statement is given, or restates; raises TypeError if some of that does not stand."""
-    return tuple(side for each in statement.relied_on for side in standing(each))
+    return tuple(side for each in statement.relied_on for side in accepted(each))
 
 
 def _symbol(left: Node) -> Symbol | None:

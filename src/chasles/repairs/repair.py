@@ -18,7 +18,7 @@ from chasles.repairs.ranking import Nearest, given_sides
 from chasles.repairs.well_formed import WellFormedRepair, fitting
 from chasles.rewriting.term_basis import palette_of
 from chasles.statements import Claim, Definition, Statement, problem_of
-from chasles.statements.problem import Standing, default_sides
+from chasles.statements.problem import AcceptedSides, default_sides
 from chasles.verdict import Holds, HoldsUnder, Verdict
 from chasles.vocabulary import Misfit, Node, plain, walk
 from chasles.vocabulary.families import indices_of
@@ -55,25 +55,25 @@ class Repair(Displayed):
 
 def repair(
     statement: Statement,
-    standing: Standing = default_sides,
+    accepted: AcceptedSides = default_sides,
     effort: float = EFFORT,
-    beside: Iterable[Statement] = (),
+    context: Iterable[Statement] = (),
 ) -> tuple[Repair, ...]:
     """The nearest true equations, that with the fewest and simplest changes first; none if none was proved in time.
 
-    `standing` gives the sides with which given statements are used. What was changed is told from the print; where
-    restored marks alone do not make it true, the search goes on from the statement's reading if it has one. `beside`
+    `accepted` gives the sides with which given statements are used. What was changed is told from the print; where
+    restored marks alone do not make it true, the search goes on from the statement's reading if it has one. `context`
     are other statements of the book: claims about a symbol say which freedom it has, claims that rest on a definition
     say what it is. What rests on a statement that does not stand is not repaired.
     """
     try:
-        sides = given_sides(statement, standing)
+        sides = given_sides(statement, accepted)
     except TypeError:
         return ()
-    claims = tuple(other for other in beside if isinstance(other, Claim) and _says_something(other))
+    claims = tuple(other for other in context if isinstance(other, Claim) and _says_something(other))
     if isinstance(statement, Claim):
         claims = _not_resting_on(statement, claims)
-    near = Nearest(statement, standing, sides, claims)
+    near = Nearest(statement, accepted, sides, claims)
     found: list[Repair] = []
     try:
         with within(effort):
@@ -83,7 +83,7 @@ def repair(
     return tuple(found)
 
 
-def claims_of(statement: Statement, repair: Repair, beside: Iterable[Statement]) -> list[list[Statement]]:
+def claims_of(statement: Statement, repair: Repair, context: Iterable[Statement]) -> list[list[Statement]]:
     """What a repair says is true: the statement as it would be, or the claims that hold with what was meant.
 
     One of each group is true; that of the first is what the repair's verdict is on.
@@ -91,7 +91,7 @@ def claims_of(statement: Statement, repair: Repair, beside: Iterable[Statement])
     meant = statement.saying(repair.left, repair.right)
     if not isinstance(statement, Definition):
         return [[meant]]
-    users = _users(statement, (claim for claim in beside if isinstance(claim, Claim)))
+    users = _users(statement, (claim for claim in context if isinstance(claim, Claim)))
     return [[_with(meant, user) for user in users if user.number == number] for number in repair.by]
 
 
@@ -172,7 +172,7 @@ def _rank(change: Change, known: Container[Node]) -> tuple[int, int, int, int, s
 def _verdict(near: Nearest, claim: Statement) -> Holds | HoldsUnder | None:
     """The verdict on a claim if it is proved."""
     try:
-        verdict = decide_problem(problem_of(claim, "printed", near.standing), claim.assuming)
+        verdict = decide_problem(problem_of(claim, "printed", near.accepted), claim.assuming)
     except (Misfit, TypeError):
         return None
     return verdict if isinstance(verdict, Holds | HoldsUnder) else None
@@ -181,7 +181,7 @@ def _verdict(near: Nearest, claim: Statement) -> Holds | HoldsUnder | None:
 def _of_definition(near: Nearest) -> Iterator[Repair]:
     """What a definition that does not fit together was meant to be: that with which claims that rest on it hold."""
     statement = near.statement
-    users = _users(statement, near.beside)
+    users = _users(statement, near.context)
     if not statement.fault or not users:
         return
     found = False
@@ -205,12 +205,12 @@ def _with_meant(near: Nearest, user: Claim, meant: Statement) -> Holds | HoldsUn
 
 def _users(statement: Statement, claims: Iterable[Claim]) -> list[Claim]:
     """The claims that rest on a definition."""
-    return [claim for claim in claims if any(_same(statement, given) for given in claim.given)]
+    return [claim for claim in claims if any(_equivalent(statement, given) for given in claim.given)]
 
 
 def _with(meant: Statement, user: Claim) -> Statement:
     """A claim, resting on what was meant."""
-    given = tuple(meant if _same(meant, other) else other for other in user.given)
+    given = tuple(meant if _equivalent(meant, other) else other for other in user.given)
     return with_fields(user.saying(*default_sides(user)), given=given)
 
 
@@ -224,11 +224,11 @@ def _not_resting_on(statement: Statement, claims: tuple[Claim, ...]) -> tuple[Cl
 
     def rests(one: Statement) -> bool:
         if id(one) not in known:
-            known[id(one)] = _same(one, statement) or any(map(rests, one.given))
+            known[id(one)] = _equivalent(one, statement) or any(map(rests, one.given))
         return known[id(one)]
 
     return tuple(claim for claim in claims if not rests(claim))
 
 
-def _same(one: Statement, other: Statement) -> bool:
+def _equivalent(one: Statement, other: Statement) -> bool:
     return (one.number, one.part) == (other.number, other.part)

@@ -139,9 +139,9 @@ class Sampled:
             raise Unsampled(node) from None
         values: Values = []
         entries = [[(_coded(self.context, e.numerator), e.denominator) for e in row] for row in found]
-        atoms = {d: _coded(self.context, field.power_product(d)) for row in entries for _, d in row}
+        nonzero = {d: _coded(self.context, field.power_product(d)) for row in entries for _, d in row}
         for point in self.points:
-            below = {d: inverse(_value(atom, point)) for d, atom in atoms.items()}
+            below = {d: inverse(_value(factor, point)) for d, factor in nonzero.items()}
             values.append([[_value(above, point) * below[d] % MODULUS for above, d in row] for row in entries])
         return values
 
@@ -154,14 +154,14 @@ def generic_points(context: Context, solved: tuple[Solved, ...], count: int) -> 
     field, draw = context.field, Random(0)
     ratios = {s.variable: (s.value.numerator, field.power_product(s.value.denominator)) for s in solved}
     generators = [_coded(context, g.polynomial) for g in context.generators]
-    atoms = [_coded(context, atom) for _, atom in context.atoms]
+    nonzero = [_coded(context, factor) for _, factor in context.nonzero]
     same = _tangents(context, draw)
     varied: list[Point] = []
     fixed: list[Point] = []
     for point in islice(points.sample(context, ratios, simple=False), 2 * count):
         bare = {name: residue(value) for name, value in point.items()}
         pair = [bare | dict(_turned(context, tangents)) for tangents in (_tangents(context, draw), same)]
-        if all(not any(_value(g, p) for g in generators) and all(_value(a, p) for a in atoms) for p in pair):
+        if all(not any(_value(g, p) for g in generators) and all(_value(a, p) for a in nonzero) for p in pair):
             varied.append(pair[0])
             fixed.append(pair[1])
         if len(varied) == count:

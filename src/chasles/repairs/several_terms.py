@@ -50,29 +50,29 @@ class _Sum:
     cores: tuple[Node, ...]
     new: tuple[Node, ...]
 
-    def columns(self, trial: ModularTest, at: Sampled) -> tuple[list[Column], list[Column], list[Column]]:
+    def columns(self, test: ModularTest, at: Sampled) -> tuple[list[Column], list[Column], list[Column]]:
         """What the terms, their cores and the new terms contribute."""
-        shares = [trial.share(at, term) for term in self.terms]
-        cores = [trial.share(at, term, core) for term, core in zip(self.terms, self.cores, strict=True)]
-        return shares, cores, [trial.share(at, self.place, term) for term in self.new]
+        contributions = [test.contribution(at, term) for term in self.terms]
+        cores = [test.contribution(at, term, core) for term, core in zip(self.terms, self.cores, strict=True)]
+        return contributions, cores, [test.contribution(at, self.place, term) for term in self.new]
 
 
-def combined_changes(trial: ModularTest, palette: TermBasis) -> Iterator[Change]:
+def combined_changes(test: ModularTest, palette: TermBasis) -> Iterator[Change]:
     """The right sides that are true after the least number of changes to terms, if it is not large."""
-    sums = [_sum(trial, place, terms, palette) for place, terms in separate_sums(trial.right)]
+    sums = [_sum(test, place, terms, palette) for place, terms in separate_sums(test.right)]
     choices: list[list[_Edits]] = []
     for each in sums:
-        found = _fewest(trial, each)
+        found = _fewest(test, each)
         if found is None:
             return
         choices.append(found)
     for edits in product(*choices):
-        right = trial.right
+        right = test.right
         for each, edit in zip(sums, edits, strict=True):
             right = put(right, each.place.path, edit.node)
         words = tuple(word for edit in edits for word in edit.words)
         if words:
-            yield Change(trial.left, right, words, sum(edit.effort for edit in edits))
+            yield Change(test.left, right, words, sum(edit.effort for edit in edits))
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,27 +82,27 @@ class _Edits:
     effort: int = 0
 
 
-def _sum(trial: ModularTest, place: Place, terms: tuple[Place, ...], palette: TermBasis) -> _Sum:
-    cores = tuple(ONE if (core := trial.split(term.node).core) is None else core for term in terms)
-    return _Sum(place, terms, cores, distinct_terms(trial, palette.terms(place.node), cores))
+def _sum(test: ModularTest, place: Place, terms: tuple[Place, ...], palette: TermBasis) -> _Sum:
+    cores = tuple(ONE if (core := test.split(term.node).core) is None else core for term in terms)
+    return _Sum(place, terms, cores, distinct_terms(test, palette.terms(place.node), cores))
 
 
-def _fewest(trial: ModularTest, each: _Sum) -> list[_Edits] | None:
+def _fewest(test: ModularTest, each: _Sum) -> list[_Edits] | None:
     """The edits that close the gap where the sum contributes, all of the least number; None if there are none."""
-    shares, cores, new = each.columns(trial, trial.fixed)
-    inside = [any(entries) for entries in zip(*shares, *cores, *new, strict=True)]
-    gap = _within(trial.gap(trial.fixed), inside)
-    if not any(gap):
+    contributions, cores, new = each.columns(test, test.fixed)
+    inside = [any(entries) for entries in zip(*contributions, *cores, *new, strict=True)]
+    residual = _within(test.residual(test.fixed), inside)
+    if not any(residual):
         return [_Edits(each.place.node)]
     whole = Span([*cores, *new])
-    if any(whole.reduced(gap)):
+    if any(whole.reduced(residual)):
         return None
 
     def brief(*columns: Column) -> list[Column]:
         return [[column[pivot] for pivot in whole.pivots] for column in columns]
 
-    for sets in _sets(brief(gap)[0], brief(*shares), brief(*cores), brief(*new)):
-        forms = [form for chosen, extra in sets if (form := _edited(trial, each, chosen, extra)) is not None]
+    for sets in _sets(brief(residual)[0], brief(*contributions), brief(*cores), brief(*new)):
+        forms = [form for chosen, extra in sets if (form := _edited(test, each, chosen, extra)) is not None]
         if forms:
             return sorted(forms, key=lambda form: form.effort)[:MOST_FORMS]
     return None
@@ -115,7 +115,9 @@ def _within(column: Column, inside: Sequence[bool]) -> Column:
 _Set = tuple[tuple[int, ...], tuple[int, ...]]
 
 
-def _sets(gap: Column, shares: list[Column], cores: list[Column], new: list[Column]) -> Iterator[list[_Set]]:
+def _sets(
+    residual: Column, contributions: list[Column], cores: list[Column], new: list[Column]
+) -> Iterator[list[_Set]]:
     """For each number of changes in turn: which terms to change and which to add so that the gap can be closed."""
     looked_at = 0
     for total in range(1, MOST_CHANGES + 1):
@@ -130,69 +132,69 @@ def _sets(gap: Column, shares: list[Column], cores: list[Column], new: list[Colu
                 span = Span(cores[k] for k in chosen)
                 if not span.independent:
                     continue
-                rest = gap
+                rest = residual
                 for k in chosen:
-                    rest = plus(rest, shares[k])
+                    rest = plus(rest, contributions[k])
                 reduced = [span.reduced(column) for column in new]
                 sets += [(chosen, extra) for extra in _covers(span.reduced(rest), reduced, total - size)]
         yield sets
 
 
-def _covers(gap: Column, columns: list[Column], size: int) -> Iterator[tuple[int, ...]]:
+def _covers(residual: Column, columns: list[Column], size: int) -> Iterator[tuple[int, ...]]:
     """The sets of so many columns of which every one is needed to make up the gap."""
     if size == 0:
-        if not any(gap):
+        if not any(residual):
             yield ()
         return
     check()
-    if not any(gap):
+    if not any(residual):
         return
     for k, column in enumerate(columns):
         if not any(column):
             continue
         if size == 1:
-            if multiple(gap, column) is not None:
+            if multiple(residual, column) is not None:
                 yield (k,)
             continue
         span = Span([column])
         rest = [span.reduced(column) for column in columns[k + 1 :]]
-        yield from ((k, *(k + 1 + j for j in more)) for more in _covers(span.reduced(gap), rest, size - 1))
+        yield from ((k, *(k + 1 + j for j in more)) for more in _covers(span.reduced(residual), rest, size - 1))
 
 
 _Term = tuple[Node | None, str | None, int]
 """A term in the place of a printed one, None for none; the change in words, and its effort."""
 
 
-def _edited(trial: ModularTest, each: _Sum, chosen: tuple[int, ...], extra: tuple[int, ...]) -> _Edits | None:
+def _edited(test: ModularTest, each: _Sum, chosen: tuple[int, ...], extra: tuple[int, ...]) -> _Edits | None:
     """The sum with the coefficients that close the gap; None if these are no functions that occur.
 
     None too if nothing that is printed stays: then nothing was repaired.
     """
-    at = trial.varied
-    cores = [trial.share(at, each.terms[k], each.cores[k]) for k in chosen]
-    columns = [*cores, *(trial.share(at, each.place, each.new[k]) for k in extra)]
-    wanted = trial.gap(at)
+    at = test.varied
+    cores = [test.contribution(at, each.terms[k], each.cores[k]) for k in chosen]
+    columns = [*cores, *(test.contribution(at, each.place, each.new[k]) for k in extra)]
+    wanted = test.residual(at)
     for k in chosen:
-        wanted = plus(wanted, trial.share(at, each.terms[k]))
-    found = fitted(trial, columns, _within(wanted, [any(entries) for entries in zip(*columns, strict=True)]))
+        wanted = plus(wanted, test.contribution(at, each.terms[k]))
+    found = fitted(test, columns, _within(wanted, [any(entries) for entries in zip(*columns, strict=True)]))
     if found is None:
         return None
     changed = dict(zip(chosen, found, strict=False))
     stays = len(changed) < len(each.terms) or any(value for parts in changed.values() for value, _ in parts)
     if not stays:
         return None
-    terms = {k: _changed(trial, each.terms[k], each.cores[k], coefficient) for k, coefficient in changed.items()}
+    terms = {k: _changed(test, each.terms[k], each.cores[k], coefficient) for k, coefficient in changed.items()}
     return _written(each, terms, dict(zip(extra, found[len(chosen) :], strict=True)))
 
 
-def _changed(trial: ModularTest, place: Place, core: Node, coefficient: Coefficient) -> _Term:
+def _changed(test: ModularTest, place: Place, core: Node, coefficient: Coefficient) -> _Term:
     """A term with another coefficient: a number times what is printed if it is that."""
     spelling = spelled(coefficient)
     if spelling is None:
         return None, f"the term {plain(place.node)} is left out", LEFT_OUT
     new = times(spelling, core)
-    at = trial.varied
-    ratio = multiple(trial.share(at, place, new), trial.share(at, place))
+    at = test.varied
+    ratio = multiple(test.contribution(at, place, new), test.contribution(at, place))
     number = None if ratio is None else rational(ratio)
     if number is None:
         return new, instead(new, place.node), other_coefficient(coefficient)

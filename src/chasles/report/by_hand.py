@@ -42,7 +42,7 @@ def worked_out(statement: Statement, decision: Decision, found: Counterexample) 
     values: dict[str, str] = {}
     definitions: list[tuple[Statement, ...]] = []
     try:
-        context = build(problem_of(statement, standing=decision.standing))
+        context = build(problem_of(statement, standing=decision.accepted))
         for side in sides:
             parts = [part for part in parts_of_entry(side, place) if part[0] in context.unfold.rules]
             rest: list[Symbol] = []

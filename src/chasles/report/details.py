@@ -84,8 +84,8 @@ def evidence(decision: Decision) -> Lines:
     certificate = decision.certificate
     if certificate is not None:
         yield "certificate", str(certificate_hash(certificate))
-    standing = decision.correction.verdict if decision.correction and not decision.verdict.true else decision.verdict
-    witness = getattr(standing, "witness", None)
+    replacement = decision.correction.verdict if decision.correction and not decision.verdict.true else decision.verdict
+    witness = getattr(replacement, "witness", None)
     if witness:
         yield "example", f"satisfies all that is assumed: {point_in_words(witness)}"
 

@@ -11,12 +11,12 @@ from chasles.report.equations import in_latex, in_words
 from chasles.report.findings import (
     SLIPS,
     DecisionsByName,
-    Standing,
+    Replacement,
     likely_slip,
     ordered,
+    replacements,
     slips,
     slips_in_words,
-    stands_in,
 )
 from chasles.report.markdown import code, displayed, escaped
 from chasles.report.words import point_in_words, said
@@ -62,11 +62,11 @@ def _slip(entry: Entry, decision: Decision) -> Iterator[str]:
     for formula, words in zip(in_latex(entry.statement), in_words(entry.statement), strict=True):
         yield from _equation(formula, words)
     yield from _why(entry, decision)
-    found = stands_in(entry, decision)
+    found = replacements(entry, decision)
     if not found:
         yield from ("Nothing that stands instead has been found.", "")
-    for place, standing in enumerate(found):
-        yield from _instead(standing, first=place == 0)
+    for place, replacement in enumerate(found):
+        yield from _instead(replacement, first=place == 0)
     yield f"More likely a slip {likely_slip(entry, decision)}."
 
 
@@ -126,31 +126,31 @@ def _definition(given: Statement) -> str:
     return code(f"{plain(left)} = {plain(right)}")
 
 
-def _instead(standing: Standing, *, first: bool) -> Iterator[str]:
+def _instead(replacement: Replacement, *, first: bool) -> Iterator[str]:
     yield "Right is" if first else "or"
     yield ""
     yield from _equation(
-        f"{latex(standing.left)} {standing.sign} {latex(standing.right)}",
-        f"{plain(standing.left)} = {plain(standing.right)}",
+        f"{latex(replacement.left)} {replacement.sign} {latex(replacement.right)}",
+        f"{plain(replacement.left)} = {plain(replacement.right)}",
     )
-    yield f"which {_verdict(standing)}. {_found(standing)}"
-    if standing.changes:
+    yield f"which {_verdict(replacement)}. {_found(replacement)}"
+    if replacement.changes:
         yield ""
-        yield from (f"- {escaped(change)}" for change in standing.changes)
+        yield from (f"- {escaped(change)}" for change in replacement.changes)
     yield ""
 
 
-def _verdict(standing: Standing) -> str:
-    words = said(standing.verdict)
-    if standing.by:
-        numbers = ", ".join(number_in_words(number) for number in standing.by)
+def _verdict(replacement: Replacement) -> str:
+    words = said(replacement.verdict)
+    if replacement.by:
+        numbers = ", ".join(number_in_words(number) for number in replacement.by)
         return escaped(f"is the definition with which {numbers} hold")
     return escaped(words if words.startswith("holds") else f"is {words}")
 
 
-def _found(standing: Standing) -> str:
-    how = "The search for a repair found it." if standing.found == "repair" else "It was declared, not found."
-    return f"{how} {escaped(standing.modulo)}." if standing.modulo else how
+def _found(replacement: Replacement) -> str:
+    how = "The search for a repair found it." if replacement.found == "repair" else "It was declared, not found."
+    return f"{how} {escaped(replacement.modulo)}." if replacement.modulo else how
 
 
 def _equation(formula: str, words: str) -> Iterator[str]:

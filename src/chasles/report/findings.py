@@ -16,13 +16,13 @@ __all__ = [
     "DecisionsByName",
     "NumberCounts",
     "Pairs",
-    "Standing",
+    "Replacement",
     "likely_slip",
     "numbers_of",
     "ordered",
+    "replacements",
     "slips",
     "slips_in_words",
-    "stands_in",
 ]
 
 DecisionsByName = Mapping[str, Decision]
@@ -35,7 +35,7 @@ SLIPS = {"print": "wrong in the book", "scan": "lost by the scan", "both": "lost
 
 
 @dataclass(frozen=True, slots=True)
-class Standing:
+class Replacement:
     """An equation that is true where the print is not: its sides, the verdict, how it was `found`, what was changed.
 
     `found` is "repair" or "declared"; `by` are the claims that show a definition to be the one that was meant.
@@ -76,7 +76,7 @@ def ordered(book: Chapter, decisions: DecisionsByName) -> Pairs:
     return [(entry, decisions[entry.name]) for entry in entries]
 
 
-def stands_in(entry: Entry, decision: Decision) -> tuple[Standing, ...]:
+def replacements(entry: Entry, decision: Decision) -> tuple[Replacement, ...]:
     """What stands in for a print that does not, and the other repairs that were found; it may be nothing."""
     statement, correction = entry.statement, decision.correction
     if decision.verdict.true or not isinstance(statement, Statement):
@@ -85,10 +85,10 @@ def stands_in(entry: Entry, decision: Decision) -> tuple[Standing, ...]:
         return ()
     sides = correction.sides
     if correction.found == "declared":
-        return (Standing(*sides, statement.sign, correction.verdict, "declared"),)
+        return (Replacement(*sides, statement.sign, correction.verdict, "declared"),)
     found = sorted(correction.repairs, key=lambda r: (r.left, r.right) != sides)
     return tuple(
-        Standing(r.left, r.right, statement.sign, r.verdict, "repair", r.changes, r.modulo, r.by) for r in found
+        Replacement(r.left, r.right, statement.sign, r.verdict, "repair", r.changes, r.modulo, r.by) for r in found
     )
 
 

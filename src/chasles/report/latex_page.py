@@ -11,7 +11,15 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from chasles.decisions.session import Decision
 from chasles.report.details import number_in_words, objections_to_print
 from chasles.report.equations import hypotheses_in_latex, in_latex
-from chasles.report.findings import DecisionsByName, Pairs, Standing, likely_slip, ordered, slips_in_words, stands_in
+from chasles.report.findings import (
+    DecisionsByName,
+    Pairs,
+    Replacement,
+    likely_slip,
+    ordered,
+    replacements,
+    slips_in_words,
+)
 from chasles.report.html.exercises import WorkedView
 from chasles.report.latex_text import escaped
 from chasles.report.words import VERDICTS, counted
@@ -100,7 +108,7 @@ def _headings(decided: Pairs, hypotheses: Mapping[str, str]) -> Iterator[Section
 
 def item_of(entry: Entry, decision: Decision, before: str, hypotheses: Mapping[str, str]) -> Item:
     """A statement; `before` is the number of the one before it."""
-    found = stands_in(entry, decision)
+    found = replacements(entry, decision)
     wrong = not decision.verdict.true
     return Item(
         number="" if entry.number == before else escaped(number_in_words(entry.number)),
@@ -109,21 +117,21 @@ def item_of(entry: Entry, decision: Decision, before: str, hypotheses: Mapping[s
         says=escaped(entry.statement.says),
         formulas=in_latex(entry.statement),
         why=tuple(escaped(f"{label}: {text}") for label, text in objections_to_print(decision)),
-        instead=tuple(_instead(standing, hypotheses, first=standing is found[0]) for standing in found),
+        instead=tuple(_instead(replacement, hypotheses, first=replacement is found[0]) for replacement in found),
         slip=(escaped(f"More likely a slip {likely_slip(entry, decision)}."),) if wrong else (),
     )
 
 
-def _instead(standing: Standing, hypotheses: Mapping[str, str], *, first: bool) -> Instead:
-    numbers: Sequence[str] = tuple(map(number_in_words, standing.by))
-    verdict = f"{VERDICTS[standing.verdict.name][2]} {_needs(standing.verdict, hypotheses)}".rstrip()
+def _instead(replacement: Replacement, hypotheses: Mapping[str, str], *, first: bool) -> Instead:
+    numbers: Sequence[str] = tuple(map(number_in_words, replacement.by))
+    verdict = f"{VERDICTS[replacement.verdict.name][2]} {_needs(replacement.verdict, hypotheses)}".rstrip()
     if numbers:
         verdict = escaped(f"is the definition with which {', '.join(numbers)} hold")
     return Instead(
         "Right is" if first else "or",
-        f"{latex(standing.left)} {standing.sign} {latex(standing.right)}",
+        f"{latex(replacement.left)} {replacement.sign} {latex(replacement.right)}",
         verdict,
-        tuple(map(escaped, standing.changes)),
+        tuple(map(escaped, replacement.changes)),
     )
 
 

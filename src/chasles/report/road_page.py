@@ -10,7 +10,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from chasles.deriving import Passage, Road
+from chasles.deriving import CheckedDerivation, CheckedStep
 from chasles.report.details import number_in_words
 from chasles.report.screen import Screen
 from chasles.report.words import labelled, point_in_words, reason, said
@@ -21,7 +21,7 @@ from chasles.vocabulary import latex as in_latex
 __all__ = ["equations_of", "objections_of", "road_line", "road_page", "road_record"]
 
 
-def road_page(screen: Screen, name: str, road: Road, latex: bool = False) -> Iterator[RenderableType]:
+def road_page(screen: Screen, name: str, road: CheckedDerivation, latex: bool = False) -> Iterator[RenderableType]:
     """The whole road."""
     derivation = road.derivation
     what = derivation.says if derivation.to is None else derivation.to.says
@@ -29,18 +29,18 @@ def road_page(screen: Screen, name: str, road: Road, latex: bool = False) -> Ite
     yield Text(f"  {name}: {derivation.says}", "dim")
     if derivation.assuming:
         yield Text(f"  assuming {', '.join(h.text for h in derivation.assuming)}", "dim")
-    for number, passage in enumerate(road.passages, start=1):
-        yield from _step(screen, number, passage, latex)
+    for number, step in enumerate(road.steps, start=1):
+        yield from _step(screen, number, step, latex)
     yield Text.assemble("  ", *_outcome(road))
 
 
-def road_line(screen: Screen, name: str, road: Road) -> Iterator[RenderableType]:
+def road_line(screen: Screen, name: str, road: CheckedDerivation) -> Iterator[RenderableType]:
     """The road in one line: where it leads, in how many steps, what came of it."""
-    words = f"{road.derivation.number}  {name}: {len(road.passages)} steps; "
+    words = f"{road.derivation.number}  {name}: {len(road.steps)} steps; "
     yield Text.assemble(words, *_outcome(road))
 
 
-def road_record(name: str, road: Road) -> dict[str, Any]:
+def road_record(name: str, road: CheckedDerivation) -> dict[str, Any]:
     """The road as `chasles derive --json` prints it; its keys and their order are fixed."""
     derivation = road.derivation
     return {
@@ -50,54 +50,54 @@ def road_record(name: str, road: Road) -> dict[str, Any]:
         "says": derivation.says,
         "assuming": [hypothesis.text for hypothesis in derivation.assuming],
         "arrives": road.arrives,
-        "steps": [_record(passage) for passage in road.passages],
+        "steps": [_record(step) for step in road.steps],
     }
 
 
-def _step(screen: Screen, number: int, passage: Passage, latex: bool) -> Iterator[RenderableType]:
+def _step(screen: Screen, number: int, step: CheckedStep, latex: bool) -> Iterator[RenderableType]:
     grid = Table.grid(padding=(0, 1, 0, 0))
     grid.add_column(justify="right", style="dim", width=3)
     grid.add_column(overflow="fold")
-    verdict = labelled(passage.verdict, screen.signs)
-    needs = ", ".join(getattr(passage.verdict, "needs", ()))
-    shown = Text.assemble((passage.kind, "bold"), f" {passage.reason}  ")
-    if passage.comparison is None:
+    verdict = labelled(step.verdict, screen.signs)
+    needs = ", ".join(getattr(step.verdict, "needs", ()))
+    shown = Text.assemble((step.kind, "bold"), f" {step.reason}  ")
+    if step.comparison is None:
         shown.append_text(verdict).append(f" {needs}" if needs else "")
     grid.add_row(str(number), shown)
-    for what, left, right in equations_of(passage):
+    for what, left, right in equations_of(step):
         label = f"{what}:".ljust(9) if what else ""
         grid.add_row("", Text(f"    {label}{plain(left)} = {plain(right)}"))
         if latex:
             grid.add_row("", Text(f"    {label}{in_latex(left)} = {in_latex(right)}", "dim"))
-    for line in objections_of(passage):
+    for line in objections_of(step):
         grid.add_row("", Text(f"    {line}"))
     yield Padding(grid, (0, 0, 0, 1))
 
 
-def equations_of(passage: Passage) -> Iterator[tuple[str, Node, Node]]:
+def equations_of(step: CheckedStep) -> Iterator[tuple[str, Node, Node]]:
     """What comes of the step; of a comparison, by a label, what was found and what is printed, where not the same."""
-    comparison = passage.comparison
+    comparison = step.comparison
     if comparison is None:
-        yield from (("", left, right) for left, right in passage.equations)
+        yield from (("", left, right) for left, right in step.equations)
     elif comparison.form != "printed" or comparison.chosen:
         yield "found", *comparison.found
         yield "printed", *comparison.statement.printed
 
 
-def objections_of(passage: Passage) -> Iterator[str]:
+def objections_of(step: CheckedStep) -> Iterator[str]:
     """Why the step does not hold, or where the print is not as found."""
-    if passage.comparison is not None:
-        printed = passage.comparison.printed
+    if step.comparison is not None:
+        printed = step.comparison.printed
         if isinstance(printed, Fails):
             yield f"for example at {point_in_words(printed.counterexample.at) or 'every point'}"
-    elif not passage.verdict.true and reason(passage.verdict) not in passage.reason:
-        yield f"because {reason(passage.verdict)}"
+    elif not step.verdict.true and reason(step.verdict) not in step.reason:
+        yield f"because {reason(step.verdict)}"
 
 
-def _outcome(road: Road) -> Iterator[tuple[str, str]]:
+def _outcome(road: CheckedDerivation) -> Iterator[tuple[str, str]]:
     """Whether the road arrives, and what is printed otherwise than found."""
     if not road.arrives:
-        yield f"stops at step {len(road.passages)}", "bold red"
+        yield f"stops at step {len(road.steps)}", "bold red"
         return
     different = road.differences
     yield "arrives", "green"
@@ -107,23 +107,23 @@ def _outcome(road: Road) -> Iterator[tuple[str, str]]:
         yield f"; {number_in_words(comparison.statement.number, comparison.statement.part)}: {comparison.words}", "red"
 
 
-def _record(passage: Passage) -> dict[str, Any]:
+def _record(step: CheckedStep) -> dict[str, Any]:
     return {
-        "kind": passage.kind,
-        "reason": passage.reason,
+        "kind": step.kind,
+        "reason": step.reason,
         "equations": [
             {"text": f"{plain(left)} = {plain(right)}", "latex": f"{in_latex(left)} = {in_latex(right)}"}
-            for left, right in passage.equations
+            for left, right in step.equations
         ],
-        "verdict": passage.verdict.name,
-        "needs": list(getattr(passage.verdict, "needs", ())),
-        "because": None if passage.verdict.true else said(passage.verdict) + f" {reason(passage.verdict)}".rstrip(),
-        "compared": _compared(passage),
+        "verdict": step.verdict.name,
+        "needs": list(getattr(step.verdict, "needs", ())),
+        "because": None if step.verdict.true else said(step.verdict) + f" {reason(step.verdict)}".rstrip(),
+        "compared": _compared(step),
     }
 
 
-def _compared(passage: Passage) -> dict[str, Any] | None:
-    comparison = passage.comparison
+def _compared(step: CheckedStep) -> dict[str, Any] | None:
+    comparison = step.comparison
     if comparison is None:
         return None
     return {

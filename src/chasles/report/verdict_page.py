@@ -6,7 +6,15 @@ from collections.abc import Iterator
 
 from chasles.decisions.session import Decision
 from chasles.report.details import number_in_words
-from chasles.report.findings import DecisionsByName, Pairs, Standing, numbers_of, ordered, slips_in_words, stands_in
+from chasles.report.findings import (
+    DecisionsByName,
+    Pairs,
+    Replacement,
+    numbers_of,
+    ordered,
+    replacements,
+    slips_in_words,
+)
 from chasles.report.markdown import escaped, table
 from chasles.report.words import VERDICTS, counted
 from chasles.statements import Chapter, Entry, Section
@@ -57,7 +65,7 @@ def _totals(book: Chapter, decided: Pairs) -> Iterator[str]:
     yield f"{count.own} numbered equations{earlier} and {count.others} theorems, displays and exercises without one,"
     yield f"in {len(decided)} statements: {counted(d.verdict for _, d in decided)}."
     wrong = [(e, d) for e, d in decided if not d.verdict.true]
-    found = [standing[0].found if (standing := stands_in(e, d)) else "nothing" for e, d in wrong]
+    found = [replacement[0].found if (replacement := replacements(e, d)) else "nothing" for e, d in wrong]
     if wrong:
         yield (
             f"{len(wrong)} are not true as printed: {slips_in_words(decided)}. "
@@ -79,7 +87,7 @@ def _row(number: str, group: Group) -> tuple[str, ...]:
     worst = min((decision.verdict.name for _, decision in group), key=WORST_FIRST.index)
     needs = dict.fromkeys(text for _, decision in group for text in getattr(decision.verdict, "needs", ()))
     parts = [
-        (f"part {entry.statement.part}: " if len(group) > 1 else "") + _instead(stands_in(entry, decision))
+        (f"part {entry.statement.part}: " if len(group) > 1 else "") + _instead(replacements(entry, decision))
         for entry, decision in group
         if not decision.verdict.true
     ]
@@ -93,7 +101,7 @@ def _row(number: str, group: Group) -> tuple[str, ...]:
     )
 
 
-def _instead(found: tuple[Standing, ...]) -> str:
+def _instead(found: tuple[Replacement, ...]) -> str:
     if not found:
         return "**nothing: a gap**"
     first = found[0]

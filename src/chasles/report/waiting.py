@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from threading import Event, Thread
 from typing import TypeVar
 
-__all__ = ["PATIENCE", "silent", "watched"]
+__all__ = ["PATIENCE", "progress", "silent"]
 
 PATIENCE = 0.8
 """Seconds before the bar appears."""
@@ -27,7 +27,7 @@ def silent() -> Iterator[None]:
         _silences.pop()
 
 
-def watched(things: Iterable[_T], total: int, doing: str) -> Iterator[_T]:
+def progress(things: Iterable[_T], total: int, doing: str) -> Iterator[_T]:
     """The things, one at a time, with a bar that says how many of the `total` are through."""
     if _silences or not sys.stderr.isatty():
         yield from things

@@ -17,7 +17,7 @@ from typing import ClassVar
 from chasles.display import Displayed
 from chasles.statements.hypotheses import Hypothesis, nonzero
 from chasles.statements.kernel import Kernel
-from chasles.statements.problem import Goal, Problem, Standing, default_sides
+from chasles.statements.problem import AcceptedSides, Goal, Problem, default_sides
 from chasles.statements.statement import Statement
 from chasles.vocabulary import (
     Call,
@@ -124,18 +124,18 @@ class Inverse(Declared, Displayed):
                 raise TypeError(f"({self.number}): {hypothesis.text} is asked of an angle given by cosine and sine")
 
 
-def problems_of_inverse(sentence: Inverse, standing: Standing = default_sides) -> Iterator[tuple[str, Problem]]:
+def problems_of_inverse(sentence: Inverse, accepted: AcceptedSides = default_sides) -> Iterator[tuple[str, Problem]]:
     """What makes the branches an inverse: problems for each branch, for its sign and for the cover, by name.
 
     Raises `Misfit` if the values do not fit into an equation, and TypeError if a given statement cannot be used.
     """
-    left, right = standing(sentence.of)
+    left, right = accepted(sentence.of)
     earlier: list[Hypothesis] = []
     for branch in sentence.branches:
         values = dict(branch.values)
         here = (*sentence.assuming, nonzero(branch.where), *earlier)
         goals = [Goal("the formula returns its input", replace(right, values), left), *_circles(values)]
-        goals += _fitting(sentence, branch, values, standing)
+        goals += _fitting(sentence, branch, values, accepted)
         yield branch.says, Problem(tuple(goals), hypotheses=tuple(dict.fromkeys((*branch.assuming, *here))))
         if branch.assuming:
             goals = [goal for hypothesis in branch.assuming for goal in _following(sentence, branch, hypothesis)]
@@ -163,7 +163,7 @@ def _circles(values: dict[Node, Node]) -> Iterator[Goal]:
             yield Goal("cosine and sine lie on the unit circle", Sum((Power(cosine, 2), Power(sine, 2))), ONE)
 
 
-def _fitting(sentence: Inverse, branch: Branch, values: dict[Node, Node], standing: Standing) -> Iterator[Goal]:
+def _fitting(sentence: Inverse, branch: Branch, values: dict[Node, Node], accepted: AcceptedSides) -> Iterator[Goal]:
     """The values are such as the formula asks for."""
     for hypothesis in _asked(sentence, values):
         for one, other in hypothesis.equations:
@@ -171,7 +171,7 @@ def _fitting(sentence: Inverse, branch: Branch, values: dict[Node, Node], standi
         for quantity in hypothesis.nonvanishing:
             yield _invertible(branch, replace(quantity, values), f"the values satisfy {hypothesis.text}")
     for statement in sentence.satisfying:
-        one, other = standing(statement)
+        one, other = accepted(statement)
         yield Goal(f"the values satisfy ({statement.number})", replace(one, values), replace(other, values))
 
 

@@ -40,10 +40,10 @@ from chasles.vocabulary.families import indices_of
 from chasles.vocabulary.measure import added
 from chasles.vocabulary.nodes import lifted, measured
 
-__all__ = ["Goal", "Problem", "Standing", "default_form", "default_sides", "problem_of"]
+__all__ = ["AcceptedSides", "Goal", "Problem", "default_form", "default_sides", "problem_of"]
 
 Decidable = Statement | Theorem
-Standing = Callable[[Statement], Equation]
+AcceptedSides = Callable[[Statement], Equation]
 """Gives the sides with which a given statement is used; raises TypeError for one that cannot be."""
 
 
@@ -91,8 +91,8 @@ def default_sides(statement: Statement) -> Equation:
     return statement.form(default_form(statement))
 
 
-def problem_of(statement: Decidable, form: str = "printed", standing: Standing = default_sides) -> Problem:
-    """The problem that decides a statement in one of its forms; `standing` gives the sides that stand for a given one.
+def problem_of(statement: Decidable, form: str = "printed", standing: AcceptedSides = default_sides) -> Problem:
+    """The problem that decides a statement in one of its forms; `standing` gives the sides used of a given one.
 
     Raises `Misfit` if that form does not fit together, and TypeError if a given statement cannot be used.
     """
@@ -234,7 +234,7 @@ def _hypotheses(statement: Decidable) -> Iterator[Hypothesis]:
         yield from _hypotheses(given)
 
 
-def _goals(statement: Statement, form: str, standing: Standing) -> Iterator[Goal]:
+def _goals(statement: Statement, form: str, accepted: AcceptedSides) -> Iterator[Goal]:
     left, right = statement.form(form)
     if fault := (statement.fault if form == "printed" else left.fault or right.fault):
         raise Misfit(fault)
@@ -246,13 +246,13 @@ def _goals(statement: Statement, form: str, standing: Standing) -> Iterator[Goal
         case Condition(on=(_, *_)):
             yield from _equations("", left, right)
         case Claim(restates=Statement() as other):
-            yield _multiple(statement, (other,), standing, left, right)
+            yield _multiple(statement, (other,), accepted, left, right)
         case Claim(restates=tuple() as others):
-            yield _multiple(statement, others, standing, left, right)
+            yield _multiple(statement, others, accepted, left, right)
         case Claim(solves=Statement() as other):
             if not isinstance(left, Symbol):
                 raise TypeError(f"({statement.number}) solves ({other.number}) for {left}, which is no symbol")
-            yield Goal("it solves the equation", *(replace(side, {left: right}) for side in standing(other)))
+            yield Goal("it solves the equation", *(replace(side, {left: right}) for side in accepted(other)))
         case _:
             yield from _equations("", left, right)
 
@@ -270,8 +270,10 @@ def _equations(label: str, left: Node, right: Node) -> Iterator[Goal]:
         yield Goal(label, one, another)
 
 
-def _multiple(statement: Claim, others: tuple[Statement, ...], standing: Standing, left: Node, right: Node) -> Goal:
-    sides = [standing(other) for other in others]
+def _multiple(
+    statement: Claim, others: tuple[Statement, ...], accepted: AcceptedSides, left: Node, right: Node
+) -> Goal:
+    sides = [accepted(other) for other in others]
     differences: list[Node] = [Sum((one, Negative(another))) for one, another in sides]
     difference = differences[0] if len(differences) == 1 else column(*differences)
     if statement.by is not None:

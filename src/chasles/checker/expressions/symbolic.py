@@ -50,7 +50,7 @@ class Symbolic(Expressions):
 
     def _called(self, function: str, *arguments: Polynomial) -> Polynomial:
         arguments = tuple(map(self.normal, arguments))
-        known = (place for place, call in self.calls.items() if call[0] == function and _same(call[1], arguments))
+        known = (place for place, call in self.calls.items() if call[0] == function and _equivalent(call[1], arguments))
         place = next(known, None)
         if place is None:
             place = self.fresh(f"{function} {len(self.calls) + 1}")
@@ -77,5 +77,5 @@ class Symbolic(Expressions):
         raise Rejected(f"{self.names[place]} is no number")
 
 
-def _same(one: tuple[Polynomial, ...], other: tuple[Polynomial, ...]) -> bool:
+def _equivalent(one: tuple[Polynomial, ...], other: tuple[Polynomial, ...]) -> bool:
     return not any(a - b for a, b in zip(one, other, strict=True))

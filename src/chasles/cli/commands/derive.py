@@ -11,7 +11,7 @@ from chasles.cli.book import as_data, chapter, of_numbers
 from chasles.cli.failures import complain
 
 if TYPE_CHECKING:
-    from chasles.deriving import Road
+    from chasles.deriving import CheckedDerivation
 
 __all__ = ["command"]
 
@@ -26,17 +26,17 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> int:
     Without a number, all roads are walked and named, a line each. The exit status is 1 if a step does not hold.
     """
     from chasles.cli.roads import chosen_roads
-    from chasles.decisions.recalled import judge_of, retained
+    from chasles.decisions.recalled import retained, session_of
     from chasles.deriving import walk
     from chasles.report.records import as_json
     from chasles.report.road_page import road_line, road_page, road_record
     from chasles.report.screen import Screen
-    from chasles.report.waiting import watched
+    from chasles.report.waiting import progress
 
     book = chapter()
-    chosen, judge = chosen_roads(book, numbers), judge_of(book)
-    walked = {name: walk(road, judge) for name, road in watched(iter(chosen.items()), len(chosen), "Walking")}
-    retained(judge.memory)
+    chosen, session = chosen_roads(book, numbers), session_of(book)
+    walked = {name: walk(road, session) for name, road in progress(iter(chosen.items()), len(chosen), "Walking")}
+    retained(session.memory)
     if json:
         click.echo(as_json({"roads": [road_record(name, road) for name, road in walked.items()]}))
     else:
@@ -47,9 +47,9 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> int:
     return complain(_failures(list(walked.items())))
 
 
-def _failures(walked: Sequence[tuple[str, Road]]) -> Iterator[str]:
+def _failures(walked: Sequence[tuple[str, CheckedDerivation]]) -> Iterator[str]:
     """A line for each road that does not arrive."""
     for name, road in walked:
         if not road.arrives:
-            last = road.passages[-1]
-            yield f"{name} stops at step {len(road.passages)}, {last.kind}: {last.reason}"
+            last = road.steps[-1]
+            yield f"{name} stops at step {len(road.steps)}, {last.kind}: {last.reason}"

@@ -35,7 +35,7 @@ def command(check: bool, anew: bool, out: Path | None, json: bool) -> int:
     """
     from chasles.cli.answers import answers
     from chasles.cli.emission import commissioned, emitted
-    from chasles.decisions.recalled import judge_of
+    from chasles.decisions.recalled import session_of
     from chasles.report.pages import pages
     from chasles.report.words import seconds
     from chasles.targets import EmissionError
@@ -43,9 +43,9 @@ def command(check: bool, anew: bool, out: Path | None, json: bool) -> int:
     started = perf_counter()
     book = chapter()
     folder = out or generated_folder(book, Path.cwd())
-    judge = judge_of(book, anew)
-    kernels = commissioned(book.entries, judge, *installed_folders(book), folder)
-    texts = emitted(kernels, pages(book, judge) | answers(book, judge))
+    session = session_of(book, anew)
+    kernels = commissioned(book.entries, session, *installed_folders(book), folder)
+    texts = emitted(kernels, pages(book, session) | answers(book, session))
     head = f"{len(kernels)} kernels, each proved equal to its statement"
     try:
         if check:

@@ -23,15 +23,15 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:
     Without a number, all prints that do not stand are repaired. What stands as printed has nothing to repair, and
     nothing may be found: both are said, and neither is a failure.
     """
-    from chasles.decisions.recalled import judge_of, retained
+    from chasles.decisions.recalled import retained, session_of
     from chasles.report.records import as_json
     from chasles.report.repair_page import repair_page, repair_record
     from chasles.report.screen import Screen
 
     book = chapter()
-    judge = judge_of(book)
-    decided = list(decisions(chosen(book, numbers, ()), judge))
-    retained(judge.memory)
+    session = session_of(book)
+    decided = list(decisions(chosen(book, numbers, ()), session))
+    retained(session.memory)
     shown = [(entry, found) for entry, found in decided if numbers or not found.verdict.true]
     if json:
         click.echo(as_json({"statements": [repair_record(entry, found) for entry, found in shown]}))

@@ -20,7 +20,7 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:
     Of its kernels what they are made of, and the error bound that is proved of them, with the rounding model.
     """
     from chasles.cli.recorded import manifest
-    from chasles.decisions.recalled import judge_of
+    from chasles.decisions.recalled import session_of
     from chasles.report.emitted import emitted_kernels
     from chasles.report.records import as_json, described, record
     from chasles.report.screen import Screen
@@ -29,7 +29,7 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:
     book = chapter()
     # The parts of a number stand in the order of the proofs; here they are read in the book's.
     entries = sorted(chosen(book, numbers, ()), key=lambda e: (book.numbers.index(e.number), e.statement.part))
-    decided = list(decisions(entries, judge_of(book)))
+    decided = list(decisions(entries, session_of(book)))
     emitted = emitted_kernels(manifest(book))
     if json:
         found = [described(entry, emitted) | record(entry, decision) for entry, decision in decided]

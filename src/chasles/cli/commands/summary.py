@@ -32,9 +32,9 @@ def command(sections: tuple[str, ...], samples: int, json: bool) -> int:
 
     book = chapter()
     entries = chosen(book, (), sections)
-    outcome, judge = decide(entries, book)
+    outcome, session = decide(entries, book)
     asking = [(entry, kernel) for entry in entries for kernel in entry.kernels]
-    verification = verified(asking, installed_kernels(book), ("generic",), samples, judge)
+    verification = verified(asking, installed_kernels(book), ("generic",), samples, session)
     if json:
         from chasles.report.records import as_json
 

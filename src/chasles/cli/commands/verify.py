@@ -40,7 +40,7 @@ def command(names: tuple[str, ...], points: tuple[str, ...], samples: int, stric
     from chasles.cli.comparison import asking, installed_kernels
     from chasles.cli.recorded import manifest
     from chasles.cli.verification import verified
-    from chasles.decisions.recalled import judge_of
+    from chasles.decisions.recalled import session_of
     from chasles.report.emitted import emitted_kernels, proved
     from chasles.report.evidence import evidence_table, losses
     from chasles.report.records import as_json
@@ -48,7 +48,7 @@ def command(names: tuple[str, ...], points: tuple[str, ...], samples: int, stric
 
     book = chapter()
     asked = asking(book, names)
-    found = verified(asked, installed_kernels(book), tuple(dict.fromkeys(points)), samples, judge_of(book))
+    found = verified(asked, installed_kernels(book), tuple(dict.fromkeys(points)), samples, session_of(book))
     emitted = emitted_kernels(manifest(book))
     recorded = {kernel.name: emitted[kernel.name] for _, kernel in asked if kernel.name in emitted}
     if json:

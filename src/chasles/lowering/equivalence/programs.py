@@ -86,7 +86,7 @@ class _Fractions(Operators):
 
     def divide(self, a: Ratio, b: Ratio) -> Ratio:
         """The quotient, what it is divided by being a unit from here on; raises ZeroDivisionError for zero."""
-        divisor, units = self._reduced(b), self._field.atoms
+        divisor, units = self._reduced(b), self._field.nonzero
         exponents, scale = self._leading(divisor)
         if not any(exponents):
             return self._reduced(quotient(a, divisor, scale, ()))

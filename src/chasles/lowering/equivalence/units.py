@@ -37,7 +37,7 @@ class Units:
 
     def add(self, polynomial: Polynomial) -> Product:
         """The polynomial as a unit of its own."""
-        atoms = self._context.field.atoms
+        atoms = self._context.field.nonzero
         atoms.append(polynomial)
         self._products, self._waiting, self._found = [], iter(self._exponents()), []
         return Fraction(1), tuple(int(k == len(atoms) - 1) for k in range(len(atoms)))
@@ -71,7 +71,7 @@ class Units:
             yield exponents, product
 
     def _exponents(self) -> Iterator[tuple[int, ...]]:
-        atoms = self._context.field.atoms
+        atoms = self._context.field.nonzero
         different = [k for k, atom in enumerate(atoms) if all(atom != other for other in atoms[:k])]
         for degree in range(1, LARGEST_POWER + 1):
             for chosen in combinations_with_replacement(different, degree):

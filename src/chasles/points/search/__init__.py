@@ -72,12 +72,12 @@ class Search:
             return None
         best: tuple[int, Counterexample] | None = None
         found = vanishing = 0
-        stage = constraint_system(context)
-        for values in self._points(context, stage, attempts, keep_some_time=True):
-            evaluate = Evaluation(context, stage, values)
+        system = constraint_system(context)
+        for values in self._points(context, system, attempts, keep_some_time=True):
+            evaluate = Evaluation(context, system, values)
             suspect = next((s for s in suspects if self._differs(context, evaluate, s)), None)
             vanishing += suspect is None
-            if suspect is not None and (self.motion is None or self.motion.exists(context, stage, values)):
+            if suspect is not None and (self.motion is None or self.motion.exists(context, system, values)):
                 candidate = self._candidate(context, evaluate, suspect)
                 best = candidate if candidate and (best is None or candidate[0] < best[0]) else best
                 found += 1
@@ -89,26 +89,26 @@ class Search:
         """A point that satisfies every hypothesis, with rational coordinates if such a one is found."""
         if self.unseen:
             return {v.name: Fraction(v.kind == "cos") for v in context.variables if v.kind in ("cos", "sin")}
-        stage = constraint_system(context)
+        system = constraint_system(context)
         fallback: Values | None = None
-        for count, values in enumerate(self._points(context, stage, ATTEMPTS[0], keep_some_time=False)):
-            if self.motion is not None and not self.motion.exists(context, stage, values):
+        for count, values in enumerate(self._points(context, system, ATTEMPTS[0], keep_some_time=False)):
+            if self.motion is not None and not self.motion.exists(context, system, values):
                 continue
             if not values.irrational:
-                return _coordinates(stage, values)
+                return _coordinates(system, values)
             fallback = fallback or values
             if count == VANISHING:
                 break
-        return _coordinates(stage, fallback) if fallback else None
+        return _coordinates(system, fallback) if fallback else None
 
     def _points(
-        self, context: Context, stage: ConstraintSystem, attempts: int, keep_some_time: bool
+        self, context: Context, system: ConstraintSystem, attempts: int, keep_some_time: bool
     ) -> Iterator[Values]:
         """Different points that satisfy everything, simple ones first."""
-        turning = Turning(stage, self.products, self.rigid)
+        turning = Turning(system, self.products, self.rigid)
         self.theta = turning.theta
         determined = frozenset[str]() if self.motion is None else self.motion.determined
-        drawing = Drawing(stage, turning, self.frames, self.allowed, determined)
+        drawing = Drawing(system, turning, self.frames, self.allowed, determined)
         least = remaining() * (1 - SHARE) if keep_some_time else 0.0
         seen: set[tuple[str, ...]] = set()
         again = 0
@@ -119,7 +119,7 @@ class Search:
             values = drawing.attempt(Random(attempt), attempt)
             if values is None:
                 continue
-            key = tuple(str(values[k]) for k in range(len(stage.names)))
+            key = tuple(str(values[k]) for k in range(len(system.names)))
             again = again + 1 if key in seen else 0
             if again == REPEATED:
                 return
@@ -144,7 +144,7 @@ class Search:
             texts = [self._whole(context, evaluate, side, (row, column), name) for side in _sides(suspect)]
         except ValueError:
             return None
-        at = _coordinates(evaluate.stage, evaluate.values)
+        at = _coordinates(evaluate.system, evaluate.values)
         cost = sum(map(_height, at.values())) + sum(map(len, texts))
         return cost, Counterexample(at, (row, column), texts[0], texts[1], suspect.goal.label)
 
@@ -167,9 +167,9 @@ class Search:
         return f"({above.text(theta)})/({below.text(theta)})"
 
 
-def _coordinates(stage: ConstraintSystem, values: Values) -> dict[str, Any]:
+def _coordinates(system: ConstraintSystem, values: Values) -> dict[str, Any]:
     """The coordinates by name, rational ones as fractions."""
-    exact = {name: values[place] for place, name in enumerate(stage.names)}
+    exact = {name: values[place] for place, name in enumerate(system.names)}
     return {name: value if value.as_rational is None else value.as_rational for name, value in exact.items()}
 
 

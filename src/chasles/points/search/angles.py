@@ -31,13 +31,13 @@ Products = Mapping[Symbol, Mapping[Symbol, int]]
 class Turning:
     """Which angles are fixed by something that stands alone, and what the transcendental number is."""
 
-    def __init__(self, stage: ConstraintSystem, products: Products, rigid: frozenset[Symbol]) -> None:
-        self.stage = stage
+    def __init__(self, system: ConstraintSystem, products: Products, rigid: frozenset[Symbol]) -> None:
+        self.system = system
         self.rigid = rigid
-        self.products = {a.symbol: products[a.symbol] for a in stage.angles if a.symbol in products}
-        self.fixed = [a for a in stage.angles if a.bare is not None]
-        self.fixed += [a for a in stage.angles if a.symbol in self.products and self._private(a.symbol) is None]
-        self.by_quarters = stage.pi is not None or len(self.fixed) > 1
+        self.products = {a.symbol: products[a.symbol] for a in system.angles if a.symbol in products}
+        self.fixed = [a for a in system.angles if a.bare is not None]
+        self.fixed += [a for a in system.angles if a.symbol in self.products and self._private(a.symbol) is None]
+        self.by_quarters = system.pi is not None or len(self.fixed) > 1
 
     @property
     def theta(self) -> Symbol | None:
@@ -46,19 +46,19 @@ class Turning:
 
     def _private(self, product: Symbol) -> Symbol | None:
         """A factor that occurs nowhere else: it can make the product any angle, give or take whole turns."""
-        elsewhere = {a.symbol for a in self.stage.angles} | self.rigid
+        elsewhere = {a.symbol for a in self.system.angles} | self.rigid
         for other, factors in self.products.items():
             elsewhere |= set(factors) if other != product else set()
-        free = (f for f in self.products[product] if f not in elsewhere and f.name not in self.stage.place)
+        free = (f for f in self.products[product] if f not in elsewhere and f.name not in self.system.place)
         return next(free, None)
 
     def nonzero(self) -> list[int]:
         """The places of factors that must not vanish for their product to be any angle."""
         return [
-            self.stage.place[factor.name]
+            self.system.place[factor.name]
             for factors in self.products.values()
             for factor in factors
-            if factor.name in self.stage.place
+            if factor.name in self.system.place
         ]
 
     def draw(
@@ -68,8 +68,8 @@ class Turning:
 
         `turns` are what to choose from, in units of pi, if only some will do.
         """
-        if self.stage.pi is not None:
-            values[self.stage.pi] = SurdSum.theta()
+        if self.system.pi is not None:
+            values[self.system.pi] = SurdSum.theta()
         return all(self._draw(angle, values, number, random, turns) for angle in self.fixed)
 
     def _draw(
@@ -100,15 +100,15 @@ class Turning:
     def _split(self, angle: BoundAngle, size: SurdSum, values: Values, number: Callable[[int], Fraction]) -> bool:
         """Let a product of factors have a given size: all but one of them are drawn."""
         factors = self.products[angle.symbol]
-        inside = [f for f in factors if f.name in self.stage.place]
-        last = next((f for f in inside if abs(factors[f]) == 1 and self.stage.place[f.name] not in values), None)
-        turning = {a.symbol for a in self.stage.angles}
+        inside = [f for f in factors if f.name in self.system.place]
+        last = next((f for f in inside if abs(factors[f]) == 1 and self.system.place[f.name] not in values), None)
+        turning = {a.symbol for a in self.system.angles}
         # A factor that does not stand alone counts as one, which an angle with a rational cosine is not.
         if last is None or any(factor in turning for factor in factors if factor not in inside):
             return False
         rest: SurdSum | None = SurdSum.rational(1)
         for factor in inside:
-            place = self.stage.place[factor.name]
+            place = self.system.place[factor.name]
             if factor == last:
                 continue
             if place not in values:
@@ -124,7 +124,7 @@ class Turning:
             value = value.inverse()
         if value is None:
             return False
-        values[self.stage.place[last.name]] = value
+        values[self.system.place[last.name]] = value
         return True
 
 

@@ -37,12 +37,12 @@ class ConstraintSystem:
     roots: dict[int, Sparse]
     angles: tuple[BoundAngle, ...]
     circles: dict[int, Sparse]
-    atoms: list[Sparse]
+    nonzero: list[Sparse]
     pi: int | None
 
 
 def constraint_system(context: Context) -> ConstraintSystem:
-    """The stage of a context: a root's equation is told from the others by its hypothesis."""
+    """The constraint system of a context: a root's equation is told from the others by its hypothesis."""
     ring = context.field.ring
     place = {name: k for k, name in enumerate(ring.names)}
     equations: list[Sparse] = []
@@ -69,7 +69,7 @@ def constraint_system(context: Context) -> ConstraintSystem:
             unit = context.unfold.coordinates.unit(variable.symbol)
             angles.append(BoundAngle(variable.symbol, k, sine, unit, place.get(variable.symbol.name)))
     by_sine = {a.sine: next(c for c in circles if any(m == ((a.sine, 2),) for m, _ in c)) for a in angles}
-    atoms = [sparse(ring, atom) for _, atom in context.atoms]
+    nonzero = [sparse(ring, factor) for _, factor in context.nonzero]
     return ConstraintSystem(
-        ring.names, place, equations, consequences, roots, tuple(angles), by_sine, atoms, place.get(PI.name)
+        ring.names, place, equations, consequences, roots, tuple(angles), by_sine, nonzero, place.get(PI.name)
     )

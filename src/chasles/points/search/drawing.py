@@ -30,18 +30,18 @@ class Frame:
 
 
 class Drawing:
-    """Draws points on a stage; the variables that are `determined` are solved for, once others have values."""
+    """Draws points of a system; the variables that are `determined` are solved for, once others have values."""
 
     def __init__(
         self,
-        stage: ConstraintSystem,
+        system: ConstraintSystem,
         turning: Turning,
         frames: Sequence[Frame],
         allowed: Callable[[str, SurdSum], bool],
         determined: frozenset[str] = frozenset(),
     ) -> None:
         self.determined = determined
-        self.stage = stage
+        self.system = system
         self.turning = turning
         self.frames = frames
         self.allowed = allowed
@@ -65,9 +65,9 @@ class Drawing:
         for _ in range(TRIES):
             below = 1 if self.plain else self.random.choice((1, 1, 1, 2, 3))
             value = Fraction(self.random.randint(-reach, reach), below)
-            if place in self.stage.roots:
+            if place in self.system.roots:
                 return abs(value)
-            if self.allowed(self.stage.names[place], SurdSum.rational(value)):
+            if self.allowed(self.system.names[place], SurdSum.rational(value)):
                 break
         return value
 
@@ -79,8 +79,8 @@ class Drawing:
             matrix = self._reflected(matrix)
         for names, entries in zip(frame.rows, matrix, strict=True):
             for name, entry in zip(names, entries, strict=False):
-                if name in self.stage.place:
-                    self.values[self.stage.place[name]] = entry
+                if name in self.system.place:
+                    self.values[self.system.place[name]] = entry
 
     def _reflected(self, matrix: list[list[Fraction]]) -> list[list[Fraction]]:
         """The columns reflected in a random plane."""
@@ -98,10 +98,10 @@ class Drawing:
 
     def _solve(self) -> bool:
         """Satisfy the equations, roots included, until nothing is left that asks for a value."""
-        equations = list(self.stage.equations)
-        free = [a for a in self.stage.angles if a.cosine not in self.values]
-        equations += [self.stage.circles[angle.sine] for angle in free]
-        roots = dict(self.stage.roots)
+        equations = list(self.system.equations)
+        free = [a for a in self.system.angles if a.cosine not in self.values]
+        equations += [self.system.circles[angle.sine] for angle in free]
+        roots = dict(self.system.roots)
         while True:
             check()
             self.values.settle()
@@ -142,12 +142,12 @@ class Drawing:
     def _step(self, partials: list[Partial]) -> bool:
         """Eliminate a variable, or satisfy an equation where none can be."""
         candidates = eliminable(partials)
-        candidates = [(k, form) for k, form in candidates if k not in self.stage.roots] or candidates
+        candidates = [(k, form) for k, form in candidates if k not in self.system.roots] or candidates
         if candidates:
             lowest = min(degree(form) for _, form in candidates)
             self.values.follow(*self.random.choice([(k, form) for k, form in candidates if degree(form) == lowest]))
             return True
-        states = {k for k in unknowns(partials) if self.stage.names[k] not in self.determined}
+        states = {k for k in unknowns(partials) if self.system.names[k] not in self.determined}
         if all(set(unknowns([partial])) - states for partial in partials) and states:
             place = min(states)
             self.values[place] = self._number(place)
@@ -187,11 +187,11 @@ class Drawing:
     def _root_of(self, inside: Partial) -> SurdSum | None:
         if unknowns([inside]):
             return None
-        beside = {one for value in self.values.irrational.values() for _, _, nested in value.terms for one in nested}
-        return root_of(inside.get((), SurdSum({})), sorted(beside, key=str))
+        in_use = {one for value in self.values.irrational.values() for _, _, nested in value.terms for one in nested}
+        return root_of(inside.get((), SurdSum({})), sorted(in_use, key=str))
 
     def _draw_rest(self) -> bool:
-        for place in range(len(self.stage.names)):
+        for place in range(len(self.system.names)):
             if place not in self.values and place not in self.values.forms:
                 self.values[place] = self._number(place)
         self.values.settle()
@@ -200,18 +200,18 @@ class Drawing:
     def _holds(self) -> bool:
         """Whether everything holds: the last word, whatever led here."""
         values = self.values
-        roots = self.stage.roots.items()
+        roots = self.system.roots.items()
         squares = ((place, values[place] * values[place] - values.of(inside)) for place, inside in roots)
-        vanishing = (*self.stage.equations, *self.stage.consequences, *self.stage.circles.values())
+        vanishing = (*self.system.equations, *self.system.consequences, *self.system.circles.values())
         return (
             all(values.of(terms).is_zero for terms in vanishing)
             and all(rest.is_zero and _is_root(values[place]) for place, rest in squares)
-            and not any(values.of(atom).is_zero for atom in self.stage.atoms)
+            and not any(values.of(factor).is_zero for factor in self.system.nonzero)
             and not any(values[place].is_zero for place in self.turning.nonzero())
             and all(
                 self.allowed(name, values[place])
-                for place, name in enumerate(self.stage.names)
-                if place not in self.stage.roots
+                for place, name in enumerate(self.system.names)
+                if place not in self.system.roots
             )
         )
 

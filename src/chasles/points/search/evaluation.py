@@ -27,11 +27,11 @@ def entry_of(node: Node, place: tuple[int, int]) -> Node:
 class Evaluation:
     """Evaluates scalars at one point."""
 
-    def __init__(self, context: Context, stage: ConstraintSystem, values: Values) -> None:
+    def __init__(self, context: Context, system: ConstraintSystem, values: Values) -> None:
         self.rules = dict(context.problem.rules)
-        self.stage = stage
+        self.system = system
         self.values = values
-        self.angles: dict[Symbol, BoundAngle] = {angle.symbol: angle for angle in stage.angles}
+        self.angles: dict[Symbol, BoundAngle] = {angle.symbol: angle for angle in system.angles}
         self._known: dict[Node, SurdSum | None] = {}
 
     def __call__(self, node: Node) -> SurdSum | None:
@@ -46,7 +46,7 @@ class Evaluation:
             case _ if node in self.rules:
                 return self(self.rules[node])
             case Symbol():
-                return self.values[self.stage.place[node.name]]
+                return self.values[self.system.place[node.name]]
             case Number(number):
                 return SurdSum.rational(number)
             case Sum(terms):

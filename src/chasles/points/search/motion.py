@@ -55,10 +55,10 @@ class Motion:
     determined: frozenset[str] = frozenset()
     still: frozenset[str] = frozenset()
 
-    def exists(self, context: Context, stage: ConstraintSystem, values: Values) -> bool:
+    def exists(self, context: Context, system: ConstraintSystem, values: Values) -> bool:
         """Whether functions exist that have these values and satisfy the equations at all times."""
         generators = {g.label: g.polynomial for g in context.generators}
-        slopes = _Slopes(stage, values)
+        slopes = _Slopes(system, values)
         solved: list[tuple[int, list[SurdSum]]] = []
         pivots: dict[str, str] = {}
         surplus: set[str] = set()
@@ -77,10 +77,10 @@ class Motion:
             if block.rank is not None and gained not in (0, block.rank):
                 return False
             surplus |= dependent if block.rank is None or not gained else set()
-        return not surplus or self._follow(context, stage, values, surplus, pivots)
+        return not surplus or self._follow(context, system, values, surplus, pivots)
 
     def _follow(
-        self, context: Context, stage: ConstraintSystem, values: Values, surplus: set[str], pivots: Mapping[str, str]
+        self, context: Context, system: ConstraintSystem, values: Values, surplus: set[str], pivots: Mapping[str, str]
     ) -> bool:
         """Whether the equations of these labels are consequences of the others, by which rates are replaced first.
 
@@ -91,7 +91,7 @@ class Motion:
         used = {label for block in self.blocks for row in block.rows for label in row.labels[: row.times]} | set(pivots)
         solved = []
         for generator in context.generators:
-            place = stage.place.get(pivots.get(generator.label, ""))
+            place = system.place.get(pivots.get(generator.label, ""))
             if place is not None and ring.degrees(generator.polynomial)[place] == 1:
                 factor = ring.derivative(generator.polynomial, place)
                 if not values.of(sparse(ring, factor)).is_zero:
@@ -99,7 +99,7 @@ class Motion:
                     used.discard(generator.label)
         kept = tuple(g.polynomial for g in context.generators if g.label in used or g.label not in said)
         basis = stated(ring, kept, complete=False)
-        still = self._still(stage)
+        still = self._still(system)
         for generator in context.generators:
             if generator.label in surplus:
                 rest = basis.reduce(_replaced(ring, generator.polynomial, solved))[1]
@@ -107,12 +107,12 @@ class Motion:
                     return False
         return True
 
-    def _still(self, stage: ConstraintSystem) -> set[int]:
+    def _still(self, system: ConstraintSystem) -> set[int]:
         """The places of what does not change: words, their cosines and sines, and roots of these."""
-        still = {place for name, place in stage.place.items() if name in self.still}
-        still |= {k for a in stage.angles if a.symbol.name in self.still for k in (a.cosine, a.sine)}
-        for _ in stage.roots:
-            still |= {k for k, inside in stage.roots.items() if all(j in still for term, _ in inside for j, _ in term)}
+        still = {place for name, place in system.place.items() if name in self.still}
+        still |= {k for a in system.angles if a.symbol.name in self.still for k in (a.cosine, a.sine)}
+        for _ in system.roots:
+            still |= {k for k, inside in system.roots.items() if all(j in still for term, _ in inside for j, _ in term)}
         return still
 
 
@@ -127,8 +127,8 @@ def _replaced(ring: Ring, polynomial: Polynomial, solved: Sequence[tuple[int, Po
 class _Slopes:
     """The derivatives of an equation by rates, of which angles and roots are functions."""
 
-    def __init__(self, stage: ConstraintSystem, values: Values) -> None:
-        self.stage = stage
+    def __init__(self, system: ConstraintSystem, values: Values) -> None:
+        self.system = system
         self.values = values
 
     def __call__(self, terms: Sparse, rates: Sequence[str]) -> list[SurdSum] | None:
@@ -137,14 +137,14 @@ class _Slopes:
         return None if None in found else [entry for entry in found if entry is not None]
 
     def _by(self, terms: Sparse, name: str) -> SurdSum | None:
-        place = self.stage.place.get(name)
+        place = self.system.place.get(name)
         total = SurdSum({}) if place is None else self._partial(terms, place)
-        for angle in self.stage.angles:
+        for angle in self.system.angles:
             if angle.symbol.name == name:
                 one, other = self._partial(terms, angle.sine), self._partial(terms, angle.cosine)
                 turned = one * self.values[angle.cosine] - other * self.values[angle.sine]
                 total = total + turned * SurdSum.rational(angle.unit)
-        for root, radicand in self.stage.roots.items():
+        for root, radicand in self.system.roots.items():
             slope = self._partial(terms, root)
             inside = SurdSum({}) if slope.is_zero else self._by(radicand, name)
             half = (self.values[root] + self.values[root]).inverse()

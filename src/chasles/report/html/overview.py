@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from chasles.report.findings import NumberCounts, Pairs, numbers_of, slips_in_words, stands_in
+from chasles.report.findings import NumberCounts, Pairs, numbers_of, replacements, slips_in_words
 from chasles.report.html.citing import Book, Link
 from chasles.report.html.shown import Badge, RoadView, badge_of
 from chasles.report.html.trusted import Trusted
@@ -61,7 +61,7 @@ class Overview:
 def overview(book: Book, decided: Pairs, roads: tuple[RoadView, ...], trusted: Trusted) -> Overview:
     """The totals of all that was decided and walked."""
     wrong = [(entry, decision) for entry, decision in decided if not decision.verdict.true]
-    how = [found[0].found if (found := stands_in(*each)) else "nothing" for each in wrong]
+    how = [found[0].found if (found := replacements(*each)) else "nothing" for each in wrong]
     sections = tallies(decided)
     shares = _shares(sections)
     return Overview(

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from chasles.decisions.processes import spread
 from chasles.decisions.session import Session
-from chasles.deriving import Passage, Road, walk
+from chasles.deriving import CheckedDerivation, CheckedStep, walk
 from chasles.report.details import number_in_words
 from chasles.report.html.formulas import latex_for_mathml, markup, tree_of
 from chasles.report.html.shown import Equation, RoadView, StepShown, badge_of
@@ -21,15 +21,15 @@ A_ROAD = 0.3
 """About how many seconds one takes."""
 
 
-def walked(roads: Mapping[str, Derivation], judge: Session) -> tuple[RoadView, ...]:
-    """All roads, walked; what the judge has decided already is not decided again."""
-    return tuple(spread(lambda name: road_view(name, walk(roads[name], judge)), tuple(roads), A_ROAD))
+def walked(roads: Mapping[str, Derivation], session: Session) -> tuple[RoadView, ...]:
+    """All derivations, checked; what the session has decided already is not decided again."""
+    return tuple(spread(lambda name: road_view(name, walk(roads[name], session)), tuple(roads), A_ROAD))
 
 
-def road_view(name: str, road: Road) -> RoadView:
+def road_view(name: str, road: CheckedDerivation) -> RoadView:
     """A road as the page shows it; it belongs to the number at its end."""
     derivation = road.derivation
-    passages = zip(derivation.steps, road.passages, strict=False)
+    made = zip(derivation.steps, road.steps, strict=False)
     return RoadView(
         number=derivation.number if derivation.to is None else derivation.to.number,
         name=name,
@@ -37,21 +37,21 @@ def road_view(name: str, road: Road) -> RoadView:
         outcome=_outcome(road),
         arrives=road.arrives,
         assuming=tuple(hypothesis.text for hypothesis in derivation.assuming),
-        steps=tuple(_step(passage, isinstance(step, Consider)) for step, passage in passages),
+        steps=tuple(_step(checked, isinstance(step, Consider)) for step, checked in made),
     )
 
 
-def _step(passage: Passage, considers: bool) -> StepShown:
+def _step(step: CheckedStep, considers: bool) -> StepShown:
     """A step; of an expression that is only considered, nothing is said twice."""
-    shown = tuple(equation(left, right, label=label) for label, left, right in equations_of(passage))
+    shown = tuple(equation(left, right, label=label) for label, left, right in equations_of(step))
     if considers:
-        shown = tuple(_expression(right) for _, right in passage.equations)
+        shown = tuple(_expression(right) for _, right in step.equations)
     return StepShown(
-        kind=passage.kind,
-        reason="" if considers else passage.reason,
-        badges=() if passage.comparison is not None else (badge_of(passage.verdict.name),),
+        kind=step.kind,
+        reason="" if considers else step.reason,
+        badges=() if step.comparison is not None else (badge_of(step.verdict.name),),
         equations=shown,
-        objections=tuple(objections_of(passage)),
+        objections=tuple(objections_of(step)),
     )
 
 
@@ -59,9 +59,9 @@ def _expression(node: Node) -> Equation:
     return Equation(markup(tree_of(latex_for_mathml(node))), plain(node))
 
 
-def _outcome(road: Road) -> str:
+def _outcome(road: CheckedDerivation) -> str:
     if not road.arrives:
-        return f"stops at step {len(road.passages)}"
+        return f"stops at step {len(road.steps)}"
     different = [f"{number_in_words(c.statement.number, c.statement.part)}: {c.words}" for c in road.differences]
     if different:
         return f"arrives; {'; '.join(different)}"

@@ -30,7 +30,7 @@ def site(chapter: Chapter, decisions: DecisionsByName, sources: PageContents, ad
     listed = [(section, number) for section in values["sections"] for number in section.numbers]
     places = {place: number.place for _, number in listed for place in _places(number)}
     for k, (section, number) in enumerate(listed):
-        beside = [
+        links = [
             Link(f"{other.place}.html", other.cited)
             for _, other in (*listed[max(k - 1, 0) : k], *listed[k + 1 : k + 2])
         ]
@@ -38,14 +38,14 @@ def site(chapter: Chapter, decisions: DecisionsByName, sources: PageContents, ad
         if picture is not None:
             yield f"{number.place}.png", picture
         at = "" if picture is None else f"{address.rstrip('/')}{'/' * bool(address)}{number.place}.png"
-        yield f"{number.place}.html", _page(values, section, number, beside, at, places)
+        yield f"{number.place}.html", _page(values, section, number, links, at, places)
 
 
 def _page(
     values: Mapping[str, object],
     section: SectionView,
     number: NumberShown,
-    beside: list[Link],
+    links: list[Link],
     picture: str,
     places: Mapping[str, str],
 ) -> str:
@@ -56,7 +56,7 @@ def _page(
         heading=f"{number.cited} {number.badge.word}",
         says=" ".join(part.says for part in number.parts),
         section=f"{section.number} {section.title}",
-        beside=beside,
+        links=links,
         picture=picture,
         source=values["source"],
         version=values["version"],

@@ -10,7 +10,7 @@ from markupsafe import Markup, escape
 from chasles.decisions.session import Decision
 from chasles.report.by_hand import worked_out
 from chasles.report.details import number_in_words
-from chasles.report.findings import Standing, likely_slip, stands_in
+from chasles.report.findings import Replacement, likely_slip, replacements
 from chasles.report.html.certificates import proof_in_words
 from chasles.report.html.citing import Book, Link, place_of_number
 from chasles.report.html.differences import mark_differences
@@ -36,7 +36,7 @@ def place_of_part(entry: Entry) -> str:
 
 def part_of(book: Book, entry: Entry, decision: Decision, kernels: Sequence[KernelRow]) -> Part:
     """All that is said of a statement; `kernels` are those that it asks for."""
-    found = stands_in(entry, decision)
+    found = replacements(entry, decision)
     wrong = not decision.verdict.true
     return Part(
         place=place_of_part(entry),
@@ -47,7 +47,7 @@ def part_of(book: Book, entry: Entry, decision: Decision, kernels: Sequence[Kern
         equations=as_printed(entry.statement, found),
         needs=tuple(map(book.condition, decision.needs)),
         why=tuple(_why(entry, decision)),
-        instead=tuple(_repaired(book, entry, standing) for standing in found),
+        instead=tuple(_repaired(book, entry, replacement) for replacement in found),
         slip=(f"More likely a slip {likely_slip(entry, decision)}.",) if wrong else (),
         related=tuple(each for each in _related(book, entry, kernels) if each.links),
         facts=tuple(_facts(book, entry, decision)),
@@ -59,7 +59,7 @@ def equation(left: Node, right: Node, sign: str = "=", label: str = "") -> Equat
     return Equation(markup(equation_tree(left, right, sign)), f"{plain(left)} = {plain(right)}", label)
 
 
-def as_printed(sentence: Statement | Theorem | Inverse, found: Sequence[Standing]) -> tuple[Equation, ...]:
+def as_printed(sentence: Statement | Theorem | Inverse, found: Sequence[Replacement]) -> tuple[Equation, ...]:
     """The equations as printed; what was changed to make one right is marked."""
     match sentence:
         case Theorem(forms=forms):
@@ -68,8 +68,8 @@ def as_printed(sentence: Statement | Theorem | Inverse, found: Sequence[Standing
             return tuple(equation(left, right, "=", b.says) for b in branches for left, right in b.values)
         case Statement():
             tree = equation_tree(sentence.left, sentence.right, sentence.sign)
-            for standing in found[:1]:
-                mark_differences(tree, equation_tree(standing.left, standing.right, standing.sign))
+            for replacement in found[:1]:
+                mark_differences(tree, equation_tree(replacement.left, replacement.right, replacement.sign))
             return (Equation(markup(tree), f"{plain(sentence.left)} = {plain(sentence.right)}"),)
 
 
@@ -129,18 +129,18 @@ def _definition(given: Statement) -> Markup:
     return CODE.format(f"{plain(left)} = {plain(right)}")
 
 
-def _repaired(book: Book, entry: Entry, standing: Standing) -> Repaired:
+def _repaired(book: Book, entry: Entry, replacement: Replacement) -> Repaired:
     assert isinstance(entry.statement, Statement)
     before = equation_tree(entry.statement.left, entry.statement.right, entry.statement.sign)
-    after = equation_tree(standing.left, standing.right, standing.sign)
+    after = equation_tree(replacement.left, replacement.right, replacement.sign)
     mark_differences(before, after)
-    words = f"{plain(standing.left)} = {plain(standing.right)}"
-    found = "The search for a repair found it." if standing.found == "repair" else "It was declared, not found."
-    if standing.modulo:
-        found += f" {standing.modulo[0].upper()}{standing.modulo[1:]}."
-    sides = (*entry.statement.printed, *_read(entry.statement), standing.left, standing.right)
-    changes = tuple(with_formulas(change, sides) for change in standing.changes)
-    return Repaired(Equation(markup(after), words), _stands(book, standing), found, changes)
+    words = f"{plain(replacement.left)} = {plain(replacement.right)}"
+    found = "The search for a repair found it." if replacement.found == "repair" else "It was declared, not found."
+    if replacement.modulo:
+        found += f" {replacement.modulo[0].upper()}{replacement.modulo[1:]}."
+    sides = (*entry.statement.printed, *_read(entry.statement), replacement.left, replacement.right)
+    changes = tuple(with_formulas(change, sides) for change in replacement.changes)
+    return Repaired(Equation(markup(after), words), _stands(book, replacement), found, changes)
 
 
 def _read(statement: Statement) -> Sides | tuple[()]:
@@ -148,16 +148,16 @@ def _read(statement: Statement) -> Sides | tuple[()]:
     return () if statement.reading is None else statement.form("reading")
 
 
-def _stands(book: Book, standing: Standing) -> Markup:
+def _stands(book: Book, replacement: Replacement) -> Markup:
     """In which way it stands: it holds, under what, or it is the definition with which others hold."""
-    if standing.by:
+    if replacement.by:
         links = (
             Markup('<a href="#{}">{}</a>').format(place_of_number(number), number_in_words(number))
-            for number in standing.by
+            for number in replacement.by
         )
         return Markup("is the definition with which {} hold").format(Markup(", ").join(links))
-    needs = Markup(", ").join(book.condition(text) for text in getattr(standing.verdict, "needs", ()))
-    word = badge_of(standing.verdict.name).word
+    needs = Markup(", ").join(book.condition(text) for text in getattr(replacement.verdict, "needs", ()))
+    word = badge_of(replacement.verdict.name).word
     return Markup("{} {}").format(word, needs) if needs else escape(word)
 
 
@@ -183,7 +183,7 @@ def _facts(book: Book, entry: Entry, decision: Decision) -> Iterator[Fact]:
         size = len(json.dumps(decision.certificate, separators=(",", ":"), ensure_ascii=False).encode())
         text = Markup("<code>{}</code>, {} bytes, checked again without the prover")
         yield Fact("certificate", text.format(certificate_hash(decision.certificate), f"{size:,}"))
-    standing = decision.correction.verdict if decision.correction and not decision.verdict.true else decision.verdict
-    if witness := getattr(standing, "witness", None):
+    replacement = decision.correction.verdict if decision.correction and not decision.verdict.true else decision.verdict
+    if witness := getattr(replacement, "witness", None):
         yield Fact("for example at", CODE.format(point_in_words(witness)))
     yield Fact("declared as", CODE.format(entry.name))

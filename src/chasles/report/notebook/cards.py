@@ -11,7 +11,7 @@ from markupsafe import Markup, escape
 
 from chasles.compiling.kernel import CompiledKernel
 from chasles.decisions.decision import Certificate, Decision
-from chasles.deriving import Road
+from chasles.deriving import CheckedDerivation
 from chasles.emitted import EmittedKernel
 from chasles.repairs.repair import Repair
 from chasles.report.details import number_in_words
@@ -137,7 +137,7 @@ def _(value: Repair) -> Card:
 
 
 @card_of.register
-def _(value: Road) -> Card:
+def _(value: CheckedDerivation) -> Card:
     view = road_view("", value)
     assumed = {"assuming": escape(", ".join(view.assuming))}
     return Card(

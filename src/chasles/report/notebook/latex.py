@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import singledispatch
 
 from chasles.decisions.decision import Decision
-from chasles.deriving import Road
+from chasles.deriving import CheckedDerivation
 from chasles.exercises.solution import Solution
 from chasles.exercises.worksheet_latex import as_latex
 from chasles.repairs.repair import Repair
@@ -101,12 +101,12 @@ def _(value: Repair) -> Iterator[str]:
 
 
 @_parts.register
-def _(value: Road) -> Iterator[str]:
+def _(value: CheckedDerivation) -> Iterator[str]:
     yield _headed(number_in_words(value.derivation.number), "", escaped(value.derivation.says))
-    for number, passage in enumerate(value.passages, start=1):
-        verdict = "" if passage.comparison is not None else VERDICTS[passage.verdict.name][2]
-        yield _headed(f"{number} {passage.kind}", verdict, escaped(passage.reason))
-        yield from (_display(f"{spelled(left)} = {spelled(right)}") for _, left, right in equations_of(passage))
+    for number, step in enumerate(value.steps, start=1):
+        verdict = "" if step.comparison is not None else VERDICTS[step.verdict.name][2]
+        yield _headed(f"{number} {step.kind}", verdict, escaped(step.reason))
+        yield from (_display(f"{spelled(left)} = {spelled(right)}") for _, left, right in equations_of(step))
 
 
 def _headed(bold: str, small: str, rest: str = "") -> str:

@@ -13,7 +13,7 @@ from rich.text import Text
 
 from chasles.compiling.kernel import CompiledKernel
 from chasles.decisions.decision import Certificate, Decision
-from chasles.deriving import Road
+from chasles.deriving import CheckedDerivation
 from chasles.emitted import EmittedKernel
 from chasles.exercises.solution import Solution
 from chasles.repairs.repair import Repair
@@ -104,7 +104,7 @@ def _(value: Repair, screen: Screen) -> Iterator[RenderableType]:
 
 
 @_pages.register
-def _(value: Road, screen: Screen) -> Iterator[RenderableType]:
+def _(value: CheckedDerivation, screen: Screen) -> Iterator[RenderableType]:
     yield from road_page(screen, "the road", value)
 
 
