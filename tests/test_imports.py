@@ -19,6 +19,7 @@ ORDER = (
     "cache",
     "nearest",
     "vocabulary",
+    "evaluation",
     "statements",
     "rewriting",
     "algebra",

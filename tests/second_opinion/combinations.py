@@ -7,7 +7,7 @@ from functools import reduce
 from operator import add
 from typing import Any
 
-from chasles.numerics.small_matrices import Matrix, cofactors, determinant, flipped, plus, product
+from chasles.evaluation.matrices import Matrix, cofactors, determinant, plus, product, transposed
 from chasles.vocabulary import (
     Block,
     Call,
@@ -66,11 +66,11 @@ def combined(node: Node, value: Value, context: Any) -> Matrix:
         case Power(base, exponent):
             return reduce(product, [value(base)] * exponent)
         case Transpose(inner):
-            return flipped(value(inner))
+            return transposed(value(inner))
         case Dot(left, right):
-            return product(flipped(value(left)), value(right))
+            return product(transposed(value(left)), value(right))
         case Inverse(inner):
-            return scaled(flipped(cofactors(value(inner))), 1 / determinant(value(inner)))
+            return scaled(transposed(cofactors(value(inner), context.mpf(1))), 1 / determinant(value(inner)))
         case _:
             return _geometry(node, value, context)
 
@@ -94,7 +94,7 @@ def _geometry(node: Node, value: Value, context: Any) -> Matrix:
         case Determinant(inner):
             return [[determinant(value(inner))]]
         case Cofactor(inner):
-            return cofactors(value(inner))
+            return cofactors(value(inner), context.mpf(1))
         case _:
             raise TypeError(f"{node} ({type(node).__name__}) is no combination of other expressions")
 

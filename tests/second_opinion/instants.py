@@ -13,8 +13,8 @@ from fractions import Fraction
 from functools import reduce
 from typing import Any
 
+from chasles.evaluation.matrices import Matrix, plus, transposed
 from chasles.numerics.enclosures import plain_context
-from chasles.numerics.small_matrices import Matrix, flipped, plus
 from chasles.statements import Problem
 from chasles.vocabulary import PI, At, Group, Integral, Node, Rate, Symbol
 
@@ -152,7 +152,7 @@ class Instant:
             places = [(s, i, j) for s in problem.unknowns for i in range(s.shape[0]) for j in range(s.shape[1])]
             nothing = self._residuals({})
             columns = [[a - b for a, b in zip(self._residuals({place: 1}), nothing, strict=True)] for place in places]
-            solution = solved(flipped(columns), [-entry for entry in nothing], self.context)
+            solution = solved(transposed(columns), [-entry for entry in nothing], self.context)
             values = dict(zip(places, solution, strict=True))
             self._solution = {
                 s: [[values[s, i, j] for j in range(s.shape[1])] for i in range(s.shape[0])] for s in problem.unknowns

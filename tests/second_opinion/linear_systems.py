@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from chasles.numerics.small_matrices import Matrix
+from chasles.evaluation.matrices import Matrix
 
 __all__ = ["solved"]
 

@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from random import Random
 from typing import Any
 
-from chasles.numerics.small_matrices import Matrix, flipped, plus, product
+from chasles.evaluation.matrices import Matrix, plus, product, transposed
 from chasles.statements import Hypothesis
 from chasles.vocabulary import Node, Symbol
 
@@ -37,18 +37,18 @@ class Motion:
         kinds = {h.kind: h for h in self._bonds.get(symbol, ())}
         rows, columns = symbol.shape
         if "orthonormal" in kinds:
-            triad = flipped(self._turning("triad", when))
+            triad = transposed(self._turning("triad", when))
             return [[entry] for entry in triad[kinds["orthonormal"].subjects.index(symbol)]]
         if "rotation" in kinds and "symmetric" not in kinds:
             return self._turning(symbol.name, when)
         if "half_turn" in kinds or "rotation" in kinds:
             axis = self._normalised(self._polynomials(symbol.name, when, 3, 1, element))
-            return _less_identity(_doubled(product(axis, flipped(axis))))
+            return _less_identity(_doubled(product(axis, transposed(axis))))
         drawn = self._polynomials(symbol.name, when, rows, columns, element)
         if "definite" in kinds:
-            return _less_identity(product(drawn, flipped(drawn)), -1)
+            return _less_identity(product(drawn, transposed(drawn)), -1)
         if "symmetric" in kinds:
-            return plus(drawn, flipped(drawn))
+            return plus(drawn, transposed(drawn))
         if "positive" in kinds:
             return [[1 + drawn[0][0] ** 2]]
         if "perpendicular" in kinds and kinds["perpendicular"].subjects[1] == symbol:

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
-from chasles.numerics.small_matrices import Matrix
+from chasles.evaluation.matrices import Matrix
 from chasles.statements import Claim, Condition, Goal, Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import problems_of_inverse
 from chasles.statements.problem import AcceptedSides, default_sides

@@ -10,7 +10,7 @@ from dataclasses import replace as with_fields
 from fractions import Fraction
 from itertools import combinations_with_replacement
 
-from chasles.algebra.modular import MODULUS, Span, combination
+from chasles.algebra.modular import Span, combination
 from chasles.problems.context import build
 from chasles.prover.conditions import solve_conditions
 from chasles.repairs.residues import Sampled, generic_points
@@ -50,7 +50,7 @@ def combined(node: Node, terms: Sequence[Node], problem: Problem) -> Node:
         raise NoCombination(f"none of the terms {_listed(terms)} fits {node}")
     cores = [sampled.flat(term) for term in fitting]
     for stage in functions:
-        columns = [_times(sampled, function, core) for core in cores for function in stage]
+        columns = [sampled.times(function.node, core) for core in cores for function in stage]
         found = combination(columns, target)
         if found is not None:
             return _written(fitting, stage, found, sampled)
@@ -112,12 +112,6 @@ def _is_parameter(node: Node) -> bool:
         and node.measure is not None
         and node.measure.grid[0][0] == NO_DIMENSION
     )
-
-
-def _times(sampled: Sampled, function: AngleFunction, column: list[int]) -> list[int]:
-    values = [value[0][0] for value in sampled(function.node)]
-    size = len(column) // len(values)
-    return [entry * values[k // size] % MODULUS for k, entry in enumerate(column)]
 
 
 def _written(terms: list[Node], functions: list[AngleFunction], values: list[Fraction], sampled: Sampled) -> Node:

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from chasles.evaluation.matrices import Matrix, product, transposed
 from chasles.numerics.enclosures import exactly, plain_context
-from chasles.numerics.small_matrices import Matrix, flipped, product
 
 __all__ = ["CONTEXT", "Draws", "DrawsNearby", "SimpleDraws", "turned", "unit_of"]
 
@@ -32,7 +32,7 @@ def turned(axis: Numbers, angle: Any) -> Matrix:
     x, y, z = (sine * entry for entry in axis)
     left = [[w, -z, y, x], [z, w, -x, y], [-y, x, w, z]]
     right = [[w, z, -y, x], [-z, w, x, y], [y, -x, w, z]]
-    return product(left, flipped(right))
+    return product(left, transposed(right))
 
 
 class Draws:

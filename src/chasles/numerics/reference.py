@@ -7,42 +7,15 @@ with more precision until they are narrow. So 1 - cos(phi) has 50 right digits f
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
 from functools import reduce
 from operator import add
 from typing import Any
 
+from chasles.evaluation.interpreter import Interpreter
+from chasles.evaluation.matrices import Matrix, each
 from chasles.numerics.enclosures import ends, exactly, interval_context, is_narrow, middle
-from chasles.numerics.small_matrices import Matrix, cofactors, determinant, flipped, plus, product
-from chasles.vocabulary import (
-    PI,
-    At,
-    Block,
-    Call,
-    Cofactor,
-    Contract,
-    Cross,
-    Determinant,
-    Dot,
-    Group,
-    Identity,
-    Inverse,
-    Misfit,
-    Negative,
-    Node,
-    Norm,
-    Number,
-    Power,
-    Quotient,
-    Rate,
-    Scale,
-    Skew,
-    Sum,
-    Symbol,
-    Trace,
-    Transpose,
-    Vect,
-    Zero,
-)
+from chasles.vocabulary import PI, At, Call, Determinant, Group, Inverse, Misfit, Node, Norm, Rate, Symbol
 from chasles.vocabulary.differentiation import rate_of
 
 __all__ = ["Matrix", "NoValue", "Singular", "evaluate"]
@@ -77,7 +50,7 @@ def evaluate(
     while True:
         last = precision >= MOST_DIGITS
         try:
-            enclosures = _Evaluation(precision, values, rules or {})(node)
+            enclosures = _Enclosures(precision, values, rules or {})(node)
             if last or all(is_narrow(entry, digits) for row in enclosures for entry in row):
                 return [[middle(entry, precision) for entry in row] for row in enclosures]
         except _TooWide as wide:
@@ -90,29 +63,36 @@ class _TooWide(ArithmeticError):
     """A divisor whose enclosure still holds zero."""
 
 
-class _Evaluation:
-    """One evaluation with a fixed precision, in enclosures; every node is evaluated once."""
+class _Enclosures(Interpreter):
+    """One evaluation with a fixed precision, in intervals that hold the values."""
 
     def __init__(self, digits: int, values: Mapping[Node, Any], rules: Mapping[Node, Node]) -> None:
+        super().__init__(rules)
         self.context = interval_context(digits)
         self.values = values
-        self.rules = rules
-        self._known: dict[Node, Matrix] = {}
 
-    def __call__(self, node: Node) -> Matrix:
-        known = self._known.get(node)
-        if known is None:
-            known = self._known[node] = self._evaluate(node)
-        return known
-
-    def _evaluate(self, node: Node) -> Matrix:
+    def entries(self, node: Node) -> Matrix:
         if node in self.values:
             return self._given(node)
-        if node in self.rules:
-            return self(self.rules[node])
+        if isinstance(node, At) and node.argument != "t" and node not in self.rules:
+            raise TypeError(f"{node} (At) has no numeric value here")
+        return super().entries(node)
+
+    def constant(self, value: Fraction) -> Any:
+        return exactly(value, self.context)
+
+    def quotient(self, numerator: Matrix, denominator: Node) -> Matrix:
+        below = self.scalar(denominator)
+        low, high = ends(below)
+        if low <= 0 <= high:
+            said = f"{denominator} is zero here, and nothing can be divided by it"
+            if isinstance(denominator, Determinant):
+                said = f"{denominator.of} has no inverse here"
+            raise Singular(said) if low == high else _TooWide(said)
+        return each(numerator, lambda entry: entry / below)
+
+    def own(self, node: Node) -> Matrix:
         match node:
-            case Symbol(stands_for=Node() as meaning):
-                return self(meaning)
             case Symbol() if node == PI:
                 return [[self.context.convert(self.context.pi)]]
             case Symbol():
@@ -121,22 +101,15 @@ class _Evaluation:
                 return self(Rate(of))
             case Rate(of):
                 return self._rate(node, of)
-            case Number(value):
-                return [[exactly(value, self.context)]]
-            case Identity(size):
-                return [[self.context.mpf(int(i == j)) for j in range(size)] for i in range(size)]
-            case Zero(rows, columns):
-                return [[self.context.mpf(0)] * columns for _ in range(rows)]
-            case At(of, "t") | Group(of):
-                return self(of)
-            case Block(rows):
-                return [
-                    [entry for part in parts for entry in part]
-                    for row in rows
-                    for parts in zip(*map(self, row), strict=True)
-                ]
+            case Inverse(of):
+                return self.inverse(of)
+            case Norm(of):
+                # Squares are formed as such: an enclosure of zero times itself would hold negative numbers.
+                return [[self.context.sqrt(reduce(add, (row[0] ** 2 for row in self(of))))]]
+            case Call("sin" | "cos" as function, argument):
+                return [[getattr(self.context, function)(self.scalar(argument))]]
             case _:
-                return self._algebra(node)
+                raise TypeError(f"{node} ({type(node).__name__}) has no numeric value here")
 
     def _rate(self, node: Node, of: Node) -> Matrix:
         """A rate that has no value of its own is made of the rates of what the symbol stands for."""
@@ -149,74 +122,6 @@ class _Evaluation:
                 raise NoValue(f"{node} has no value: give it among the values, or a statement that says what it is")
             case _:
                 return self(rate_of(of))
-
-    def _algebra(self, node: Node) -> Matrix:
-        """Sums, products and quotients."""
-        match node:
-            case Sum(terms):
-                return reduce(plus, map(self, terms))
-            case Negative(term):
-                return [[-entry for entry in row] for row in self(term)]
-            case Scale(factor, term):
-                scalar = self(factor)[0][0]
-                return [[scalar * entry for entry in row] for row in self(term)]
-            case Quotient(numerator, denominator):
-                divisor = self._divisor(
-                    self(denominator)[0][0], f"{denominator} is zero here, and nothing can be divided by it"
-                )
-                return [[entry / divisor for entry in row] for row in self(numerator)]
-            case Contract(factors):
-                return reduce(product, map(self, factors))
-            case Power(base, exponent) if base.is_scalar:
-                return [[self(base)[0][0] ** exponent]]
-            case Power(base, exponent):
-                return reduce(product, [self(base)] * exponent)
-            case Transpose(of):
-                return flipped(self(of))
-            case Dot(left, right):
-                return product(flipped(self(left)), self(right))
-            case Inverse(of):
-                matrix = self(of)
-                below = self._divisor(determinant(matrix), f"{of} has no inverse here")
-                return [[entry / below for entry in row] for row in flipped(cofactors(matrix))]
-            case _:
-                return self._geometry(node)
-
-    def _geometry(self, node: Node) -> Matrix:
-        """Functions, and the operations of three dimensions."""
-        match node:
-            case Norm(of):
-                # Squares are formed as such: an enclosure of zero times itself would hold negative numbers.
-                return [[self.context.sqrt(reduce(add, (row[0] ** 2 for row in self(of))))]]
-            case Call("sin" | "cos" as function, argument):
-                return [[getattr(self.context, function)(self(argument)[0][0])]]
-            case Skew(of):
-                (x,), (y,), (z,) = self(of)
-                nothing = self.context.mpf(0)
-                return [[nothing, -z, y], [z, nothing, -x], [-y, x, nothing]]
-            case Cross(left, right):
-                a, b = ([row[0] for row in self(side)] for side in (left, right))
-                return [[a[j] * b[k] - a[k] * b[j]] for j, k in ((1, 2), (2, 0), (0, 1))]
-            case Vect(of):
-                m = self(of)
-                return [[(m[k][j] - m[j][k]) / 2] for j, k in ((1, 2), (2, 0), (0, 1))]
-            case Trace(of):
-                m = self(of)
-                return [[sum((m[i][i] for i in range(1, len(m))), m[0][0])]]
-            case Determinant(of):
-                return [[determinant(self(of))]]
-            case Cofactor(of):
-                return cofactors(self(of))
-            case _:
-                raise TypeError(f"{node} ({type(node).__name__}) has no numeric value here")
-
-    def _divisor(self, divisor: Any, otherwise: str) -> Any:
-        low, high = ends(divisor)
-        if low == high == 0:
-            raise Singular(otherwise)
-        if low <= 0 <= high:
-            raise _TooWide(otherwise)
-        return divisor
 
     def _given(self, node: Node) -> Matrix:
         rows, columns = node.shape

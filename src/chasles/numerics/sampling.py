@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from chasles.evaluation.matrices import Matrix, product, transposed
 from chasles.numerics.draws import AXES, CONTEXT, Draws, DrawsNearby, SimpleDraws, turned, unit_of
 from chasles.numerics.enclosures import exactly
-from chasles.numerics.small_matrices import Matrix, flipped, product
 from chasles.numerics.specification import Specification
 from chasles.statements import Hypothesis, Packed
 from chasles.statements.arrays import core_shape
@@ -104,7 +104,7 @@ def _bound(hypothesis: Hypothesis, point: dict[Node, Matrix], asked: Specificati
             axis = draws.direction()
             return {subjects[0]: [[2 * a * b - int(i == j) for j, b in enumerate(axis)] for i, a in enumerate(axis)]}
         case "orthonormal":
-            columns = flipped(turned(draws.direction(), draws.angle()))
+            columns = transposed(turned(draws.direction(), draws.angle()))
             return {subject: [[x] for x in column] for subject, column in zip(subjects, columns, strict=True)}
         case "symmetric":
             m = point[subjects[0]]

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from chasles.evaluation.matrices import Matrix
 from chasles.numerics.reference import NoValue, Singular, evaluate
-from chasles.numerics.small_matrices import Matrix
 from chasles.statements import Hypothesis, Kernel, Packed, Statement, problem_of, symmetric
 from chasles.statements.arrays import argument_name, core_shape
 from chasles.statements.kernel import Argument, nodes_of, places_of

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from chasles.evaluation.matrices import Matrix
 from chasles.numerics.enclosures import plain_context
 from chasles.numerics.reference import Singular, evaluate
-from chasles.numerics.small_matrices import Matrix
 from chasles.numerics.specification import ROUNDINGS, Specification, Values, expected_output, inputs_of
 from chasles.problems.variables import angle_multiples
 from chasles.statements import Branch, Inverse, Kernel, Statement

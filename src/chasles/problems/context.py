@@ -14,8 +14,8 @@ from typing import Any
 
 from chasles.algebra.groebner import Basis, stated
 from chasles.algebra.localization import Localization, Ratio
-from chasles.algebra.matrices import each
 from chasles.algebra.rings import Polynomial, Ring, make_ring
+from chasles.evaluation.matrices import each
 from chasles.problems.relevance import complete_subjects, free_symbols, is_turned, relevant_hypotheses
 from chasles.problems.scanning import scan
 from chasles.problems.unfold import Matrix, UndeclaredDivisor, Unfolder

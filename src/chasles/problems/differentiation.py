@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 
 from chasles.algebra.localization import Localization, Ratio
-from chasles.algebra.matrices import Matrix, each, flipped, times
 from chasles.algebra.rings import Polynomial
+from chasles.evaluation.matrices import each, product, transposed
 from chasles.problems.coordinates import Coordinates
 from chasles.problems.divisors import Divisors, joined
 from chasles.problems.moments import BodyMoments
@@ -26,7 +26,7 @@ class Differentiation:
         rules: Mapping[Node, Node],
         moments: BodyMoments,
         divisors: Divisors,
-        entries: Callable[[Node], Matrix],
+        entries: Callable[[Node], list[list[Ratio]]],
     ) -> None:
         self.field = field
         self.variables = variables
@@ -102,6 +102,6 @@ class Differentiation:
         """d|x| = x . dx / |x|."""
         assert variable.node is not None
         value = self.entries(variable.node)
-        change = times(flipped(value), each(value, self))[0][0]
+        change: Ratio = product(transposed(value), each(value, self))[0][0]
         constant, exponents = self.divisors(Norm(variable.node))
         return change.divided(constant, exponents)

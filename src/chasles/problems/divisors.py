@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 
 from chasles.algebra.localization import Localization
-from chasles.algebra.matrices import Matrix
+from chasles.evaluation.matrices import Matrix
 from chasles.vocabulary import Group, Negative, Node, Norm, Number, Power, Scale, plain
 
 

@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
+from fractions import Fraction
 from functools import cached_property
 from itertools import combinations_with_replacement
 
-from chasles.algebra.modular import MODULUS, Column, Span, minus, multiple, normalized
+from chasles.algebra.modular import Column, Span, minus, multiple, normalized
 from chasles.problems.context import build
 from chasles.problems.unfold import UndeclaredDivisor
 from chasles.problems.variables import Untreatable
 from chasles.prover.conditions import solve_conditions
-from chasles.repairs.residues import Sampled, SingularResidue, Unsampled, generic_points, inverse
+from chasles.repairs.residues import Sampled, SingularResidue, Unsampled, generic_points
 from chasles.rewriting.coefficients import ONE, AngleFunction, Term, split
 from chasles.rewriting.places import Path, Place, put, with_term
 from chasles.rewriting.term_basis import fit
@@ -114,7 +115,7 @@ class ModularTest:
 
     def is_constant(self, scalar: Node) -> bool:
         """Whether a scalar depends on angles alone."""
-        values = self.fixed(scalar)
+        values = self.fixed.scalar(scalar).at
         return all(value == values[0] for value in values)
 
     def split(self, term: Node) -> Term:
@@ -123,9 +124,7 @@ class ModularTest:
 
     def times(self, at: Sampled, function: AngleFunction, column: Column) -> Column:
         """A column of numbers at all points, each times the function's value at its point."""
-        values = [value[0][0] for value in at(function.node)]
-        size = len(column) // len(values)
-        return [entry * values[k // size] % MODULUS for k, entry in enumerate(column)]
+        return at.times(function.node, column)
 
     def direction(self, node: Node) -> Direction:
         """What all multiples have in common where the angles are fixed; () for zero, or what cannot be told."""
@@ -176,7 +175,7 @@ class ModularTest:
 
     def _is_function(self, scalar: Node) -> bool:
         try:
-            values = self.varied(scalar)
+            values = self.varied.scalar(scalar).at
         except Unsampled:
             return False
         return self.is_constant(scalar) and any(value != values[0] for value in values)
@@ -191,27 +190,25 @@ class ModularTest:
 def _lifted(at: Sampled, root: Node, path: Path, term: Node) -> Column:
     """The values of a term in a place apart: times the common factors above it, among zeros where it is in a block."""
     rows, columns = root.shape
-    factors, top, left = [1] * len(at.points), 0, 0
+    factors, top, left = at.constant(Fraction(1)), 0, 0
     for k in path:
         match root:
             case Negative():
-                factors = [-factor for factor in factors]
+                factors = -factors
             case Scale(factor, _):
-                factors = [a * b[0][0] for a, b in zip(factors, at(factor), strict=True)]
+                factors = factors * at.scalar(factor)
             case Quotient(_, denominator):
-                factors = [a * inverse(b[0][0]) for a, b in zip(factors, at(denominator), strict=True)]
+                factors = factors * at.scalar(denominator).inverse
             case Block(lines):
                 row, column = [(i, j) for i, line in enumerate(lines) for j in range(len(line))][k]
                 top += sum(line[0].shape[0] for line in lines[:row])
                 left += sum(block.shape[1] for block in lines[row][:column])
         root = children(root)[k]
-    found: Column = []
-    for common, matrix in zip(factors, at(term), strict=True):
-        whole = [0] * (rows * columns)
-        for i, line in enumerate(matrix):
-            for j, entry in enumerate(line):
-                whole[(top + i) * columns + left + j] = common * entry % MODULUS
-        found += whole
+    size = rows * columns
+    found = [0] * (size * len(at.points))
+    for i, line in enumerate(at(term)):
+        for j, entry in enumerate(line):
+            found[(top + i) * columns + left + j :: size] = (factors * entry).at
     return found
 
 

@@ -6,47 +6,25 @@ point terms coincide that are different everywhere else.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
-from functools import reduce
-from itertools import islice
+from itertools import chain, islice
 from random import Random
 
 from chasles.algebra.modular import MODULUS, Column
 from chasles.algebra.rings import Polynomial
 from chasles.algebra.work_limit import check
+from chasles.evaluation.interpreter import Interpreter
+from chasles.evaluation.matrices import Matrix, each
 from chasles.points import sampling as points
 from chasles.problems.context import Context
 from chasles.problems.variables import Untreatable
 from chasles.prover.conditions import Solved
-from chasles.vocabulary import (
-    At,
-    Block,
-    Contract,
-    Cross,
-    Dot,
-    Group,
-    Identity,
-    Negative,
-    Node,
-    Norm,
-    Number,
-    Power,
-    Quotient,
-    Scale,
-    Skew,
-    Sum,
-    Symbol,
-    Trace,
-    Transpose,
-    Vect,
-    Zero,
-)
+from chasles.vocabulary import Node
 
-__all__ = ["Sampled", "SingularResidue", "Unsampled", "generic_points", "inverse"]
+__all__ = ["Residues", "Sampled", "SingularResidue", "Unsampled", "generic_points"]
 
-Matrix = list[list[int]]
-Values = list[Matrix]
 Point = Mapping[str, int]
 
 
@@ -58,92 +36,70 @@ class Unsampled(LookupError):
     """An expression that has no value at the points: it did not occur when they were drawn, or has no such form."""
 
 
-class Sampled:
-    """The values of expressions at a number of points of a context."""
+@dataclass(frozen=True, slots=True)
+class Residues:
+    """The residues of a scalar `at` each of a number of points."""
+
+    at: Column
+
+    def __add__(self, other: Residues) -> Residues:
+        return Residues([(a + b) % MODULUS for a, b in zip(self.at, other.at, strict=True)])
+
+    def __sub__(self, other: Residues) -> Residues:
+        return Residues([(a - b) % MODULUS for a, b in zip(self.at, other.at, strict=True)])
+
+    def __neg__(self) -> Residues:
+        return Residues([-a % MODULUS for a in self.at])
+
+    def __mul__(self, other: Residues) -> Residues:
+        return Residues([a * b % MODULUS for a, b in zip(self.at, other.at, strict=True)])
+
+    @property
+    def inverse(self) -> Residues:
+        """One over the scalar; raises `SingularResidue` where it vanishes at a point."""
+        return Residues(list(map(inverse, self.at)))
+
+
+class Sampled(Interpreter):
+    """The values of expressions at a number of points of a context; raises `SingularResidue` for a division by zero."""
 
     def __init__(self, context: Context, at: Sequence[Point]) -> None:
+        super().__init__(context.unfold.rules)
         self.context, self.points = context, at
-        self._known: dict[Node, Values] = {}
 
     def flat(self, node: Node) -> Column:
         """All entries at all points."""
-        return [entry for matrix in self(node) for row in matrix for entry in row]
+        return list(chain.from_iterable(zip(*(entry.at for row in self(node) for entry in row), strict=True)))
 
-    def __call__(self, node: Node) -> Values:
-        """The expression's matrix at each point; raises `SingularResidue` where it divides by zero."""
-        known = self._known.get(node)
-        if known is None:
-            check()
-            known = self._known[node] = self._evaluated(node)
-        return known
+    def times(self, scalar: Node, column: Column) -> Column:
+        """A column of numbers at all points, each times the scalar's value at its point."""
+        values = self.scalar(scalar).at
+        size = len(column) // len(values)
+        return [entry * values[k // size] % MODULUS for k, entry in enumerate(column)]
 
-    def _evaluated(self, node: Node) -> Values:
-        rules = self.context.unfold.rules
-        if node in rules:
-            return self(rules[node])
-        match node:
-            case Symbol(stands_for=Node() as of) | At(of) | Group(of):
-                return self(of)
-            case Number(value):
-                return [[[residue(value)]]] * len(self.points)
-            case Identity(size):
-                return [[[int(i == j) for j in range(size)] for i in range(size)]] * len(self.points)
-            case Zero(rows, columns):
-                return [[[0] * columns] * rows] * len(self.points)
-            case Sum(terms):
-                return [reduce(_plus, matrices) for matrices in zip(*map(self, terms), strict=True)]
-            case Negative(term):
-                return [_scaled(-1, matrix) for matrix in self(term)]
-            case Scale(factor, term):
-                return [_scaled(f[0][0], matrix) for f, matrix in zip(self(factor), self(term), strict=True)]
-            case Quotient(numerator, denominator):
-                pairs = zip(self(denominator), self(numerator), strict=True)
-                return [_scaled(inverse(d[0][0]), matrix) for d, matrix in pairs]
-            case Contract(factors):
-                return [reduce(_times, matrices) for matrices in zip(*map(self, factors), strict=True)]
-            case Power(Norm(of), exponent) if exponent % 2 == 0:
-                return [reduce(_times, [_times(_flipped(m), m)] * (exponent // 2)) for m in self(of)]
-            case Power(base, exponent):
-                return [reduce(_times, [matrix] * exponent) for matrix in self(base)]
-            case Transpose(of):
-                return [_flipped(matrix) for matrix in self(of)]
-            case Block(rows):
-                lines = [zip(*map(self, row), strict=True) for row in rows]
-                return [_stacked(parts) for parts in zip(*lines, strict=True)]
-            case _:
-                return self._spatial(node)
+    def begin(self) -> None:
+        check()
 
-    def _spatial(self, node: Node) -> Values:
-        match node:
-            case Dot(left, right):
-                return [_times(_flipped(a), b) for a, b in zip(self(left), self(right), strict=True)]
-            case Cross(left, right):
-                return [_times(_skew(a), b) for a, b in zip(self(left), self(right), strict=True)]
-            case Skew(of):
-                return [_skew(matrix) for matrix in self(of)]
-            case Vect(of):
-                half = residue(Fraction(1, 2))
-                places = ((1, 2), (2, 0), (0, 1))
-                return [[[(m[k][j] - m[j][k]) * half % MODULUS] for j, k in places] for m in self(of)]
-            case Trace(of):
-                return [[[sum(row[i] for i, row in enumerate(matrix)) % MODULUS]] for matrix in self(of)]
-            case _:
-                return self._unfolded(node)
+    def constant(self, value: Fraction) -> Residues:
+        return Residues([residue(value)] * len(self.points))
 
-    def _unfolded(self, node: Node) -> Values:
+    def quotient(self, numerator: Matrix, denominator: Node) -> Matrix:
+        below = self.scalar(denominator).inverse
+        return each(numerator, lambda entry: entry * below)
+
+    def own(self, node: Node) -> Matrix:
         """What only the prover's own unfolding knows: free symbols, rates, norms, angles."""
         field = self.context.unfold.field
         try:
             found = self.context.unfold(node)
         except (KeyError, StopIteration, Untreatable):
             raise Unsampled(node) from None
-        values: Values = []
-        entries = [[(_coded(self.context, e.numerator), e.denominator) for e in row] for row in found]
-        nonzero = {d: _coded(self.context, field.power_product(d)) for row in entries for _, d in row}
-        for point in self.points:
-            below = {d: inverse(_value(factor, point)) for d, factor in nonzero.items()}
-            values.append([[_value(above, point) * below[d] % MODULUS for above, d in row] for row in entries])
-        return values
+        below = {d: self._at(field.power_product(d)).inverse for d in {e.denominator for row in found for e in row}}
+        return each(found, lambda entry: self._at(entry.numerator) * below[entry.denominator])
+
+    def _at(self, polynomial: Polynomial) -> Residues:
+        coded = _coded(self.context, polynomial)
+        return Residues([_value(coded, point) for point in self.points])
 
 
 def generic_points(context: Context, solved: tuple[Solved, ...], count: int) -> tuple[list[Point], list[Point]]:
@@ -218,30 +174,3 @@ def _value(polynomial: _Coded, point: Point) -> int:
             term = term * point[name] ** exponent % MODULUS
         total += term
     return total % MODULUS
-
-
-def _plus(left: Matrix, right: Matrix) -> Matrix:
-    rows = zip(left, right, strict=True)
-    return [[(a + b) % MODULUS for a, b in zip(one, other, strict=True)] for one, other in rows]
-
-
-def _times(left: Matrix, right: Matrix) -> Matrix:
-    columns = list(zip(*right, strict=True))
-    return [[sum(a * b for a, b in zip(row, column, strict=True)) % MODULUS for column in columns] for row in left]
-
-
-def _scaled(factor: int, matrix: Matrix) -> Matrix:
-    return [[factor * entry % MODULUS for entry in row] for row in matrix]
-
-
-def _flipped(matrix: Matrix) -> Matrix:
-    return [list(column) for column in zip(*matrix, strict=True)]
-
-
-def _skew(vector: Matrix) -> Matrix:
-    (x,), (y,), (z,) = vector
-    return [[0, -z % MODULUS, y], [z, 0, -x % MODULUS], [-y % MODULUS, x, 0]]
-
-
-def _stacked(lines: Iterable[tuple[Matrix, ...]]) -> Matrix:
-    return [[entry for row in parts for entry in row] for line in lines for parts in zip(*line, strict=True)]

@@ -129,7 +129,7 @@ class Search:
 
     def _differs(self, context: Context, evaluate: Evaluation, suspect: Suspect) -> bool:
         """Whether the two sides have different values; where a division is not exact, by their difference."""
-        left, right = (evaluate(entry_of(s, suspect.place)) for s in _sides(suspect))
+        left, right = (evaluate.at_point(entry_of(s, suspect.place)) for s in _sides(suspect))
         if left is None or right is None:
             one, other = (_ratio(context, side, suspect.place) for side in _sides(suspect))
             return not evaluate.values.of(sparse(context.field.ring, (one - other).numerator)).is_zero
@@ -157,7 +157,7 @@ class Search:
         return real if below == "0" else f"({below})*I" if real == "0" else f"{real} + ({below})*I"
 
     def _text(self, context: Context, evaluate: Evaluation, side: Node, place: tuple[int, int], theta: str) -> str:
-        value = evaluate(entry_of(side, place))
+        value = evaluate.at_point(entry_of(side, place))
         if value is not None:
             return value.text(theta)
         ring = context.field.ring

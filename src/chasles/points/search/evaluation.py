@@ -5,16 +5,17 @@ It shares nothing with the polynomials that were reduced, so that a counterexamp
 
 from __future__ import annotations
 
-from functools import reduce
-from operator import add
+from fractions import Fraction
 
 from chasles.algebra.surds import SurdSum
 from chasles.algebra.work_limit import check
+from chasles.evaluation.interpreter import Interpreter
+from chasles.evaluation.matrices import Matrix, each
 from chasles.points.search.constraints import BoundAngle, ConstraintSystem
 from chasles.points.search.values import Values
 from chasles.problems.context import Context
 from chasles.problems.variables import angle_multiples
-from chasles.vocabulary import Block, Call, Negative, Node, Number, Power, Quotient, Scale, Sum, Symbol
+from chasles.vocabulary import Block, Call, Node, Symbol
 
 __all__ = ["Evaluation", "entry_of"]
 
@@ -24,49 +25,45 @@ def entry_of(node: Node, place: tuple[int, int]) -> Node:
     return node.rows[place[0] - 1][place[1] - 1] if isinstance(node, Block) else node
 
 
-class Evaluation:
+class _NoInverse(ArithmeticError):
+    """A divisor has no exact inverse here."""
+
+
+class Evaluation(Interpreter):
     """Evaluates scalars at one point."""
 
     def __init__(self, context: Context, system: ConstraintSystem, values: Values) -> None:
-        self.rules = dict(context.problem.rules)
+        super().__init__(dict(context.problem.rules))
         self.system = system
         self.values = values
         self.angles: dict[Symbol, BoundAngle] = {angle.symbol: angle for angle in system.angles}
-        self._known: dict[Node, SurdSum | None] = {}
 
-    def __call__(self, node: Node) -> SurdSum | None:
-        """The value; None if a divisor on the way has no exact inverse here."""
-        if node not in self._known:
-            check()
-            self._known[node] = self._evaluate(node)
-        return self._known[node]
+    def at_point(self, node: Node) -> SurdSum | None:
+        """The value of a scalar; None if a divisor on the way has no exact inverse here."""
+        try:
+            value: SurdSum = self.scalar(node)
+        except _NoInverse:
+            return None
+        return value
 
-    def _evaluate(self, node: Node) -> SurdSum | None:
+    def begin(self) -> None:
+        check()
+
+    def constant(self, value: Fraction) -> SurdSum:
+        return SurdSum.rational(value)
+
+    def quotient(self, numerator: Matrix, denominator: Node) -> Matrix:
+        inverse = self.scalar(denominator).inverse()
+        if inverse is None:
+            raise _NoInverse
+        return each(numerator, lambda entry: entry * inverse)
+
+    def own(self, node: Node) -> Matrix:
         match node:
-            case _ if node in self.rules:
-                return self(self.rules[node])
             case Symbol():
-                return self.values[self.system.place[node.name]]
-            case Number(number):
-                return SurdSum.rational(number)
-            case Sum(terms):
-                found = [value for value in map(self, terms) if value is not None]
-                return reduce(add, found) if len(found) == len(terms) else None
-            case Negative(term):
-                value = self(term)
-                return None if value is None else -value
-            case Scale(factor, term):
-                one, other = self(factor), self(term)
-                return None if one is None or other is None else one * other
-            case Quotient(numerator, denominator):
-                above, below = self(numerator), self(denominator)
-                inverse = None if below is None else below.inverse()
-                return None if above is None or inverse is None else above * inverse
-            case Power(base, exponent):
-                value = self(base)
-                return None if value is None else value**exponent
+                return [[self.values[self.system.place[node.name]]]]
             case Call(function, argument):
-                return self._circular(function, argument)
+                return [[self._circular(function, argument)]]
             case _:
                 raise TypeError(f"{type(node).__name__} is no scalar of a question")
 

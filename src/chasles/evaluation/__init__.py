@@ -1,0 +1,1 @@
+"""The value of an expression over any arithmetic: fractions of polynomials, residues, exact numbers, intervals."""
