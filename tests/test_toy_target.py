@@ -6,6 +6,7 @@ from fractions import Fraction
 
 import pytest
 
+import chasles
 from chasles.lowering.program import Argument, Op, Program, Result, Step
 from chasles.targets import EmissionError, Heading, Kernel, discover, render, stale, write
 
@@ -87,7 +88,7 @@ def folder(tmp_path):
 def test_a_folder_is_a_language(folder, kernel, tmp_path):
     plain = render([kernel], discover())
     targets = discover([folder])
-    assert [target.name for target in targets] == ["c", "gufunc", "numpy", "stubs", "julia"]
+    assert [target.name for target in targets] == [*(target.name for target in discover()), "julia"]
     texts = render([kernel], targets)
     assert texts["julia/src/Chasles.jl"] == EXPECTED
     others = {path for path in texts if path not in ("MANIFEST.toml", "README.md", "julia/src/Chasles.jl")}
@@ -95,6 +96,36 @@ def test_a_folder_is_a_language(folder, kernel, tmp_path):
     write(tmp_path / "generated", texts)
     assert stale(tmp_path / "generated", texts) == ()
     assert (tmp_path / "generated/julia/src/Chasles.jl").read_text() == EXPECTED
+
+
+@pytest.mark.parametrize("key", ["values", "items", "keys", "get", "pop", "copy", "update", "clear"])
+@pytest.mark.parametrize("asked", ["{{ function.KEY }}", "{% for x in function.KEY %}{{ x }}{% endfor %}"])
+@pytest.mark.parametrize("is_given", [True, False])
+def test_a_key_that_is_the_name_of_a_method_is_named(folder, kernel, key, asked, is_given):
+    if is_given:
+        (folder / "__init__.py").write_text(
+            LANGUAGE.replace('"name": kernel.name', f'"{key}": "", "name": kernel.name')
+        )
+    line = asked.replace("KEY", key)
+    (folder / "Chasles.jl.jinja").write_text(TEMPLATE.replace("# ({{ function.number }})", line))
+    said = f"target julia: template Chasles.jl.jinja: .*the key '{key}' is the name of a method"
+    with pytest.raises(EmissionError, match=said):
+        render([kernel], discover([folder]))
+
+
+def test_every_file_of_code_begins_with_its_licence_and_version(kernel):
+    for path, text in render([kernel], discover()).items():
+        if path.endswith((".c", ".h", ".py")):
+            licence, version = text.split("\n")[:2]
+            assert licence.strip("/*# ") == "SPDX-License-Identifier: BSD-3-Clause", path
+            assert version.strip("/*# ") == f"Emitted by chasles {chasles.__version__}.", path
+
+
+def test_the_header_has_a_line_for_each_kernel_and_names_the_file_of_its_contract(kernel):
+    texts = render([kernel], discover())
+    assert "\n/* (3.1) x[3], end -> y[2]; src/kernels.c */\n" in texts["c/include/chasles.h"]
+    assert "A toy." in texts["c/src/kernels.c"]
+    assert "A toy." not in texts["c/include/chasles.h"]
 
 
 def test_a_language_alone(folder, kernel):

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* chasles._kernels: the C kernels as NumPy generalised ufuncs. Made by `chasles emit`; not to be edited by hand.
  *
  * NumPy broadcasts, checks core shapes, casts, buffers, keeps overlapping operands apart and releases the global lock

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* Ufuncs and light functions over loops that were compiled elsewhere. Made by `chasles emit`; not to be edited by hand.
  *
  * A loop is a plain C function of a ufunc's inner loop: whoever compiles one needs no header of Python or NumPy.

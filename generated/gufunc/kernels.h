@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* What the files of chasles._kernels share. Made by `chasles emit`; not to be edited by hand. */
 #ifndef CHASLES_KERNELS_H
 #define CHASLES_KERNELS_H

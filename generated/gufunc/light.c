@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* chasles._kernels.one: a light function for each kernel. Made by `chasles emit`; not to be edited by hand.
  *
  * Nothing is cast, copied or broadcast, which is what a call of a ufunc spends its time on: an input is one element or

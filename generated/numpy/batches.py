@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Emitted by chasles 0.2.0.
 """What the kernels share: inputs to a common batch, entries to arrays. Made by `chasles emit`; not to be edited."""
 
 from __future__ import annotations

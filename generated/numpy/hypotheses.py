@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Emitted by chasles 0.2.0.
 """What each kernel takes, and what must hold of it. Made by `chasles emit`; not to be edited.
 
 KERNELS holds, by the kernel's name, its inputs (name, core shape) and its demands: a kind of hypothesis, its text, the

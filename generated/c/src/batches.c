@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* Batches, cut into blocks. Made by `chasles emit`; not to be edited by hand. */
 
 #include "batches.h"
@@ -306,10 +308,10 @@ typedef struct {
     int singular;
 } Run;
 
-/* Computes the first `items` of the rest at the places of `part`, while what `trail` says is copied. */
-static void advance(Run *run, const Part *part, ptrdiff_t items, const chasles_trail *trail)
+/* Computes the first `items` of the rest at the places of `part`, while what `stream` says is copied. */
+static void advance(Run *run, const Part *part, ptrdiff_t items, const chasles_stream *stream)
 {
-    run->block((items + run->lanes - 1) >> run->shift, part->at, part->steps, trail);
+    run->block((items + run->lanes - 1) >> run->shift, part->at, part->steps, stream);
     if (!run->singular && (run->loop->silent || is_invalid())) {
         run->singular = is_singular(run->loop, part, items);
         clear();
@@ -323,7 +325,7 @@ static void go_on(Run *run, ptrdiff_t items)
     }
 }
 
-static const chasles_trail nothing = {NULL, NULL, 0, 0};
+static const chasles_stream nothing = {NULL, NULL, 0, 0};
 
 /* Computes items where they lie; gives how many of the rest. */
 static ptrdiff_t run_in_place(Run *run, ptrdiff_t left)
@@ -359,25 +361,25 @@ static ptrdiff_t run_streamed(Run *run, int k, ptrdiff_t left, char *store)
     const ptrdiff_t odd = (ptrdiff_t)((uintptr_t)run->rest.at[k] % CHASLES_LINE), groups = items >> run->shift;
     char *const start = store + (CHASLES_LINE - (uintptr_t)store % CHASLES_LINE) % CHASLES_LINE;
     char *const rooms[2] = {start, start + half - CHASLES_LINE};
-    chasles_trail trail = nothing;
+    chasles_stream stream = nothing;
     ptrdiff_t done = 0;
     for (int turn = 0; left - done >= items; turn = !turn) {
         char *const room = rooms[turn], *const to = run->rest.at[k] - odd;
         Part part = run->rest;
         part.at[k] = room + odd;
         memcpy(room, rooms[!turn] + bytes, done > 0 ? (size_t)odd : 0);
-        advance(run, &part, items, &trail);
+        advance(run, &part, items, &stream);
         /* The first line is not ours alone. */
         const ptrdiff_t skipped = done == 0 && odd > 0;
         memcpy(to + odd, room + odd, (size_t)(skipped * (CHASLES_LINE - odd)));
-        trail.from = room + skipped * CHASLES_LINE;
-        trail.to = to + skipped * CHASLES_LINE;
-        trail.lines = bytes / CHASLES_LINE - skipped;
-        trail.share = (trail.lines + groups - 1) / groups;
+        stream.from = room + skipped * CHASLES_LINE;
+        stream.to = to + skipped * CHASLES_LINE;
+        stream.lines = bytes / CHASLES_LINE - skipped;
+        stream.share = (stream.lines + groups - 1) / groups;
         go_on(run, items);
         done += items;
     }
-    memcpy(trail.to, trail.from, (size_t)(trail.lines * CHASLES_LINE + odd));
+    memcpy(stream.to, stream.from, (size_t)(stream.lines * CHASLES_LINE + odd));
     return done;
 }
 

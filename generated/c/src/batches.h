@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* How batches are run, for the library's own files alone. Made by `chasles emit`; not to be edited by hand.
  *
  * A block computes some groups of items; a group is as many items as a register has lanes, so that an item's result
@@ -64,16 +66,16 @@
 extern "C" {
 #endif
 
-/* What is copied on the way, `share` lines of memory with each group: `lines` from `from` to `to`, where they begin. */
+/* What is copied around the cache, `share` lines of memory with each group: `lines` from `from` to `to`, where they begin. */
 typedef struct {
     const char *from;
     char *to;
     ptrdiff_t lines;
     ptrdiff_t share;
-} chasles_trail;
+} chasles_stream;
 
 /* Computes groups * lanes items: that of operand k starts at at[k], the next one steps[k] bytes on, each row-major. */
-typedef void chasles_block(ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_trail *trail);
+typedef void chasles_block(ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream);
 
 /* The core shape of an operand: how many axes, and the rows and columns, 1 where there is no such axis. */
 typedef struct {

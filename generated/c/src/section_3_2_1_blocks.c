@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* The blocks of section_3_2_1, for batches. Made by `chasles emit`; not to be edited by hand.
  *
  * Compiled once for each level. A block first computes the sines and cosines of all its items, then, register by
@@ -17,7 +19,7 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -25,23 +27,23 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         const doubles sin_half_phi = sines[0][g];
         const doubles t1 = choose(equal(sin_half_phi, spread(0.0)), spread(0.0), spread(0.5));
@@ -57,11 +59,11 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_block)(
         const doubles result4 = t3 + e[1] * t6;
         const doubles result8 = t3 + e[2] * (e[2] * t4);
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_4(item2, step2, result0, result1, result2, result1);
         store_4(item2 + 4 * sizeof(double), step2, result4, result5, result2, result5);
         store_1(item2 + 8 * sizeof(double), step2, result8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -69,7 +71,7 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -77,23 +79,23 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         const floats sin_half_phi = sines[0][g];
         const truthsf t1 = equalf(sin_half_phi, spreadf(0.0f));
@@ -109,11 +111,11 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_blockf)(
         const floats result4 = t3 + e[1] * t6;
         const floats result8 = t3 + e[2] * (e[2] * t4);
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_4f(item2, step2, result0, result1, result2, result1);
         store_4f(item2 + 4 * sizeof(float), step2, result4, result5, result2, result5);
         store_1f(item2 + 8 * sizeof(float), step2, result8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -121,7 +123,7 @@ void CHASLES_LEVELED(chasles_screw_axis_point_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -133,31 +135,31 @@ void CHASLES_LEVELED(chasles_screw_axis_point_block)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, a);
         doubles a_prime[3];
         const char *const item3 = at3 + g * LANES * step3;
-        fetch(item3, LANES * step3);
+        prefetch(item3, LANES * step3);
         load_3(item3, step3, a_prime);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
@@ -174,9 +176,9 @@ void CHASLES_LEVELED(chasles_screw_axis_point_block)(
         const doubles p_0_1 = 0.5 * ((e[2] * t5 - e[0] * t7) * t9 - (e[1] * t4 - t2));
         const doubles p_0_2 = 0.5 * ((e[0] * t6 - e[1] * t5) * t9 - (e[2] * t4 - t3));
         char *const item4 = at4 + g * LANES * step4;
-        claim(item4, LANES * step4);
+        prefetch_to_write(item4, LANES * step4);
         store_3(item4, step4, p_0_0, p_0_1, p_0_2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -184,7 +186,7 @@ void CHASLES_LEVELED(chasles_screw_axis_point_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -196,31 +198,31 @@ void CHASLES_LEVELED(chasles_screw_axis_point_blockf)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, a);
         floats a_prime[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        fetch(item3, LANESF * step3);
+        prefetch(item3, LANESF * step3);
         load_3f(item3, step3, a_prime);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
@@ -237,9 +239,9 @@ void CHASLES_LEVELED(chasles_screw_axis_point_blockf)(
         const floats p_0_1 = 0.5f * ((e[2] * t5 - e[0] * t7) * t9 - (e[1] * t4 - t2));
         const floats p_0_2 = 0.5f * ((e[0] * t6 - e[1] * t5) * t9 - (e[2] * t4 - t3));
         char *const item4 = at4 + g * LANESF * step4;
-        claim(item4, LANESF * step4);
+        prefetch_to_write(item4, LANESF * step4);
         store_3f(item4, step4, p_0_0, p_0_1, p_0_2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -249,9 +251,9 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_normal_matrix_inverse(
             (const double *)(at[0] + i * steps[0]),
@@ -264,9 +266,9 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_normal_matrix_inversef(
             (const float *)(at[0] + i * steps[0]),
@@ -279,9 +281,9 @@ void CHASLES_LEVELED(chasles_screw_axis_point_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_screw_axis_point(
             (const double *)(at[0] + i * steps[0]),
@@ -296,9 +298,9 @@ void CHASLES_LEVELED(chasles_screw_axis_point_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_screw_axis_pointf(
             (const float *)(at[0] + i * steps[0]),

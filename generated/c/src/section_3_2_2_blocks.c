@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* The blocks of section_3_2_2, for batches. Made by `chasles emit`; not to be edited by hand.
  *
  * Compiled once for each level. A block first computes the sines and cosines of all its items, then, register by
@@ -17,7 +19,7 @@ void CHASLES_LEVELED(chasles_plucker_line_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -25,15 +27,15 @@ void CHASLES_LEVELED(chasles_plucker_line_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles p_1[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, p_1);
         doubles p_2[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, p_2);
         const doubles t1 = p_2[0] - p_1[0];
         const doubles t2 = p_2[1] - p_1[1];
@@ -57,10 +59,10 @@ void CHASLES_LEVELED(chasles_plucker_line_block)(
         const doubles kappa4 = p_1[2] * kappa0 - p_1[0] * kappa2;
         const doubles kappa5 = p_1[0] * kappa1 - p_1[1] * kappa0;
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_4(item2, step2, kappa0, kappa1, kappa2, kappa3);
         store_2(item2 + 4 * sizeof(double), step2, kappa4, kappa5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -68,7 +70,7 @@ void CHASLES_LEVELED(chasles_plucker_line_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -76,15 +78,15 @@ void CHASLES_LEVELED(chasles_plucker_line_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats p_1[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, p_1);
         floats p_2[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, p_2);
         const floats t1 = p_2[0] - p_1[0];
         const floats t2 = p_2[1] - p_1[1];
@@ -108,10 +110,10 @@ void CHASLES_LEVELED(chasles_plucker_line_blockf)(
         const floats kappa4 = p_1[2] * kappa0 - p_1[0] * kappa2;
         const floats kappa5 = p_1[0] * kappa1 - p_1[1] * kappa0;
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_4f(item2, step2, kappa0, kappa1, kappa2, kappa3);
         store_2f(item2 + 4 * sizeof(float), step2, kappa4, kappa5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -119,7 +121,7 @@ void CHASLES_LEVELED(chasles_plucker_transfer_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
@@ -129,20 +131,20 @@ void CHASLES_LEVELED(chasles_plucker_transfer_block)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles kappa_A[6];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_4(item0, step0, kappa_A);
         load_2(item0 + 4 * sizeof(double), step0, &kappa_A[4]);
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, a);
         doubles b[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, b);
         const doubles kappa_B0 = kappa_A[0];
         const doubles kappa_B1 = kappa_A[1];
@@ -154,10 +156,10 @@ void CHASLES_LEVELED(chasles_plucker_transfer_block)(
         const doubles kappa_B4 = kappa_A[4] + (kappa_B0 * t3 - kappa_B2 * t1);
         const doubles kappa_B5 = kappa_A[5] + (kappa_B1 * t1 - kappa_B0 * t2);
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_4(item3, step3, kappa_B0, kappa_B1, kappa_B2, kappa_B3);
         store_2(item3 + 4 * sizeof(double), step3, kappa_B4, kappa_B5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -165,7 +167,7 @@ void CHASLES_LEVELED(chasles_plucker_transfer_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
@@ -175,20 +177,20 @@ void CHASLES_LEVELED(chasles_plucker_transfer_blockf)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats kappa_A[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_4f(item0, step0, kappa_A);
         load_2f(item0 + 4 * sizeof(float), step0, &kappa_A[4]);
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, a);
         floats b[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, b);
         const floats kappa_B0 = kappa_A[0];
         const floats kappa_B1 = kappa_A[1];
@@ -200,10 +202,10 @@ void CHASLES_LEVELED(chasles_plucker_transfer_blockf)(
         const floats kappa_B4 = kappa_A[4] + (kappa_B0 * t3 - kappa_B2 * t1);
         const floats kappa_B5 = kappa_A[5] + (kappa_B1 * t1 - kappa_B0 * t2);
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_4f(item3, step3, kappa_B0, kappa_B1, kappa_B2, kappa_B3);
         store_2f(item3 + 4 * sizeof(float), step3, kappa_B4, kappa_B5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -213,9 +215,9 @@ void CHASLES_LEVELED(chasles_plucker_line_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_plucker_line(
             (const double *)(at[0] + i * steps[0]),
@@ -228,9 +230,9 @@ void CHASLES_LEVELED(chasles_plucker_line_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_plucker_linef(
             (const float *)(at[0] + i * steps[0]),
@@ -243,9 +245,9 @@ void CHASLES_LEVELED(chasles_plucker_transfer_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_plucker_transfer(
             (const double *)(at[0] + i * steps[0]),
@@ -259,9 +261,9 @@ void CHASLES_LEVELED(chasles_plucker_transfer_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_plucker_transferf(
             (const float *)(at[0] + i * steps[0]),

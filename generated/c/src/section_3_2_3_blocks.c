@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* The blocks of section_3_2_3, for batches. Made by `chasles emit`; not to be edited by hand.
  *
  * Compiled once for each level. A block first computes the sines and cosines of all its items, then, register by
@@ -17,7 +19,7 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -25,17 +27,17 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles triad[9];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_4(item0, step0, triad);
         load_4(item0 + 4 * sizeof(double), step0, &triad[4]);
         load_1(item0 + 8 * sizeof(double), step0, &triad[8]);
         doubles triad_prime[9];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_4(item1, step1, triad_prime);
         load_4(item1 + 4 * sizeof(double), step1, &triad_prime[4]);
         load_1(item1 + 8 * sizeof(double), step1, &triad_prime[8]);
@@ -58,11 +60,11 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_block)(
         const doubles t9 = triad[2] * triad_prime[2] + triad[5] * triad_prime[5];
         const doubles Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_4(item2, step2, Q0, Q1, Q2, Q3);
         store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
         store_1(item2 + 8 * sizeof(double), step2, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -70,7 +72,7 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -78,17 +80,17 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats triad[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_4f(item0, step0, triad);
         load_4f(item0 + 4 * sizeof(float), step0, &triad[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &triad[8]);
         floats triad_prime[9];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_4f(item1, step1, triad_prime);
         load_4f(item1 + 4 * sizeof(float), step1, &triad_prime[4]);
         load_1f(item1 + 8 * sizeof(float), step1, &triad_prime[8]);
@@ -111,11 +113,11 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_blockf)(
         const floats t9 = triad[2] * triad_prime[2] + triad[5] * triad_prime[5];
         const floats Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_4f(item2, step2, Q0, Q1, Q2, Q3);
         store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
         store_1f(item2 + 8 * sizeof(float), step2, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -123,7 +125,7 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -131,17 +133,17 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles triad[9];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_4(item0, step0, triad);
         load_4(item0 + 4 * sizeof(double), step0, &triad[4]);
         load_1(item0 + 8 * sizeof(double), step0, &triad[8]);
         doubles triad_prime[9];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_4(item1, step1, triad_prime);
         load_4(item1 + 4 * sizeof(double), step1, &triad_prime[4]);
         load_1(item1 + 8 * sizeof(double), step1, &triad_prime[8]);
@@ -164,11 +166,11 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_block)(
         const doubles t9 = triad[6] * triad_prime[6] + triad[7] * triad_prime[7];
         const doubles Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_4(item2, step2, Q0, Q1, Q2, Q3);
         store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
         store_1(item2 + 8 * sizeof(double), step2, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -176,7 +178,7 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -184,17 +186,17 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats triad[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_4f(item0, step0, triad);
         load_4f(item0 + 4 * sizeof(float), step0, &triad[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &triad[8]);
         floats triad_prime[9];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_4f(item1, step1, triad_prime);
         load_4f(item1 + 4 * sizeof(float), step1, &triad_prime[4]);
         load_1f(item1 + 8 * sizeof(float), step1, &triad_prime[8]);
@@ -217,11 +219,11 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_blockf)(
         const floats t9 = triad[6] * triad_prime[6] + triad[7] * triad_prime[7];
         const floats Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_4f(item2, step2, Q0, Q1, Q2, Q3);
         store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
         store_1f(item2 + 8 * sizeof(float), step2, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -231,9 +233,9 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_in_triad_axes(
             (const double *)(at[0] + i * steps[0]),
@@ -246,9 +248,9 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_in_triad_axesf(
             (const float *)(at[0] + i * steps[0]),
@@ -261,9 +263,9 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_triads(
             (const double *)(at[0] + i * steps[0]),
@@ -276,9 +278,9 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_triadsf(
             (const float *)(at[0] + i * steps[0]),

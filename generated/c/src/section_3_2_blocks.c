@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* The blocks of section_3_2, for batches. Made by `chasles emit`; not to be edited by hand.
  *
  * Compiled once for each level. A block first computes the sines and cosines of all its items, then, register by
@@ -17,17 +19,17 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles v[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, v);
         const doubles V7 = v[0];
         const doubles V2 = v[1];
@@ -36,11 +38,11 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_block)(
         const doubles V5 = -V7;
         const doubles V6 = -V2;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, spread(0.0), V1, V2, V3);
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), V5, V6, V7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -48,17 +50,17 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats v[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, v);
         const floats V7 = v[0];
         const floats V2 = v[1];
@@ -67,11 +69,11 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_blockf)(
         const floats V5 = -V7;
         const floats V6 = -V2;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(0.0f), V1, V2, V3);
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), V5, V6, V7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -79,7 +81,7 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -87,23 +89,23 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
@@ -126,11 +128,11 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_block)(
         const doubles Q6 = t5 - t8;
         const doubles Q7 = t6 + t7;
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_4(item2, step2, Q0, Q1, Q2, Q3);
         store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
         store_1(item2 + 8 * sizeof(double), step2, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -138,7 +140,7 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -146,23 +148,23 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
@@ -185,11 +187,11 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_blockf)(
         const floats Q6 = t5 - t8;
         const floats Q7 = t6 + t7;
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_4f(item2, step2, Q0, Q1, Q2, Q3);
         store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
         store_1f(item2 + 8 * sizeof(float), step2, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -197,7 +199,7 @@ void CHASLES_LEVELED(chasles_point_after_displacement_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -209,25 +211,25 @@ void CHASLES_LEVELED(chasles_point_after_displacement_block)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_4(item0, step0, Q);
         load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
         load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, a);
         doubles a_prime[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, a_prime);
         doubles p[3];
         const char *const item3 = at3 + g * LANES * step3;
-        fetch(item3, LANES * step3);
+        prefetch(item3, LANES * step3);
         load_3(item3, step3, p);
         const doubles t1 = p[0] - a[0];
         const doubles t2 = p[1] - a[1];
@@ -236,9 +238,9 @@ void CHASLES_LEVELED(chasles_point_after_displacement_block)(
         const doubles p_prime1 = a_prime[1] + (Q[3] * t1 + Q[4] * t2 + Q[5] * t3);
         const doubles p_prime2 = a_prime[2] + (Q[6] * t1 + Q[7] * t2 + Q[8] * t3);
         char *const item4 = at4 + g * LANES * step4;
-        claim(item4, LANES * step4);
+        prefetch_to_write(item4, LANES * step4);
         store_3(item4, step4, p_prime0, p_prime1, p_prime2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -246,7 +248,7 @@ void CHASLES_LEVELED(chasles_point_after_displacement_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -258,25 +260,25 @@ void CHASLES_LEVELED(chasles_point_after_displacement_blockf)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_4f(item0, step0, Q);
         load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, a);
         floats a_prime[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, a_prime);
         floats p[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        fetch(item3, LANESF * step3);
+        prefetch(item3, LANESF * step3);
         load_3f(item3, step3, p);
         const floats t1 = p[0] - a[0];
         const floats t2 = p[1] - a[1];
@@ -285,9 +287,9 @@ void CHASLES_LEVELED(chasles_point_after_displacement_blockf)(
         const floats p_prime1 = a_prime[1] + (Q[3] * t1 + Q[4] * t2 + Q[5] * t3);
         const floats p_prime2 = a_prime[2] + (Q[6] * t1 + Q[7] * t2 + Q[8] * t3);
         char *const item4 = at4 + g * LANESF * step4;
-        claim(item4, LANESF * step4);
+        prefetch_to_write(item4, LANESF * step4);
         store_3f(item4, step4, p_prime0, p_prime1, p_prime2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -295,7 +297,7 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -305,26 +307,26 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_block)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         doubles d_P[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, d_P);
         const doubles t1 = e[0] * d_P[0] + e[1] * d_P[1] + e[2] * d_P[2];
         const doubles result_value = choose(equal(phi, spread(0.0)), spread(0.0), t1) / phi;
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_1(item3, step3, result_value);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -332,7 +334,7 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -342,26 +344,26 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_blockf)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         floats d_P[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, d_P);
         const floats t1 = e[0] * d_P[0] + e[1] * d_P[1] + e[2] * d_P[2];
         const floats result_value = choosef(equalf(phi, spreadf(0.0f)), spreadf(0.0f), t1) / phi;
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_1f(item3, step3, result_value);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -371,9 +373,9 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_cross_product_matrix(
             (const double *)(at[0] + i * steps[0]),
@@ -385,9 +387,9 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_cross_product_matrixf(
             (const float *)(at[0] + i * steps[0]),
@@ -399,9 +401,9 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_axis_angle(
             (const double *)(at[0] + i * steps[0]),
@@ -414,9 +416,9 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_axis_anglef(
             (const float *)(at[0] + i * steps[0]),
@@ -429,9 +431,9 @@ void CHASLES_LEVELED(chasles_point_after_displacement_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_point_after_displacement(
             (const double *)(at[0] + i * steps[0]),
@@ -446,9 +448,9 @@ void CHASLES_LEVELED(chasles_point_after_displacement_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_point_after_displacementf(
             (const float *)(at[0] + i * steps[0]),
@@ -463,9 +465,9 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pitch_of_motion(
             (const double *)(at[0] + i * steps[0]),
@@ -479,9 +481,9 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pitch_of_motionf(
             (const float *)(at[0] + i * steps[0]),

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* The blocks of section_3_3, for batches. Made by `chasles emit`; not to be edited by hand.
  *
  * Compiled once for each level. A block first computes the sines and cosines of all its items, then, register by
@@ -17,26 +19,26 @@ void CHASLES_LEVELED(chasles_axial_vector_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Omega[9];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0 + 1 * sizeof(double), step0, &Omega[1]);
         load_3(item0 + 5 * sizeof(double), step0, &Omega[5]);
         const doubles omega0 = 0.5 * (Omega[7] - Omega[5]);
         const doubles omega1 = 0.5 * (Omega[2] - Omega[6]);
         const doubles omega2 = 0.5 * (Omega[3] - Omega[1]);
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_3(item1, step1, omega0, omega1, omega2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -44,26 +46,26 @@ void CHASLES_LEVELED(chasles_axial_vector_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Omega[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0 + 1 * sizeof(float), step0, &Omega[1]);
         load_3f(item0 + 5 * sizeof(float), step0, &Omega[5]);
         const floats omega0 = 0.5f * (Omega[7] - Omega[5]);
         const floats omega1 = 0.5f * (Omega[2] - Omega[6]);
         const floats omega2 = 0.5f * (Omega[3] - Omega[1]);
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_3f(item1, step1, omega0, omega1, omega2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -73,9 +75,9 @@ void CHASLES_LEVELED(chasles_axial_vector_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_axial_vector((const double *)(at[0] + i * steps[0]), (double *)(at[1] + i * steps[1]));
     }
@@ -85,9 +87,9 @@ void CHASLES_LEVELED(chasles_axial_vector_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_axial_vectorf((const float *)(at[0] + i * steps[0]), (float *)(at[1] + i * steps[1]));
     }

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* The blocks of section_3_4_1, for batches. Made by `chasles emit`; not to be edited by hand.
  *
  * Compiled once for each level. A block first computes the sines and cosines of all its items, then, register by
@@ -17,7 +19,7 @@ void CHASLES_LEVELED(chasles_instant_screw_point_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -27,19 +29,19 @@ void CHASLES_LEVELED(chasles_instant_screw_point_block)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, omega);
         doubles a_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, a_dot);
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, a);
         const doubles t1 = choose(less(omega[0], spread(0.0)), -omega[0], omega[0]);
         const doubles t2 = choose(less(omega[1], spread(0.0)), -omega[1], omega[1]);
@@ -59,9 +61,9 @@ void CHASLES_LEVELED(chasles_instant_screw_point_block)(
         const doubles p_0_prime1 = choose(t14, spread(0.0), t9 * t11 - t7 * t13) / t10 / t6;
         const doubles p_0_prime2 = choose(t14, spread(0.0), t7 * t12 - t8 * t11) / t10 / t6;
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_3(item3, step3, p_0_prime0, p_0_prime1, p_0_prime2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -69,7 +71,7 @@ void CHASLES_LEVELED(chasles_instant_screw_point_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -79,19 +81,19 @@ void CHASLES_LEVELED(chasles_instant_screw_point_blockf)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, omega);
         floats a_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, a_dot);
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, a);
         const floats t1 = choosef(lessf(omega[0], spreadf(0.0f)), -omega[0], omega[0]);
         const floats t2 = choosef(lessf(omega[1], spreadf(0.0f)), -omega[1], omega[1]);
@@ -111,9 +113,9 @@ void CHASLES_LEVELED(chasles_instant_screw_point_blockf)(
         const floats p_0_prime1 = choosef(t14, spreadf(0.0f), t9 * t11 - t7 * t13) / t10 / t6;
         const floats p_0_prime2 = choosef(t14, spreadf(0.0f), t7 * t12 - t8 * t11) / t10 / t6;
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_3f(item3, step3, p_0_prime0, p_0_prime1, p_0_prime2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -123,9 +125,9 @@ void CHASLES_LEVELED(chasles_instant_screw_point_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_instant_screw_point(
             (const double *)(at[0] + i * steps[0]),
@@ -139,9 +141,9 @@ void CHASLES_LEVELED(chasles_instant_screw_point_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_instant_screw_pointf(
             (const float *)(at[0] + i * steps[0]),

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* The blocks of section_3_4_2, for batches. Made by `chasles emit`; not to be edited by hand.
  *
  * Compiled once for each level. A block first computes the sines and cosines of all its items, then, register by
@@ -17,7 +19,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -25,23 +27,23 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
@@ -71,11 +73,11 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
         const doubles N6 = half_N10 - t7;
         const doubles N7 = -(half_N9 + t9);
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_4(item2, step2, N0, N1, N2, N3);
         store_4(item2 + 4 * sizeof(double), step2, N4, N5, N6, N7);
         store_4(item2 + 8 * sizeof(double), step2, N8, N9, N10, N11);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -83,7 +85,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -91,23 +93,23 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
@@ -137,11 +139,11 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
         const floats N6 = half_N10 - t7;
         const floats N7 = -(half_N9 + t9);
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_4f(item2, step2, N0, N1, N2, N3);
         store_4f(item2 + 4 * sizeof(float), step2, N4, N5, N6, N7);
         store_4f(item2 + 8 * sizeof(float), step2, N8, N9, N10, N11);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -149,7 +151,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -157,23 +159,23 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
@@ -202,11 +204,11 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
         const doubles L10 = -(e[1] * sin_phi);
         const doubles L11 = -(e[2] * sin_phi);
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_4(item2, step2, L0, L1, L2, L3);
         store_4(item2 + 4 * sizeof(double), step2, L4, L5, L6, L7);
         store_4(item2 + 8 * sizeof(double), step2, L8, L9, L10, L11);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -214,7 +216,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -222,23 +224,23 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
@@ -267,11 +269,11 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
         const floats L10 = -(e[1] * sin_phi);
         const floats L11 = -(e[2] * sin_phi);
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_4f(item2, step2, L0, L1, L2, L3);
         store_4f(item2 + 4 * sizeof(float), step2, L4, L5, L6, L7);
         store_4f(item2 + 8 * sizeof(float), step2, L8, L9, L10, L11);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -279,7 +281,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -287,23 +289,23 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
@@ -316,11 +318,11 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
         const doubles H1 = e[2] * half_sin_half_phi;
         const doubles H3 = -H1;
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_4(item2, step2, H0, H1, H2, H3);
         store_4(item2 + 4 * sizeof(double), step2, H0, H5, H6, H7);
         store_4(item2 + 8 * sizeof(double), step2, H0, H7, H2, H3);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -328,7 +330,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -336,23 +338,23 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
@@ -365,11 +367,11 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
         const floats H1 = e[2] * half_sin_half_phi;
         const floats H3 = -H1;
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_4f(item2, step2, H0, H1, H2, H3);
         store_4f(item2 + 4 * sizeof(float), step2, H0, H5, H6, H7);
         store_4f(item2 + 8 * sizeof(float), step2, H0, H7, H2, H3);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -377,7 +379,7 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -385,15 +387,15 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles q[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, q);
         doubles q_0;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &q_0);
         const doubles t1 = 1.0 + q_0;
         const doubles t2 = choose(equal(t1, spread(0.0)), spread(0.0), spread(1.0)) / t1;
@@ -412,11 +414,11 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
         const doubles Q6 = t6 - q[1];
         const doubles Q7 = q[0] + t7;
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_4(item2, step2, Q0, Q1, Q2, Q3);
         store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
         store_1(item2 + 8 * sizeof(double), step2, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -424,7 +426,7 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -432,15 +434,15 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats q[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, q);
         floats q_0;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &q_0);
         const floats t1 = 1.0f + q_0;
         const floats t2 = choosef(equalf(t1, spreadf(0.0f)), spreadf(0.0f), spreadf(1.0f)) / t1;
@@ -459,11 +461,11 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
         const floats Q6 = t6 - q[1];
         const floats Q7 = q[0] + t7;
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_4f(item2, step2, Q0, Q1, Q2, Q3);
         store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
         store_1f(item2 + 8 * sizeof(float), step2, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -471,7 +473,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -479,15 +481,15 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles q[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, q);
         doubles q_0;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &q_0);
         const doubles t1 = q_0 * q_0 - (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
         const doubles t2 = 2.0 * q_0;
@@ -509,11 +511,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
         const doubles Q6 = t6 - t9;
         const doubles Q7 = t7 + t8;
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_4(item2, step2, Q0, Q1, Q2, Q3);
         store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
         store_1(item2 + 8 * sizeof(double), step2, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -521,7 +523,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -529,15 +531,15 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats q[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, q);
         floats q_0;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &q_0);
         const floats t1 = q_0 * q_0 - (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
         const floats t2 = 2.0f * q_0;
@@ -559,11 +561,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
         const floats Q6 = t6 - t9;
         const floats Q7 = t7 + t8;
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_4f(item2, step2, Q0, Q1, Q2, Q3);
         store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
         store_1f(item2 + 8 * sizeof(float), step2, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -571,7 +573,7 @@ void CHASLES_LEVELED(chasles_linear_invariants_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -579,11 +581,11 @@ void CHASLES_LEVELED(chasles_linear_invariants_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_4(item0, step0, Q);
         load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
         load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
@@ -592,12 +594,12 @@ void CHASLES_LEVELED(chasles_linear_invariants_block)(
         const doubles q2 = 0.5 * (Q[3] - Q[1]);
         const doubles q_0_value = 0.5 * (Q[8] + (Q[0] + Q[4]) - 1.0);
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_3(item1, step1, q0, q1, q2);
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_1(item2, step2, q_0_value);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -605,7 +607,7 @@ void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -613,11 +615,11 @@ void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_4f(item0, step0, Q);
         load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
@@ -626,12 +628,12 @@ void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
         const floats q2 = 0.5f * (Q[3] - Q[1]);
         const floats q_0_value = 0.5f * (Q[8] + (Q[0] + Q[4]) - 1.0f);
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_3f(item1, step1, q0, q1, q2);
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_1f(item2, step2, q_0_value);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -639,7 +641,7 @@ void CHASLES_LEVELED(chasles_natural_invariants_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -647,11 +649,11 @@ void CHASLES_LEVELED(chasles_natural_invariants_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_4(item0, step0, Q);
         load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
         load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
@@ -728,12 +730,12 @@ void CHASLES_LEVELED(chasles_natural_invariants_block)(
         const doubles e2 = t51 * t68;
         const doubles phi_value = 2.0 * directions(t42 * (choose(t58, spread(0.0), t47) / t57), t60 * t68);
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_3(item1, step1, e0, e1, e2);
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_1(item2, step2, phi_value);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -741,7 +743,7 @@ void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -749,11 +751,11 @@ void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_4f(item0, step0, Q);
         load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
@@ -831,12 +833,12 @@ void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
         const floats t69 = directionsf(t42 * (choosef(t58, spreadf(0.0f), t47) / t57), t60 * t68);
         const floats phi_value = 2.0f * t69;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_3f(item1, step1, e0, e1, e2);
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_1f(item2, step2, phi_value);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -844,7 +846,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -852,11 +854,11 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_4(item0, step0, Q);
         load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
         load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
@@ -921,12 +923,12 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
         const doubles q2 = t44 * t56;
         const doubles q_0_value = t48 * t56;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_3(item1, step1, q0, q1, q2);
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_1(item2, step2, q_0_value);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -934,7 +936,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -942,11 +944,11 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_4f(item0, step0, Q);
         load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
@@ -1011,12 +1013,12 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
         const floats q2 = t44 * t56;
         const floats q_0_value = t48 * t56;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_3f(item1, step1, q0, q1, q2);
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_1f(item2, step2, q_0_value);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1024,7 +1026,7 @@ void CHASLES_LEVELED(chasles_screw_of_motion_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -1038,21 +1040,21 @@ void CHASLES_LEVELED(chasles_screw_of_motion_block)(
     const ptrdiff_t step4 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at5 = at[5];
     const ptrdiff_t step5 = CHASLES_STEP(5, 1 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_4(item0, step0, Q);
         load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
         load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, a);
         doubles a_prime[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, a_prime);
         const doubles t1 = Q[2] + Q[6];
         const doubles t2 = Q[5] + Q[7];
@@ -1146,16 +1148,16 @@ void CHASLES_LEVELED(chasles_screw_of_motion_block)(
         const doubles d_0_value = axis0 * t73 + axis1 * t74 + axis2 * t75;
         const doubles phi_value = 2.0 * directions(t42 * t61, t79);
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_4(item3, step3, axis0, axis1, axis2, axis3);
         store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
         char *const item4 = at4 + g * LANES * step4;
-        claim(item4, LANES * step4);
+        prefetch_to_write(item4, LANES * step4);
         store_1(item4, step4, d_0_value);
         char *const item5 = at5 + g * LANES * step5;
-        claim(item5, LANES * step5);
+        prefetch_to_write(item5, LANES * step5);
         store_1(item5, step5, phi_value);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1163,7 +1165,7 @@ void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -1177,21 +1179,21 @@ void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
     const ptrdiff_t step4 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at5 = at[5];
     const ptrdiff_t step5 = CHASLES_STEP(5, 1 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_4f(item0, step0, Q);
         load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, a);
         floats a_prime[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, a_prime);
         const floats t1 = Q[2] + Q[6];
         const floats t2 = Q[5] + Q[7];
@@ -1285,16 +1287,16 @@ void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
         const floats d_0_value = axis0 * t73 + axis1 * t74 + axis2 * t75;
         const floats phi_value = 2.0f * directionsf(t42 * t61, t79);
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_4f(item3, step3, axis0, axis1, axis2, axis3);
         store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
         char *const item4 = at4 + g * LANESF * step4;
-        claim(item4, LANESF * step4);
+        prefetch_to_write(item4, LANESF * step4);
         store_1f(item4, step4, d_0_value);
         char *const item5 = at5 + g * LANESF * step5;
-        claim(item5, LANESF * step5);
+        prefetch_to_write(item5, LANESF * step5);
         store_1f(item5, step5, phi_value);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1302,7 +1304,7 @@ void CHASLES_LEVELED(chasles_instant_screw_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1314,19 +1316,19 @@ void CHASLES_LEVELED(chasles_instant_screw_block)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 1 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, omega);
         doubles a_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, a_dot);
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, a);
         const doubles t1 = choose(less(omega[0], spread(0.0)), -omega[0], omega[0]);
         const doubles t2 = choose(less(omega[1], spread(0.0)), -omega[1], omega[1]);
@@ -1354,13 +1356,13 @@ void CHASLES_LEVELED(chasles_instant_screw_block)(
         const doubles axis5 = axis1 * t16 - axis0 * t17;
         const doubles pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_4(item3, step3, axis0, axis1, axis2, axis3);
         store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
         char *const item4 = at4 + g * LANES * step4;
-        claim(item4, LANES * step4);
+        prefetch_to_write(item4, LANES * step4);
         store_1(item4, step4, pitch_value);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1368,7 +1370,7 @@ void CHASLES_LEVELED(chasles_instant_screw_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1380,19 +1382,19 @@ void CHASLES_LEVELED(chasles_instant_screw_blockf)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 1 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, omega);
         floats a_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, a_dot);
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, a);
         const floats t1 = choosef(lessf(omega[0], spreadf(0.0f)), -omega[0], omega[0]);
         const floats t2 = choosef(lessf(omega[1], spreadf(0.0f)), -omega[1], omega[1]);
@@ -1420,13 +1422,13 @@ void CHASLES_LEVELED(chasles_instant_screw_blockf)(
         const floats axis5 = axis1 * t16 - axis0 * t17;
         const floats pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_4f(item3, step3, axis0, axis1, axis2, axis3);
         store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
         char *const item4 = at4 + g * LANESF * step4;
-        claim(item4, LANESF * step4);
+        prefetch_to_write(item4, LANESF * step4);
         store_1f(item4, step4, pitch_value);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1434,7 +1436,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1442,23 +1444,23 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
@@ -1474,11 +1476,11 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
         const doubles N_tilde6 = -N_tilde9;
         const doubles N_tilde8 = -N_tilde2;
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_4(item2, step2, N_tilde0, N_tilde1, N_tilde2, N_tilde3);
         store_4(item2 + 4 * sizeof(double), step2, N_tilde4, N_tilde0, N_tilde6, N_tilde7);
         store_4(item2 + 8 * sizeof(double), step2, N_tilde8, N_tilde9, N_tilde0, N_tilde11);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1486,7 +1488,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1494,23 +1496,23 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
@@ -1526,11 +1528,11 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
         const floats N_tilde6 = -N_tilde9;
         const floats N_tilde8 = -N_tilde2;
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_4f(item2, step2, N_tilde0, N_tilde1, N_tilde2, N_tilde3);
         store_4f(item2 + 4 * sizeof(float), step2, N_tilde4, N_tilde0, N_tilde6, N_tilde7);
         store_4f(item2 + 8 * sizeof(float), step2, N_tilde8, N_tilde9, N_tilde0, N_tilde11);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1538,7 +1540,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1546,23 +1548,23 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
@@ -1575,11 +1577,11 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
         const doubles L_tilde3 = -L_tilde9;
         const doubles L_tilde7 = -L_tilde2;
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_4(item2, step2, spread(1.0), L_tilde1, L_tilde2, L_tilde3);
         store_4(item2 + 4 * sizeof(double), step2, L_tilde4, spread(1.0), L_tilde3, L_tilde7);
         store_4(item2 + 8 * sizeof(double), step2, L_tilde7, L_tilde9, spread(1.0), L_tilde1);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1587,7 +1589,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1595,23 +1597,23 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
@@ -1624,11 +1626,11 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
         const floats L_tilde3 = -L_tilde9;
         const floats L_tilde7 = -L_tilde2;
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_4f(item2, step2, spreadf(1.0f), L_tilde1, L_tilde2, L_tilde3);
         store_4f(item2 + 4 * sizeof(float), step2, L_tilde4, spreadf(1.0f), L_tilde3, L_tilde7);
         store_4f(item2 + 8 * sizeof(float), step2, L_tilde7, L_tilde9, spreadf(1.0f), L_tilde1);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1636,7 +1638,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1644,23 +1646,23 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
@@ -1673,11 +1675,11 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
         const doubles H_tilde3 = -H_tilde9;
         const doubles H_tilde7 = -H_tilde2;
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_4(item2, step2, H_tilde0, H_tilde1, H_tilde2, H_tilde3);
         store_4(item2 + 4 * sizeof(double), step2, H_tilde4, H_tilde0, H_tilde3, H_tilde7);
         store_4(item2 + 8 * sizeof(double), step2, H_tilde7, H_tilde9, H_tilde0, H_tilde1);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1685,7 +1687,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1693,23 +1695,23 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
@@ -1722,11 +1724,11 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
         const floats H_tilde3 = -H_tilde9;
         const floats H_tilde7 = -H_tilde2;
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_4f(item2, step2, H_tilde0, H_tilde1, H_tilde2, H_tilde3);
         store_4f(item2 + 4 * sizeof(float), step2, H_tilde4, H_tilde0, H_tilde3, H_tilde7);
         store_4f(item2 + 8 * sizeof(float), step2, H_tilde7, H_tilde9, H_tilde0, H_tilde1);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1734,7 +1736,7 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1744,27 +1746,27 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_4(item2, step2, t);
         load_2(item2 + 4 * sizeof(double), step2, &t[4]);
         const doubles sin_half_phi = sines[0][g];
@@ -1779,10 +1781,10 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
         const doubles s_dot1 = -(0.5 * (e[2] * t[0] - e[0] * t[2]) + (e[1] * s_dot3 - t[1]) * t2);
         const doubles s_dot2 = -(0.5 * (e[0] * t[1] - e[1] * t[0]) + (e[2] * s_dot3 - t[2]) * t2);
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_4(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
         store_3(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5, s_dot6);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1790,7 +1792,7 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1800,27 +1802,27 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_4f(item2, step2, t);
         load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
         const floats sin_half_phi = sines[0][g];
@@ -1835,10 +1837,10 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
         const floats s_dot1 = -(0.5f * (e[2] * t[0] - e[0] * t[2]) + (e[1] * s_dot3 - t[1]) * t2);
         const floats s_dot2 = -(0.5f * (e[0] * t[1] - e[1] * t[0]) + (e[2] * s_dot3 - t[2]) * t2);
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_4f(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
         store_3f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5, s_dot6);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1846,7 +1848,7 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1856,27 +1858,27 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_4(item2, step2, t);
         load_2(item2 + 4 * sizeof(double), step2, &t[4]);
         const doubles sin_phi = sines[0][g];
@@ -1894,10 +1896,10 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
         const doubles t3 = t[0] * (e[0] * sin_phi) + t[1] * (e[1] * sin_phi);
         const doubles s_dot3 = -(t3 + t[2] * (e[2] * sin_phi));
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_4(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
         store_3(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5, s_dot6);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1905,7 +1907,7 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1915,27 +1917,27 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_4f(item2, step2, t);
         load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
         const floats sin_phi = sines[0][g];
@@ -1953,10 +1955,10 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
         const floats t3 = t[0] * (e[0] * sin_phi) + t[1] * (e[1] * sin_phi);
         const floats s_dot3 = -(t3 + t[2] * (e[2] * sin_phi));
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_4f(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
         store_3f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5, s_dot6);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1964,7 +1966,7 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1974,27 +1976,27 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_4(item2, step2, t);
         load_2(item2 + 4 * sizeof(double), step2, &t[4]);
         const doubles sin_half_phi = sines[0][g];
@@ -2012,10 +2014,10 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
         const doubles s_dot2 = t[0] * t2 - t[1] * t1 + t[2] * half_cos_half_phi;
         const doubles s_dot3 = -(t[0] * t1 + t[1] * t2 + t[2] * t3);
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_4(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
         store_3(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5, s_dot6);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2023,7 +2025,7 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -2033,27 +2035,27 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_4f(item2, step2, t);
         load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
         const floats sin_half_phi = sines[0][g];
@@ -2071,10 +2073,10 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
         const floats s_dot2 = t[0] * t2 - t[1] * t1 + t[2] * half_cos_half_phi;
         const floats s_dot3 = -(t[0] * t1 + t[1] * t2 + t[2] * t3);
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_4f(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
         store_3f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5, s_dot6);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2082,7 +2084,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -2092,27 +2094,27 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_4(item2, step2, s_dot);
         load_3(item2 + 4 * sizeof(double), step2, &s_dot[4]);
         const doubles sin_phi = sines[0][g];
@@ -2128,10 +2130,10 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
         const doubles t9 = s_dot[2] * sin_phi + t6 * (e[0] * s_dot[1] - e[1] * s_dot[0]);
         const doubles t2 = t9 + e[2] * s_dot[3];
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_4(item3, step3, t0, t1, t2, t3);
         store_2(item3 + 4 * sizeof(double), step3, t4, t5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2139,7 +2141,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -2149,27 +2151,27 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_4f(item2, step2, s_dot);
         load_3f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
         const floats sin_phi = sines[0][g];
@@ -2185,10 +2187,10 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
         const floats t9 = s_dot[2] * sin_phi + t6 * (e[0] * s_dot[1] - e[1] * s_dot[0]);
         const floats t2 = t9 + e[2] * s_dot[3];
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_4f(item3, step3, t0, t1, t2, t3);
         store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2196,7 +2198,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -2206,27 +2208,27 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_4(item2, step2, s_dot);
         load_3(item2 + 4 * sizeof(double), step2, &s_dot[4]);
         const doubles sin_half_phi = sines[0][g];
@@ -2243,10 +2245,10 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
         const doubles t1 = s_dot[1] + s_dot[0] * t10 - s_dot[2] * t8 - s_dot[3] * t9;
         const doubles t2 = s_dot[2] + (s_dot[1] * t8 - s_dot[0] * t9) - s_dot[3] * t10;
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_4(item3, step3, t0, t1, t2, t3);
         store_2(item3 + 4 * sizeof(double), step3, t4, t5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2254,7 +2256,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -2264,27 +2266,27 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_4f(item2, step2, s_dot);
         load_3f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
         const floats sin_half_phi = sines[0][g];
@@ -2301,10 +2303,10 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
         const floats t1 = s_dot[1] + s_dot[0] * t10 - s_dot[2] * t8 - s_dot[3] * t9;
         const floats t2 = s_dot[2] + (s_dot[1] * t8 - s_dot[0] * t9) - s_dot[3] * t10;
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_4f(item3, step3, t0, t1, t2, t3);
         store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2312,7 +2314,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -2322,27 +2324,27 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_4(item2, step2, s_dot);
         load_3(item2 + 4 * sizeof(double), step2, &s_dot[4]);
         const doubles sin_half_phi = sines[0][g];
@@ -2359,10 +2361,10 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
         const doubles t1 = s_dot[0] * t10 + s_dot[1] * t6 - s_dot[2] * t8 - s_dot[3] * t9;
         const doubles t2 = s_dot[1] * t8 - s_dot[0] * t9 + s_dot[2] * t6 - s_dot[3] * t10;
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_4(item3, step3, t0, t1, t2, t3);
         store_2(item3 + 4 * sizeof(double), step3, t4, t5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2370,7 +2372,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -2380,27 +2382,27 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_4f(item2, step2, s_dot);
         load_3f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
         const floats sin_half_phi = sines[0][g];
@@ -2417,10 +2419,10 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
         const floats t1 = s_dot[0] * t10 + s_dot[1] * t6 - s_dot[2] * t8 - s_dot[3] * t9;
         const floats t2 = s_dot[1] * t8 - s_dot[0] * t9 + s_dot[2] * t6 - s_dot[3] * t10;
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_4f(item3, step3, t0, t1, t2, t3);
         store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2428,7 +2430,7 @@ void CHASLES_LEVELED(chasles_twist_transfer_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
@@ -2438,20 +2440,20 @@ void CHASLES_LEVELED(chasles_twist_transfer_block)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles t_A[6];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_4(item0, step0, t_A);
         load_2(item0 + 4 * sizeof(double), step0, &t_A[4]);
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, a);
         doubles p[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, p);
         const doubles t_P0 = t_A[0];
         const doubles t_P1 = t_A[1];
@@ -2463,10 +2465,10 @@ void CHASLES_LEVELED(chasles_twist_transfer_block)(
         const doubles t_P4 = t_A[4] + (t_P0 * t3 - t_P2 * t1);
         const doubles t_P5 = t_A[5] + (t_P1 * t1 - t_P0 * t2);
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_4(item3, step3, t_P0, t_P1, t_P2, t_P3);
         store_2(item3 + 4 * sizeof(double), step3, t_P4, t_P5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2474,7 +2476,7 @@ void CHASLES_LEVELED(chasles_twist_transfer_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
@@ -2484,20 +2486,20 @@ void CHASLES_LEVELED(chasles_twist_transfer_blockf)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats t_A[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_4f(item0, step0, t_A);
         load_2f(item0 + 4 * sizeof(float), step0, &t_A[4]);
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, a);
         floats p[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, p);
         const floats t_P0 = t_A[0];
         const floats t_P1 = t_A[1];
@@ -2509,10 +2511,10 @@ void CHASLES_LEVELED(chasles_twist_transfer_blockf)(
         const floats t_P4 = t_A[4] + (t_P0 * t3 - t_P2 * t1);
         const floats t_P5 = t_A[5] + (t_P1 * t1 - t_P0 * t2);
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_4f(item3, step3, t_P0, t_P1, t_P2, t_P3);
         store_2f(item3 + 4 * sizeof(float), step3, t_P4, t_P5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2522,9 +2524,9 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_natural_rate_matrix(
             (const double *)(at[0] + i * steps[0]),
@@ -2537,9 +2539,9 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_natural_rate_matrixf(
             (const float *)(at[0] + i * steps[0]),
@@ -2552,9 +2554,9 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_linear_rate_matrix(
             (const double *)(at[0] + i * steps[0]),
@@ -2567,9 +2569,9 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_linear_rate_matrixf(
             (const float *)(at[0] + i * steps[0]),
@@ -2582,9 +2584,9 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rodrigues_rate_matrix(
             (const double *)(at[0] + i * steps[0]),
@@ -2597,9 +2599,9 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rodrigues_rate_matrixf(
             (const float *)(at[0] + i * steps[0]),
@@ -2612,9 +2614,9 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_linear_invariants(
             (const double *)(at[0] + i * steps[0]),
@@ -2627,9 +2629,9 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_linear_invariantsf(
             (const float *)(at[0] + i * steps[0]),
@@ -2642,9 +2644,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_rodrigues(
             (const double *)(at[0] + i * steps[0]),
@@ -2657,9 +2659,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_rodriguesf(
             (const float *)(at[0] + i * steps[0]),
@@ -2672,9 +2674,9 @@ void CHASLES_LEVELED(chasles_linear_invariants_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_linear_invariants(
             (const double *)(at[0] + i * steps[0]),
@@ -2687,9 +2689,9 @@ void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_linear_invariantsf(
             (const float *)(at[0] + i * steps[0]),
@@ -2702,9 +2704,9 @@ void CHASLES_LEVELED(chasles_natural_invariants_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_natural_invariants(
             (const double *)(at[0] + i * steps[0]),
@@ -2717,9 +2719,9 @@ void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_natural_invariantsf(
             (const float *)(at[0] + i * steps[0]),
@@ -2732,9 +2734,9 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rodrigues_parameters(
             (const double *)(at[0] + i * steps[0]),
@@ -2747,9 +2749,9 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rodrigues_parametersf(
             (const float *)(at[0] + i * steps[0]),
@@ -2762,9 +2764,9 @@ void CHASLES_LEVELED(chasles_screw_of_motion_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_screw_of_motion(
             (const double *)(at[0] + i * steps[0]),
@@ -2780,9 +2782,9 @@ void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_screw_of_motionf(
             (const float *)(at[0] + i * steps[0]),
@@ -2798,9 +2800,9 @@ void CHASLES_LEVELED(chasles_instant_screw_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_instant_screw(
             (const double *)(at[0] + i * steps[0]),
@@ -2815,9 +2817,9 @@ void CHASLES_LEVELED(chasles_instant_screw_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_instant_screwf(
             (const float *)(at[0] + i * steps[0]),
@@ -2832,9 +2834,9 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_natural_velocity_matrix(
             (const double *)(at[0] + i * steps[0]),
@@ -2847,9 +2849,9 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_natural_velocity_matrixf(
             (const float *)(at[0] + i * steps[0]),
@@ -2862,9 +2864,9 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_linear_velocity_matrix(
             (const double *)(at[0] + i * steps[0]),
@@ -2877,9 +2879,9 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_linear_velocity_matrixf(
             (const float *)(at[0] + i * steps[0]),
@@ -2892,9 +2894,9 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rodrigues_velocity_matrix(
             (const double *)(at[0] + i * steps[0]),
@@ -2907,9 +2909,9 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rodrigues_velocity_matrixf(
             (const float *)(at[0] + i * steps[0]),
@@ -2922,9 +2924,9 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_rate_natural(
             (const double *)(at[0] + i * steps[0]),
@@ -2938,9 +2940,9 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_rate_naturalf(
             (const float *)(at[0] + i * steps[0]),
@@ -2954,9 +2956,9 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_rate_linear(
             (const double *)(at[0] + i * steps[0]),
@@ -2970,9 +2972,9 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_rate_linearf(
             (const float *)(at[0] + i * steps[0]),
@@ -2986,9 +2988,9 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_rate_euler_rodrigues(
             (const double *)(at[0] + i * steps[0]),
@@ -3002,9 +3004,9 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_rate_euler_rodriguesf(
             (const float *)(at[0] + i * steps[0]),
@@ -3018,9 +3020,9 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_from_pose_rate_natural(
             (const double *)(at[0] + i * steps[0]),
@@ -3034,9 +3036,9 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_from_pose_rate_naturalf(
             (const float *)(at[0] + i * steps[0]),
@@ -3050,9 +3052,9 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_from_pose_rate_linear(
             (const double *)(at[0] + i * steps[0]),
@@ -3066,9 +3068,9 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_from_pose_rate_linearf(
             (const float *)(at[0] + i * steps[0]),
@@ -3082,9 +3084,9 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_from_pose_rate_euler_rodrigues(
             (const double *)(at[0] + i * steps[0]),
@@ -3098,9 +3100,9 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_from_pose_rate_euler_rodriguesf(
             (const float *)(at[0] + i * steps[0]),
@@ -3114,9 +3116,9 @@ void CHASLES_LEVELED(chasles_twist_transfer_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_transfer(
             (const double *)(at[0] + i * steps[0]),
@@ -3130,9 +3132,9 @@ void CHASLES_LEVELED(chasles_twist_transfer_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_transferf(
             (const float *)(at[0] + i * steps[0]),

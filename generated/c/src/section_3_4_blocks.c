@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* The blocks of section_3_4, for batches. Made by `chasles emit`; not to be edited by hand.
  *
  * Compiled once for each level. A block first computes the sines and cosines of all its items, then, register by
@@ -17,7 +19,7 @@ void CHASLES_LEVELED(chasles_velocity_of_point_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -29,23 +31,23 @@ void CHASLES_LEVELED(chasles_velocity_of_point_block)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, omega);
         doubles a_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, a_dot);
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, a);
         doubles p[3];
         const char *const item3 = at3 + g * LANES * step3;
-        fetch(item3, LANES * step3);
+        prefetch(item3, LANES * step3);
         load_3(item3, step3, p);
         const doubles t1 = p[0] - a[0];
         const doubles t2 = p[1] - a[1];
@@ -54,9 +56,9 @@ void CHASLES_LEVELED(chasles_velocity_of_point_block)(
         const doubles p_dot1 = a_dot[1] + (omega[2] * t1 - omega[0] * t3);
         const doubles p_dot2 = a_dot[2] + (omega[0] * t2 - omega[1] * t1);
         char *const item4 = at4 + g * LANES * step4;
-        claim(item4, LANES * step4);
+        prefetch_to_write(item4, LANES * step4);
         store_3(item4, step4, p_dot0, p_dot1, p_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -64,7 +66,7 @@ void CHASLES_LEVELED(chasles_velocity_of_point_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -76,23 +78,23 @@ void CHASLES_LEVELED(chasles_velocity_of_point_blockf)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, omega);
         floats a_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, a_dot);
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, a);
         floats p[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        fetch(item3, LANESF * step3);
+        prefetch(item3, LANESF * step3);
         load_3f(item3, step3, p);
         const floats t1 = p[0] - a[0];
         const floats t2 = p[1] - a[1];
@@ -101,9 +103,9 @@ void CHASLES_LEVELED(chasles_velocity_of_point_blockf)(
         const floats p_dot1 = a_dot[1] + (omega[2] * t1 - omega[0] * t3);
         const floats p_dot2 = a_dot[2] + (omega[0] * t2 - omega[1] * t1);
         char *const item4 = at4 + g * LANESF * step4;
-        claim(item4, LANESF * step4);
+        prefetch_to_write(item4, LANESF * step4);
         store_3f(item4, step4, p_dot0, p_dot1, p_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -113,9 +115,9 @@ void CHASLES_LEVELED(chasles_velocity_of_point_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_velocity_of_point(
             (const double *)(at[0] + i * steps[0]),
@@ -130,9 +132,9 @@ void CHASLES_LEVELED(chasles_velocity_of_point_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_velocity_of_pointf(
             (const float *)(at[0] + i * steps[0]),

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* The blocks of section_3_5, for batches. Made by `chasles emit`; not to be edited by hand.
  *
  * Compiled once for each level. A block first computes the sines and cosines of all its items, then, register by
@@ -17,7 +19,7 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -25,15 +27,15 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, omega);
         doubles omega_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, omega_dot);
         const doubles t1 = omega[0] * omega[0];
         const doubles t2 = omega[0] * omega[1];
@@ -51,11 +53,11 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_block)(
         const doubles W6 = t3 - omega_dot[1];
         const doubles W7 = omega_dot[0] + t5;
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_4(item2, step2, W0, W1, W2, W3);
         store_4(item2 + 4 * sizeof(double), step2, W4, W5, W6, W7);
         store_1(item2 + 8 * sizeof(double), step2, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -63,7 +65,7 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -71,15 +73,15 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, omega);
         floats omega_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, omega_dot);
         const floats t1 = omega[0] * omega[0];
         const floats t2 = omega[0] * omega[1];
@@ -97,11 +99,11 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_blockf)(
         const floats W6 = t3 - omega_dot[1];
         const floats W7 = omega_dot[0] + t5;
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_4f(item2, step2, W0, W1, W2, W3);
         store_4f(item2 + 4 * sizeof(float), step2, W4, W5, W6, W7);
         store_1f(item2 + 8 * sizeof(float), step2, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -109,7 +111,7 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -123,27 +125,27 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_block)(
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(double));
     char *const at5 = at[5];
     const ptrdiff_t step5 = CHASLES_STEP(5, 3 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, omega);
         doubles omega_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, omega_dot);
         doubles a_ddot[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, a_ddot);
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
-        fetch(item3, LANES * step3);
+        prefetch(item3, LANES * step3);
         load_3(item3, step3, a);
         doubles p[3];
         const char *const item4 = at4 + g * LANES * step4;
-        fetch(item4, LANES * step4);
+        prefetch(item4, LANES * step4);
         load_3(item4, step4, p);
         const doubles t1 = p[0] - a[0];
         const doubles t2 = p[1] - a[1];
@@ -158,9 +160,9 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_block)(
         const doubles t9 = a_ddot[2] + (omega_dot[0] * t2 - omega_dot[1] * t1);
         const doubles p_ddot2 = t9 + (omega[0] * t5 - omega[1] * t4);
         char *const item5 = at5 + g * LANES * step5;
-        claim(item5, LANES * step5);
+        prefetch_to_write(item5, LANES * step5);
         store_3(item5, step5, p_ddot0, p_ddot1, p_ddot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -168,7 +170,7 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -182,27 +184,27 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_blockf)(
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(float));
     char *const at5 = at[5];
     const ptrdiff_t step5 = CHASLES_STEP(5, 3 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, omega);
         floats omega_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, omega_dot);
         floats a_ddot[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, a_ddot);
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        fetch(item3, LANESF * step3);
+        prefetch(item3, LANESF * step3);
         load_3f(item3, step3, a);
         floats p[3];
         const char *const item4 = at4 + g * LANESF * step4;
-        fetch(item4, LANESF * step4);
+        prefetch(item4, LANESF * step4);
         load_3f(item4, step4, p);
         const floats t1 = p[0] - a[0];
         const floats t2 = p[1] - a[1];
@@ -217,9 +219,9 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_blockf)(
         const floats t9 = a_ddot[2] + (omega_dot[0] * t2 - omega_dot[1] * t1);
         const floats p_ddot2 = t9 + (omega[0] * t5 - omega[1] * t4);
         char *const item5 = at5 + g * LANESF * step5;
-        claim(item5, LANESF * step5);
+        prefetch_to_write(item5, LANESF * step5);
         store_3f(item5, step5, p_ddot0, p_ddot1, p_ddot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -227,7 +229,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -237,27 +239,27 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, omega);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
@@ -294,11 +296,11 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
         const doubles N_dot7 = half_t8 + t16;
         const doubles N_dot8 = e[2] * t13 - t4;
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_4(item3, step3, N_dot0, N_dot1, N_dot2, N_dot3);
         store_4(item3 + 4 * sizeof(double), step3, N_dot4, N_dot5, N_dot6, N_dot7);
         store_4(item3 + 8 * sizeof(double), step3, N_dot8, N_dot9, N_dot10, N_dot11);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -306,7 +308,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -316,27 +318,27 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, omega);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
@@ -373,11 +375,11 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
         const floats N_dot7 = half_t8 + t16;
         const floats N_dot8 = e[2] * t13 - t4;
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_4f(item3, step3, N_dot0, N_dot1, N_dot2, N_dot3);
         store_4f(item3 + 4 * sizeof(float), step3, N_dot4, N_dot5, N_dot6, N_dot7);
         store_4f(item3 + 8 * sizeof(float), step3, N_dot8, N_dot9, N_dot10, N_dot11);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -385,7 +387,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -395,27 +397,27 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, omega);
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
@@ -457,11 +459,11 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
         const doubles L_dot10 = -t13;
         const doubles L_dot11 = -t14;
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_4(item3, step3, L_dot0, L_dot1, L_dot2, L_dot3);
         store_4(item3 + 4 * sizeof(double), step3, L_dot4, L_dot5, L_dot6, L_dot7);
         store_4(item3 + 8 * sizeof(double), step3, L_dot8, L_dot9, L_dot10, L_dot11);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -469,7 +471,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -479,27 +481,27 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, omega);
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
@@ -541,11 +543,11 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
         const floats L_dot10 = -t13;
         const floats L_dot11 = -t14;
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_4f(item3, step3, L_dot0, L_dot1, L_dot2, L_dot3);
         store_4f(item3 + 4 * sizeof(float), step3, L_dot4, L_dot5, L_dot6, L_dot7);
         store_4f(item3 + 8 * sizeof(float), step3, L_dot8, L_dot9, L_dot10, L_dot11);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -553,7 +555,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -563,27 +565,27 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, omega);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
@@ -600,11 +602,11 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
         const doubles H_dot2 = -H_dot6;
         const doubles H_dot3 = -H_dot1;
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_4(item3, step3, H_dot0, H_dot1, H_dot2, H_dot3);
         store_4(item3 + 4 * sizeof(double), step3, H_dot0, H_dot5, H_dot6, H_dot7);
         store_4(item3 + 8 * sizeof(double), step3, H_dot0, H_dot7, H_dot2, H_dot3);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -612,7 +614,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -622,27 +624,27 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, omega);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
@@ -659,11 +661,11 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
         const floats H_dot2 = -H_dot6;
         const floats H_dot3 = -H_dot1;
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_4f(item3, step3, H_dot0, H_dot1, H_dot2, H_dot3);
         store_4f(item3 + 4 * sizeof(float), step3, H_dot0, H_dot5, H_dot6, H_dot7);
         store_4f(item3 + 8 * sizeof(float), step3, H_dot0, H_dot7, H_dot2, H_dot3);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -671,7 +673,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -681,27 +683,27 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, omega);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
@@ -725,11 +727,11 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
         const doubles N_tilde_dot7 = -((e[1] * t1 - omega[1]) * t9 + 0.5 * t6);
         const doubles N_tilde_dot11 = -((e[2] * t1 - omega[2]) * t9 + 0.5 * t7);
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_4(item3, step3, N_tilde_dot0, N_tilde_dot1, N_tilde_dot2, N_tilde_dot3);
         store_4(item3 + 4 * sizeof(double), step3, N_tilde_dot4, N_tilde_dot0, N_tilde_dot6, N_tilde_dot7);
         store_4(item3 + 8 * sizeof(double), step3, N_tilde_dot8, N_tilde_dot9, N_tilde_dot0, N_tilde_dot11);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -737,7 +739,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -747,27 +749,27 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, omega);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
@@ -791,11 +793,11 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
         const floats N_tilde_dot7 = -((e[1] * t1 - omega[1]) * t9 + 0.5f * t6);
         const floats N_tilde_dot11 = -((e[2] * t1 - omega[2]) * t9 + 0.5f * t7);
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_4f(item3, step3, N_tilde_dot0, N_tilde_dot1, N_tilde_dot2, N_tilde_dot3);
         store_4f(item3 + 4 * sizeof(float), step3, N_tilde_dot4, N_tilde_dot0, N_tilde_dot6, N_tilde_dot7);
         store_4f(item3 + 8 * sizeof(float), step3, N_tilde_dot8, N_tilde_dot9, N_tilde_dot0, N_tilde_dot11);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -803,7 +805,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -813,27 +815,27 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, omega);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
@@ -850,11 +852,11 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
         const doubles L_tilde_dot3 = -L_tilde_dot9;
         const doubles L_tilde_dot7 = -L_tilde_dot2;
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_4(item3, step3, spread(0.0), L_tilde_dot1, L_tilde_dot2, L_tilde_dot3);
         store_4(item3 + 4 * sizeof(double), step3, L_tilde_dot4, spread(0.0), L_tilde_dot3, L_tilde_dot7);
         store_4(item3 + 8 * sizeof(double), step3, L_tilde_dot7, L_tilde_dot9, spread(0.0), L_tilde_dot1);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -862,7 +864,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -872,27 +874,27 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, omega);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
@@ -909,11 +911,11 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
         const floats L_tilde_dot3 = -L_tilde_dot9;
         const floats L_tilde_dot7 = -L_tilde_dot2;
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_4f(item3, step3, spreadf(0.0f), L_tilde_dot1, L_tilde_dot2, L_tilde_dot3);
         store_4f(item3 + 4 * sizeof(float), step3, L_tilde_dot4, spreadf(0.0f), L_tilde_dot3, L_tilde_dot7);
         store_4f(item3 + 8 * sizeof(float), step3, L_tilde_dot7, L_tilde_dot9, spreadf(0.0f), L_tilde_dot1);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -921,7 +923,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -931,27 +933,27 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, omega);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
@@ -966,11 +968,11 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
         const doubles H_tilde_dot3 = -H_tilde_dot9;
         const doubles H_tilde_dot7 = -H_tilde_dot2;
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_4(item3, step3, H_tilde_dot0, H_tilde_dot1, H_tilde_dot2, H_tilde_dot3);
         store_4(item3 + 4 * sizeof(double), step3, H_tilde_dot4, H_tilde_dot0, H_tilde_dot3, H_tilde_dot7);
         store_4(item3 + 8 * sizeof(double), step3, H_tilde_dot7, H_tilde_dot9, H_tilde_dot0, H_tilde_dot1);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -978,7 +980,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -988,27 +990,27 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, omega);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
@@ -1023,11 +1025,11 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
         const floats H_tilde_dot3 = -H_tilde_dot9;
         const floats H_tilde_dot7 = -H_tilde_dot2;
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_4f(item3, step3, H_tilde_dot0, H_tilde_dot1, H_tilde_dot2, H_tilde_dot3);
         store_4f(item3 + 4 * sizeof(float), step3, H_tilde_dot4, H_tilde_dot0, H_tilde_dot3, H_tilde_dot7);
         store_4f(item3 + 8 * sizeof(float), step3, H_tilde_dot7, H_tilde_dot9, H_tilde_dot0, H_tilde_dot1);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1035,7 +1037,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1047,31 +1049,31 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, t);
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
-        fetch(item3, LANES * step3);
+        prefetch(item3, LANES * step3);
         load_4(item3, step3, t_dot);
         load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
         const doubles sin_half_phi = sines[0][g];
@@ -1098,10 +1100,10 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
         const doubles t14 = 0.5 * (e[0] * t_dot[1] - e[1] * t_dot[0] + (t[0] * t8 - t[1] * t7));
         const doubles s_ddot2 = t6 * (t_dot[2] - e[2] * s_ddot3 + t1 * t9) + t4 * t11 - t14;
         char *const item4 = at4 + g * LANES * step4;
-        claim(item4, LANES * step4);
+        prefetch_to_write(item4, LANES * step4);
         store_4(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
         store_3(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5, s_ddot6);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1109,7 +1111,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1121,31 +1123,31 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, t);
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
-        fetch(item3, LANESF * step3);
+        prefetch(item3, LANESF * step3);
         load_4f(item3, step3, t_dot);
         load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
         const floats sin_half_phi = sines[0][g];
@@ -1172,10 +1174,10 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
         const floats t14 = 0.5f * (e[0] * t_dot[1] - e[1] * t_dot[0] + (t[0] * t8 - t[1] * t7));
         const floats s_ddot2 = t6 * (t_dot[2] - e[2] * s_ddot3 + t1 * t9) + t4 * t11 - t14;
         char *const item4 = at4 + g * LANESF * step4;
-        claim(item4, LANESF * step4);
+        prefetch_to_write(item4, LANESF * step4);
         store_4f(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
         store_3f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5, s_ddot6);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1183,7 +1185,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1195,31 +1197,31 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, t);
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
-        fetch(item3, LANES * step3);
+        prefetch(item3, LANES * step3);
         load_4(item3, step3, t_dot);
         load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
         const doubles sin_phi = sines[0][g];
@@ -1245,10 +1247,10 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
         const doubles s_ddot2 = t6 - t[2] * t3 + (e[0] * t[1] - e[1] * t[0]) * t8 - e[2] * t11;
         const doubles s_ddot3 = t2 * t8 - sin_phi * t9 - t1 * t10;
         char *const item4 = at4 + g * LANES * step4;
-        claim(item4, LANES * step4);
+        prefetch_to_write(item4, LANES * step4);
         store_4(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
         store_3(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5, s_ddot6);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1256,7 +1258,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1268,31 +1270,31 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, t);
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
-        fetch(item3, LANESF * step3);
+        prefetch(item3, LANESF * step3);
         load_4f(item3, step3, t_dot);
         load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
         const floats sin_phi = sines[0][g];
@@ -1318,10 +1320,10 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
         const floats s_ddot2 = t6 - t[2] * t3 + (e[0] * t[1] - e[1] * t[0]) * t8 - e[2] * t11;
         const floats s_ddot3 = t2 * t8 - sin_phi * t9 - t1 * t10;
         char *const item4 = at4 + g * LANESF * step4;
-        claim(item4, LANESF * step4);
+        prefetch_to_write(item4, LANESF * step4);
         store_4f(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
         store_3f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5, s_ddot6);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1329,7 +1331,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1341,31 +1343,31 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, t);
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
-        fetch(item3, LANES * step3);
+        prefetch(item3, LANES * step3);
         load_4(item3, step3, t_dot);
         load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
         const doubles sin_half_phi = sines[0][g];
@@ -1387,10 +1389,10 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
         const doubles t9 = 0.5 * (t_dot[0] * t1 + t_dot[1] * t2 + t_dot[2] * t3);
         const doubles s_ddot3 = -(t9 + cos_half_phi * t4);
         char *const item4 = at4 + g * LANES * step4;
-        claim(item4, LANES * step4);
+        prefetch_to_write(item4, LANES * step4);
         store_4(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
         store_3(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5, s_ddot6);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1398,7 +1400,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1410,31 +1412,31 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, t);
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
-        fetch(item3, LANESF * step3);
+        prefetch(item3, LANESF * step3);
         load_4f(item3, step3, t_dot);
         load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
         const floats sin_half_phi = sines[0][g];
@@ -1456,10 +1458,10 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
         const floats t9 = 0.5f * (t_dot[0] * t1 + t_dot[1] * t2 + t_dot[2] * t3);
         const floats s_ddot3 = -(t9 + cos_half_phi * t4);
         char *const item4 = at4 + g * LANESF * step4;
-        claim(item4, LANESF * step4);
+        prefetch_to_write(item4, LANESF * step4);
         store_4f(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
         store_3f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5, s_ddot6);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1467,7 +1469,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1479,31 +1481,31 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_4(item2, step2, s_dot);
         doubles s_ddot[7];
         const char *const item3 = at3 + g * LANES * step3;
-        fetch(item3, LANES * step3);
+        prefetch(item3, LANES * step3);
         load_4(item3, step3, s_ddot);
         load_3(item3 + 4 * sizeof(double), step3, &s_ddot[4]);
         const doubles sin_phi = sines[0][g];
@@ -1524,10 +1526,10 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
         const doubles t9 = s_dot[2] * t5 + (e[0] * s_dot[1] - e[1] * s_dot[0]) * t6;
         const doubles t_dot2 = t4 + e[2] * s_ddot[3] + t9;
         char *const item4 = at4 + g * LANES * step4;
-        claim(item4, LANES * step4);
+        prefetch_to_write(item4, LANES * step4);
         store_4(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1535,7 +1537,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1547,31 +1549,31 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_4f(item2, step2, s_dot);
         floats s_ddot[7];
         const char *const item3 = at3 + g * LANESF * step3;
-        fetch(item3, LANESF * step3);
+        prefetch(item3, LANESF * step3);
         load_4f(item3, step3, s_ddot);
         load_3f(item3 + 4 * sizeof(float), step3, &s_ddot[4]);
         const floats sin_phi = sines[0][g];
@@ -1592,10 +1594,10 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
         const floats t9 = s_dot[2] * t5 + (e[0] * s_dot[1] - e[1] * s_dot[0]) * t6;
         const floats t_dot2 = t4 + e[2] * s_ddot[3] + t9;
         char *const item4 = at4 + g * LANESF * step4;
-        claim(item4, LANESF * step4);
+        prefetch_to_write(item4, LANESF * step4);
         store_4f(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1603,7 +1605,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1615,31 +1617,31 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_4(item2, step2, s_dot);
         doubles s_ddot[7];
         const char *const item3 = at3 + g * LANES * step3;
-        fetch(item3, LANES * step3);
+        prefetch(item3, LANES * step3);
         load_4(item3, step3, s_ddot);
         load_3(item3 + 4 * sizeof(double), step3, &s_ddot[4]);
         const doubles sin_half_phi = sines[0][g];
@@ -1661,10 +1663,10 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
         const doubles t10 = (s_dot[2] + (s_dot[1] * t3 - s_dot[0] * t4) - s_dot[3] * t5) * t7;
         const doubles t_dot2 = s_ddot[2] + (s_ddot[1] * t3 - s_ddot[0] * t4) - s_ddot[3] * t5 - t10;
         char *const item4 = at4 + g * LANES * step4;
-        claim(item4, LANES * step4);
+        prefetch_to_write(item4, LANES * step4);
         store_4(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1672,7 +1674,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1684,31 +1686,31 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_4f(item2, step2, s_dot);
         floats s_ddot[7];
         const char *const item3 = at3 + g * LANESF * step3;
-        fetch(item3, LANESF * step3);
+        prefetch(item3, LANESF * step3);
         load_4f(item3, step3, s_ddot);
         load_3f(item3 + 4 * sizeof(float), step3, &s_ddot[4]);
         const floats sin_half_phi = sines[0][g];
@@ -1730,10 +1732,10 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
         const floats t10 = (s_dot[2] + (s_dot[1] * t3 - s_dot[0] * t4) - s_dot[3] * t5) * t7;
         const floats t_dot2 = s_ddot[2] + (s_ddot[1] * t3 - s_ddot[0] * t4) - s_ddot[3] * t5 - t10;
         char *const item4 = at4 + g * LANESF * step4;
-        claim(item4, LANESF * step4);
+        prefetch_to_write(item4, LANESF * step4);
         store_4f(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1741,7 +1743,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1751,27 +1753,27 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
     doubles cosines[1][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, e);
         doubles s_ddot[7];
         const char *const item3 = at3 + g * LANES * step3;
-        fetch(item3, LANES * step3);
+        prefetch(item3, LANES * step3);
         load_4(item3, step3, s_ddot);
         load_3(item3 + 4 * sizeof(double), step3, &s_ddot[4]);
         const doubles sin_half_phi = sines[0][g];
@@ -1788,10 +1790,10 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
         const doubles t_dot1 = s_ddot[0] * t5 + s_ddot[1] * t1 - s_ddot[2] * t3 - s_ddot[3] * t4;
         const doubles t_dot2 = s_ddot[1] * t3 - s_ddot[0] * t4 + s_ddot[2] * t1 - s_ddot[3] * t5;
         char *const item4 = at4 + g * LANES * step4;
-        claim(item4, LANES * step4);
+        prefetch_to_write(item4, LANES * step4);
         store_4(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1799,7 +1801,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1809,27 +1811,27 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
     floats cosines[1][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
-    way.share = (way.share + 1) / 2;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
+    copied.share = (copied.share + 1) / 2;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, e);
         floats s_ddot[7];
         const char *const item3 = at3 + g * LANESF * step3;
-        fetch(item3, LANESF * step3);
+        prefetch(item3, LANESF * step3);
         load_4f(item3, step3, s_ddot);
         load_3f(item3 + 4 * sizeof(float), step3, &s_ddot[4]);
         const floats sin_half_phi = sines[0][g];
@@ -1846,10 +1848,10 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
         const floats t_dot1 = s_ddot[0] * t5 + s_ddot[1] * t1 - s_ddot[2] * t3 - s_ddot[3] * t4;
         const floats t_dot2 = s_ddot[1] * t3 - s_ddot[0] * t4 + s_ddot[2] * t1 - s_ddot[3] * t5;
         char *const item4 = at4 + g * LANESF * step4;
-        claim(item4, LANESF * step4);
+        prefetch_to_write(item4, LANESF * step4);
         store_4f(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1859,9 +1861,9 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_angular_acceleration_matrix(
             (const double *)(at[0] + i * steps[0]),
@@ -1874,9 +1876,9 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_angular_acceleration_matrixf(
             (const float *)(at[0] + i * steps[0]),
@@ -1889,9 +1891,9 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_acceleration_of_point(
             (const double *)(at[0] + i * steps[0]),
@@ -1907,9 +1909,9 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_acceleration_of_pointf(
             (const float *)(at[0] + i * steps[0]),
@@ -1925,9 +1927,9 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_natural_rate_matrix_dot(
             (const double *)(at[0] + i * steps[0]),
@@ -1941,9 +1943,9 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_natural_rate_matrix_dotf(
             (const float *)(at[0] + i * steps[0]),
@@ -1957,9 +1959,9 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_linear_rate_matrix_dot(
             (const double *)(at[0] + i * steps[0]),
@@ -1973,9 +1975,9 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_linear_rate_matrix_dotf(
             (const float *)(at[0] + i * steps[0]),
@@ -1989,9 +1991,9 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rodrigues_rate_matrix_dot(
             (const double *)(at[0] + i * steps[0]),
@@ -2005,9 +2007,9 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rodrigues_rate_matrix_dotf(
             (const float *)(at[0] + i * steps[0]),
@@ -2021,9 +2023,9 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_natural_velocity_matrix_dot(
             (const double *)(at[0] + i * steps[0]),
@@ -2037,9 +2039,9 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_natural_velocity_matrix_dotf(
             (const float *)(at[0] + i * steps[0]),
@@ -2053,9 +2055,9 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_linear_velocity_matrix_dot(
             (const double *)(at[0] + i * steps[0]),
@@ -2069,9 +2071,9 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_linear_velocity_matrix_dotf(
             (const float *)(at[0] + i * steps[0]),
@@ -2085,9 +2087,9 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rodrigues_velocity_matrix_dot(
             (const double *)(at[0] + i * steps[0]),
@@ -2101,9 +2103,9 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rodrigues_velocity_matrix_dotf(
             (const float *)(at[0] + i * steps[0]),
@@ -2117,9 +2119,9 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_acceleration_natural(
             (const double *)(at[0] + i * steps[0]),
@@ -2134,9 +2136,9 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_acceleration_naturalf(
             (const float *)(at[0] + i * steps[0]),
@@ -2151,9 +2153,9 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_acceleration_linear(
             (const double *)(at[0] + i * steps[0]),
@@ -2168,9 +2170,9 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_acceleration_linearf(
             (const float *)(at[0] + i * steps[0]),
@@ -2185,9 +2187,9 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_acceleration_euler_rodrigues(
             (const double *)(at[0] + i * steps[0]),
@@ -2202,9 +2204,9 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_pose_acceleration_euler_rodriguesf(
             (const float *)(at[0] + i * steps[0]),
@@ -2219,9 +2221,9 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_rate_from_pose_natural(
             (const double *)(at[0] + i * steps[0]),
@@ -2236,9 +2238,9 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_rate_from_pose_naturalf(
             (const float *)(at[0] + i * steps[0]),
@@ -2253,9 +2255,9 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_rate_from_pose_linear(
             (const double *)(at[0] + i * steps[0]),
@@ -2270,9 +2272,9 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_rate_from_pose_linearf(
             (const float *)(at[0] + i * steps[0]),
@@ -2287,9 +2289,9 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_rate_from_pose_euler_rodrigues(
             (const double *)(at[0] + i * steps[0]),
@@ -2304,9 +2306,9 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_twist_rate_from_pose_euler_rodriguesf(
             (const float *)(at[0] + i * steps[0]),

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* The blocks of section_3_6, for batches. Made by `chasles emit`; not to be edited by hand.
  *
  * Compiled once for each level. A block first computes the sines and cosines of all its items, then, register by
@@ -17,7 +19,7 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -31,29 +33,29 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_block)(
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(double));
     char *const at5 = at[5];
     const ptrdiff_t step5 = CHASLES_STEP(5, 3 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles o_dot[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, o_dot);
         doubles Q[9];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_4(item1, step1, Q);
         load_4(item1 + 4 * sizeof(double), step1, &Q[4]);
         load_1(item1 + 8 * sizeof(double), step1, &Q[8]);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, omega);
         doubles rho[3];
         const char *const item3 = at3 + g * LANES * step3;
-        fetch(item3, LANES * step3);
+        prefetch(item3, LANES * step3);
         load_3(item3, step3, rho);
         doubles rho_dot[3];
         const char *const item4 = at4 + g * LANES * step4;
-        fetch(item4, LANES * step4);
+        prefetch(item4, LANES * step4);
         load_3(item4, step4, rho_dot);
         const doubles t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
         const doubles t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
@@ -65,9 +67,9 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_block)(
         const doubles t6 = Q[6] * rho_dot[0] + Q[7] * rho_dot[1] + Q[8] * rho_dot[2];
         const doubles p_dot2 = o_dot[2] + (omega[0] * t2 - omega[1] * t1) + t6;
         char *const item5 = at5 + g * LANES * step5;
-        claim(item5, LANES * step5);
+        prefetch_to_write(item5, LANES * step5);
         store_3(item5, step5, p_dot0, p_dot1, p_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -75,7 +77,7 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -89,29 +91,29 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_blockf)(
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(float));
     char *const at5 = at[5];
     const ptrdiff_t step5 = CHASLES_STEP(5, 3 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats o_dot[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, o_dot);
         floats Q[9];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_4f(item1, step1, Q);
         load_4f(item1 + 4 * sizeof(float), step1, &Q[4]);
         load_1f(item1 + 8 * sizeof(float), step1, &Q[8]);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, omega);
         floats rho[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        fetch(item3, LANESF * step3);
+        prefetch(item3, LANESF * step3);
         load_3f(item3, step3, rho);
         floats rho_dot[3];
         const char *const item4 = at4 + g * LANESF * step4;
-        fetch(item4, LANESF * step4);
+        prefetch(item4, LANESF * step4);
         load_3f(item4, step4, rho_dot);
         const floats t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
         const floats t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
@@ -123,9 +125,9 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_blockf)(
         const floats t6 = Q[6] * rho_dot[0] + Q[7] * rho_dot[1] + Q[8] * rho_dot[2];
         const floats p_dot2 = o_dot[2] + (omega[0] * t2 - omega[1] * t1) + t6;
         char *const item5 = at5 + g * LANESF * step5;
-        claim(item5, LANESF * step5);
+        prefetch_to_write(item5, LANESF * step5);
         store_3f(item5, step5, p_dot0, p_dot1, p_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -133,7 +135,7 @@ void CHASLES_LEVELED(chasles_moving_frame_acceleration_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -151,37 +153,37 @@ void CHASLES_LEVELED(chasles_moving_frame_acceleration_block)(
     const ptrdiff_t step6 = CHASLES_STEP(6, 3 * sizeof(double));
     char *const at7 = at[7];
     const ptrdiff_t step7 = CHASLES_STEP(7, 3 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles o_ddot[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, o_ddot);
         doubles Q[9];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_4(item1, step1, Q);
         load_4(item1 + 4 * sizeof(double), step1, &Q[4]);
         load_1(item1 + 8 * sizeof(double), step1, &Q[8]);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, omega);
         doubles omega_dot[3];
         const char *const item3 = at3 + g * LANES * step3;
-        fetch(item3, LANES * step3);
+        prefetch(item3, LANES * step3);
         load_3(item3, step3, omega_dot);
         doubles rho[3];
         const char *const item4 = at4 + g * LANES * step4;
-        fetch(item4, LANES * step4);
+        prefetch(item4, LANES * step4);
         load_3(item4, step4, rho);
         doubles rho_dot[3];
         const char *const item5 = at5 + g * LANES * step5;
-        fetch(item5, LANES * step5);
+        prefetch(item5, LANES * step5);
         load_3(item5, step5, rho_dot);
         doubles rho_ddot[3];
         const char *const item6 = at6 + g * LANES * step6;
-        fetch(item6, LANES * step6);
+        prefetch(item6, LANES * step6);
         load_3(item6, step6, rho_ddot);
         const doubles t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
         const doubles t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
@@ -202,9 +204,9 @@ void CHASLES_LEVELED(chasles_moving_frame_acceleration_block)(
         const doubles t15 = Q[6] * rho_ddot[0] + Q[7] * rho_ddot[1] + Q[8] * rho_ddot[2];
         const doubles p_ddot2 = t12 + (omega[0] * t7 - omega[1] * t5) + t15;
         char *const item7 = at7 + g * LANES * step7;
-        claim(item7, LANES * step7);
+        prefetch_to_write(item7, LANES * step7);
         store_3(item7, step7, p_ddot0, p_ddot1, p_ddot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -212,7 +214,7 @@ void CHASLES_LEVELED(chasles_moving_frame_acceleration_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -230,37 +232,37 @@ void CHASLES_LEVELED(chasles_moving_frame_acceleration_blockf)(
     const ptrdiff_t step6 = CHASLES_STEP(6, 3 * sizeof(float));
     char *const at7 = at[7];
     const ptrdiff_t step7 = CHASLES_STEP(7, 3 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats o_ddot[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, o_ddot);
         floats Q[9];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_4f(item1, step1, Q);
         load_4f(item1 + 4 * sizeof(float), step1, &Q[4]);
         load_1f(item1 + 8 * sizeof(float), step1, &Q[8]);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, omega);
         floats omega_dot[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        fetch(item3, LANESF * step3);
+        prefetch(item3, LANESF * step3);
         load_3f(item3, step3, omega_dot);
         floats rho[3];
         const char *const item4 = at4 + g * LANESF * step4;
-        fetch(item4, LANESF * step4);
+        prefetch(item4, LANESF * step4);
         load_3f(item4, step4, rho);
         floats rho_dot[3];
         const char *const item5 = at5 + g * LANESF * step5;
-        fetch(item5, LANESF * step5);
+        prefetch(item5, LANESF * step5);
         load_3f(item5, step5, rho_dot);
         floats rho_ddot[3];
         const char *const item6 = at6 + g * LANESF * step6;
-        fetch(item6, LANESF * step6);
+        prefetch(item6, LANESF * step6);
         load_3f(item6, step6, rho_ddot);
         const floats t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
         const floats t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
@@ -281,9 +283,9 @@ void CHASLES_LEVELED(chasles_moving_frame_acceleration_blockf)(
         const floats t15 = Q[6] * rho_ddot[0] + Q[7] * rho_ddot[1] + Q[8] * rho_ddot[2];
         const floats p_ddot2 = t12 + (omega[0] * t7 - omega[1] * t5) + t15;
         char *const item7 = at7 + g * LANESF * step7;
-        claim(item7, LANESF * step7);
+        prefetch_to_write(item7, LANESF * step7);
         store_3f(item7, step7, p_ddot0, p_ddot1, p_ddot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -293,9 +295,9 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_moving_frame_velocity(
             (const double *)(at[0] + i * steps[0]),
@@ -311,9 +313,9 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_moving_frame_velocityf(
             (const float *)(at[0] + i * steps[0]),
@@ -329,9 +331,9 @@ void CHASLES_LEVELED(chasles_moving_frame_acceleration_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_moving_frame_acceleration(
             (const double *)(at[0] + i * steps[0]),
@@ -349,9 +351,9 @@ void CHASLES_LEVELED(chasles_moving_frame_acceleration_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_moving_frame_accelerationf(
             (const float *)(at[0] + i * steps[0]),

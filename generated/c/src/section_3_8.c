@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* The kernels of section_3_8. Made by `chasles emit`; not to be edited by hand. */
 
 #include <math.h>

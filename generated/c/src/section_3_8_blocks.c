@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* The blocks of section_3_8, for batches. Made by `chasles emit`; not to be edited by hand.
  *
  * Compiled once for each level. A block first computes the sines and cosines of all its items, then, register by
@@ -17,7 +19,7 @@ void CHASLES_LEVELED(chasles_inertia_about_point_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -29,25 +31,25 @@ void CHASLES_LEVELED(chasles_inertia_about_point_block)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
         load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles c[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, c);
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
-        fetch(item3, LANES * step3);
+        prefetch(item3, LANES * step3);
         load_3(item3, step3, a);
         const doubles t1 = a[0] - c[0];
         const doubles t2 = a[1] - c[1];
@@ -70,11 +72,11 @@ void CHASLES_LEVELED(chasles_inertia_about_point_block)(
         const doubles I_A7 = I_C[7] - t10;
         const doubles I_A8 = I_C[8] + (t6 + t9);
         char *const item4 = at4 + g * LANES * step4;
-        claim(item4, LANES * step4);
+        prefetch_to_write(item4, LANES * step4);
         store_4(item4, step4, I_A0, I_A1, I_A2, I_A3);
         store_4(item4 + 4 * sizeof(double), step4, I_A4, I_A5, I_A6, I_A7);
         store_1(item4 + 8 * sizeof(double), step4, I_A8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -82,7 +84,7 @@ void CHASLES_LEVELED(chasles_inertia_about_point_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -94,25 +96,25 @@ void CHASLES_LEVELED(chasles_inertia_about_point_blockf)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats c[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, c);
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        fetch(item3, LANESF * step3);
+        prefetch(item3, LANESF * step3);
         load_3f(item3, step3, a);
         const floats t1 = a[0] - c[0];
         const floats t2 = a[1] - c[1];
@@ -135,11 +137,11 @@ void CHASLES_LEVELED(chasles_inertia_about_point_blockf)(
         const floats I_A7 = I_C[7] - t10;
         const floats I_A8 = I_C[8] + (t6 + t9);
         char *const item4 = at4 + g * LANESF * step4;
-        claim(item4, LANESF * step4);
+        prefetch_to_write(item4, LANESF * step4);
         store_4f(item4, step4, I_A0, I_A1, I_A2, I_A3);
         store_4f(item4 + 4 * sizeof(float), step4, I_A4, I_A5, I_A6, I_A7);
         store_1f(item4 + 8 * sizeof(float), step4, I_A8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -147,7 +149,7 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
@@ -159,24 +161,24 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_block)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles c[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, c);
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
-        fetch(item3, LANES * step3);
+        prefetch(item3, LANES * step3);
         load_3(item3, step3, a);
         const doubles t1 = a[0] - c[0];
         const doubles t2 = a[1] - c[1];
@@ -193,10 +195,10 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_block)(
         const doubles I_A4 = I_C[4] - t2 * t5;
         const doubles I_A5 = I_C[5] + (t6 + t7);
         char *const item4 = at4 + g * LANES * step4;
-        claim(item4, LANES * step4);
+        prefetch_to_write(item4, LANES * step4);
         store_4(item4, step4, I_A0, I_A1, I_A2, I_A3);
         store_2(item4 + 4 * sizeof(double), step4, I_A4, I_A5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -204,7 +206,7 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
@@ -216,24 +218,24 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_blockf)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats c[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, c);
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        fetch(item3, LANESF * step3);
+        prefetch(item3, LANESF * step3);
         load_3f(item3, step3, a);
         const floats t1 = a[0] - c[0];
         const floats t2 = a[1] - c[1];
@@ -250,10 +252,10 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_blockf)(
         const floats I_A4 = I_C[4] - t2 * t5;
         const floats I_A5 = I_C[5] + (t6 + t7);
         char *const item4 = at4 + g * LANESF * step4;
-        claim(item4, LANESF * step4);
+        prefetch_to_write(item4, LANESF * step4);
         store_4f(item4, step4, I_A0, I_A1, I_A2, I_A3);
         store_2f(item4 + 4 * sizeof(float), step4, I_A4, I_A5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -261,7 +263,7 @@ void CHASLES_LEVELED(chasles_momentum_screw_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -271,21 +273,21 @@ void CHASLES_LEVELED(chasles_momentum_screw_block)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
         load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_4(item2, step2, t);
         load_2(item2 + 4 * sizeof(double), step2, &t[4]);
         const doubles mu0 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
@@ -295,10 +297,10 @@ void CHASLES_LEVELED(chasles_momentum_screw_block)(
         const doubles mu4 = m * t[4];
         const doubles mu5 = m * t[5];
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_4(item3, step3, mu0, mu1, mu2, mu3);
         store_2(item3 + 4 * sizeof(double), step3, mu4, mu5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -306,7 +308,7 @@ void CHASLES_LEVELED(chasles_momentum_screw_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -316,21 +318,21 @@ void CHASLES_LEVELED(chasles_momentum_screw_blockf)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_4f(item2, step2, t);
         load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
         const floats mu0 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
@@ -340,10 +342,10 @@ void CHASLES_LEVELED(chasles_momentum_screw_blockf)(
         const floats mu4 = m * t[4];
         const floats mu5 = m * t[5];
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_4f(item3, step3, mu0, mu1, mu2, mu3);
         store_2f(item3 + 4 * sizeof(float), step3, mu4, mu5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -351,7 +353,7 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
@@ -361,20 +363,20 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_block)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_4(item2, step2, t);
         load_2(item2 + 4 * sizeof(double), step2, &t[4]);
         const doubles mu0 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
@@ -384,10 +386,10 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_block)(
         const doubles mu4 = m * t[4];
         const doubles mu5 = m * t[5];
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_4(item3, step3, mu0, mu1, mu2, mu3);
         store_2(item3 + 4 * sizeof(double), step3, mu4, mu5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -395,7 +397,7 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
@@ -405,20 +407,20 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_blockf)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_4f(item2, step2, t);
         load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
         const floats mu0 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
@@ -428,10 +430,10 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_blockf)(
         const floats mu4 = m * t[4];
         const floats mu5 = m * t[5];
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_4f(item3, step3, mu0, mu1, mu2, mu3);
         store_2f(item3 + 4 * sizeof(float), step3, mu4, mu5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -439,7 +441,7 @@ void CHASLES_LEVELED(chasles_kinetic_energy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -449,21 +451,21 @@ void CHASLES_LEVELED(chasles_kinetic_energy_block)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
         load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_4(item2, step2, t);
         load_2(item2 + 4 * sizeof(double), step2, &t[4]);
         const doubles t1 = (I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2]) * (0.5 * t[0]);
@@ -472,9 +474,9 @@ void CHASLES_LEVELED(chasles_kinetic_energy_block)(
         const doubles t4 = t3 + m * t[3] * (0.5 * t[3]) + m * t[4] * (0.5 * t[4]);
         const doubles T_value = t4 + m * t[5] * (0.5 * t[5]);
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_1(item3, step3, T_value);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -482,7 +484,7 @@ void CHASLES_LEVELED(chasles_kinetic_energy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -492,21 +494,21 @@ void CHASLES_LEVELED(chasles_kinetic_energy_blockf)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_4f(item2, step2, t);
         load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
         const floats t1 = (I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2]) * (0.5f * t[0]);
@@ -515,9 +517,9 @@ void CHASLES_LEVELED(chasles_kinetic_energy_blockf)(
         const floats t4 = t3 + m * t[3] * (0.5f * t[3]) + m * t[4] * (0.5f * t[4]);
         const floats T_value = t4 + m * t[5] * (0.5f * t[5]);
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_1f(item3, step3, T_value);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -525,7 +527,7 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
@@ -535,20 +537,20 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_block)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_4(item2, step2, t);
         load_2(item2 + 4 * sizeof(double), step2, &t[4]);
         const doubles t1 = (I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2]) * (0.5 * t[0]);
@@ -557,9 +559,9 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_block)(
         const doubles t4 = t3 + m * t[3] * (0.5 * t[3]) + m * t[4] * (0.5 * t[4]);
         const doubles T_value = t4 + m * t[5] * (0.5 * t[5]);
         char *const item3 = at3 + g * LANES * step3;
-        claim(item3, LANES * step3);
+        prefetch_to_write(item3, LANES * step3);
         store_1(item3, step3, T_value);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -567,7 +569,7 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
@@ -577,20 +579,20 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_blockf)(
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_4f(item2, step2, t);
         load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
         const floats t1 = (I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2]) * (0.5f * t[0]);
@@ -599,9 +601,9 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_blockf)(
         const floats t4 = t3 + m * t[3] * (0.5f * t[3]) + m * t[4] * (0.5f * t[4]);
         const floats T_value = t4 + m * t[5] * (0.5f * t[5]);
         char *const item3 = at3 + g * LANESF * step3;
-        claim(item3, LANESF * step3);
+        prefetch_to_write(item3, LANESF * step3);
         store_1f(item3, step3, T_value);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -609,7 +611,7 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -621,25 +623,25 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_block)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
         load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, t);
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
-        fetch(item3, LANES * step3);
+        prefetch(item3, LANES * step3);
         load_4(item3, step3, t_dot);
         load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
         const doubles w3 = m * t_dot[3];
@@ -655,10 +657,10 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_block)(
         const doubles t6 = I_C[6] * t_dot[0] + I_C[7] * t_dot[1] + I_C[8] * t_dot[2];
         const doubles w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANES * step4;
-        claim(item4, LANES * step4);
+        prefetch_to_write(item4, LANES * step4);
         store_4(item4, step4, w0, w1, w2, w3);
         store_2(item4 + 4 * sizeof(double), step4, w4, w5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -666,7 +668,7 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -678,25 +680,25 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_blockf)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, t);
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
-        fetch(item3, LANESF * step3);
+        prefetch(item3, LANESF * step3);
         load_4f(item3, step3, t_dot);
         load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
         const floats w3 = m * t_dot[3];
@@ -712,10 +714,10 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_blockf)(
         const floats t6 = I_C[6] * t_dot[0] + I_C[7] * t_dot[1] + I_C[8] * t_dot[2];
         const floats w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANESF * step4;
-        claim(item4, LANESF * step4);
+        prefetch_to_write(item4, LANESF * step4);
         store_4f(item4, step4, w0, w1, w2, w3);
         store_2f(item4 + 4 * sizeof(float), step4, w4, w5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -723,7 +725,7 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
@@ -735,24 +737,24 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_block)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, t);
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
-        fetch(item3, LANES * step3);
+        prefetch(item3, LANES * step3);
         load_4(item3, step3, t_dot);
         load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
         const doubles w3 = m * t_dot[3];
@@ -768,10 +770,10 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_block)(
         const doubles t6 = I_C[2] * t_dot[0] + I_C[4] * t_dot[1] + I_C[5] * t_dot[2];
         const doubles w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANES * step4;
-        claim(item4, LANES * step4);
+        prefetch_to_write(item4, LANES * step4);
         store_4(item4, step4, w0, w1, w2, w3);
         store_2(item4 + 4 * sizeof(double), step4, w4, w5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -779,7 +781,7 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
@@ -791,24 +793,24 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_blockf)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, t);
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
-        fetch(item3, LANESF * step3);
+        prefetch(item3, LANESF * step3);
         load_4f(item3, step3, t_dot);
         load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
         const floats w3 = m * t_dot[3];
@@ -824,10 +826,10 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_blockf)(
         const floats t6 = I_C[2] * t_dot[0] + I_C[4] * t_dot[1] + I_C[5] * t_dot[2];
         const floats w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANESF * step4;
-        claim(item4, LANESF * step4);
+        prefetch_to_write(item4, LANESF * step4);
         store_4f(item4, step4, w0, w1, w2, w3);
         store_2f(item4 + 4 * sizeof(float), step4, w4, w5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -835,7 +837,7 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -847,25 +849,25 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_block)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
         load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, t);
         doubles w[6];
         const char *const item3 = at3 + g * LANES * step3;
-        fetch(item3, LANES * step3);
+        prefetch(item3, LANES * step3);
         load_4(item3, step3, w);
         load_2(item3 + 4 * sizeof(double), step3, &w[4]);
         const doubles t1 = choose(less(I_C[0], spread(0.0)), -I_C[0], I_C[0]);
@@ -920,10 +922,10 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_block)(
         const doubles t_dot1 = t41 * (t43 + t33 * (t21 * t22 - t19 * t24)) / t18;
         const doubles t_dot2 = t41 * (t44 + t33 * (t19 * t23 - t20 * t22)) / t18;
         char *const item4 = at4 + g * LANES * step4;
-        claim(item4, LANES * step4);
+        prefetch_to_write(item4, LANES * step4);
         store_4(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -931,7 +933,7 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -943,25 +945,25 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_blockf)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, t);
         floats w[6];
         const char *const item3 = at3 + g * LANESF * step3;
-        fetch(item3, LANESF * step3);
+        prefetch(item3, LANESF * step3);
         load_4f(item3, step3, w);
         load_2f(item3 + 4 * sizeof(float), step3, &w[4]);
         const floats t1 = choosef(lessf(I_C[0], spreadf(0.0f)), -I_C[0], I_C[0]);
@@ -1017,10 +1019,10 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_blockf)(
         const floats t_dot1 = t42 * (t44 + t33 * (t21 * t22 - t19 * t24)) / t18;
         const floats t_dot2 = t42 * (t45 + t33 * (t19 * t23 - t20 * t22)) / t18;
         char *const item4 = at4 + g * LANESF * step4;
-        claim(item4, LANESF * step4);
+        prefetch_to_write(item4, LANESF * step4);
         store_4f(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1028,7 +1030,7 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
@@ -1040,24 +1042,24 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_block)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, t);
         doubles w[6];
         const char *const item3 = at3 + g * LANES * step3;
-        fetch(item3, LANES * step3);
+        prefetch(item3, LANES * step3);
         load_4(item3, step3, w);
         load_2(item3 + 4 * sizeof(double), step3, &w[4]);
         const doubles t1 = choose(less(I_C[0], spread(0.0)), -I_C[0], I_C[0]);
@@ -1101,10 +1103,10 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_block)(
         const doubles t_dot1 = t33 * (t22 * t26 + t23 * (t13 * t18 - t15 * t15) + t24 * t28) / t12;
         const doubles t_dot2 = t33 * (t22 * t27 + t23 * t28 + t24 * (t13 * t16 - t14 * t14)) / t12;
         char *const item4 = at4 + g * LANES * step4;
-        claim(item4, LANES * step4);
+        prefetch_to_write(item4, LANES * step4);
         store_4(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1112,7 +1114,7 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
@@ -1124,24 +1126,24 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_blockf)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, t);
         floats w[6];
         const char *const item3 = at3 + g * LANESF * step3;
-        fetch(item3, LANESF * step3);
+        prefetch(item3, LANESF * step3);
         load_4f(item3, step3, w);
         load_2f(item3 + 4 * sizeof(float), step3, &w[4]);
         const floats t1 = choosef(lessf(I_C[0], spreadf(0.0f)), -I_C[0], I_C[0]);
@@ -1186,10 +1188,10 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_blockf)(
         const floats t_dot1 = t34 * (t22 * t26 + t23 * (t13 * t18 - t15 * t15) + t24 * t28) / t12;
         const floats t_dot2 = t34 * (t22 * t27 + t23 * t28 + t24 * (t13 * t16 - t14 * t14)) / t12;
         char *const item4 = at4 + g * LANESF * step4;
-        claim(item4, LANESF * step4);
+        prefetch_to_write(item4, LANESF * step4);
         store_4f(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1197,7 +1199,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -1209,25 +1211,25 @@ void CHASLES_LEVELED(chasles_inertia_dyad_block)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 36 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
         load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles c[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, c);
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
-        fetch(item3, LANES * step3);
+        prefetch(item3, LANES * step3);
         load_3(item3, step3, a);
         const doubles M_A21 = m;
         const doubles t1 = a[0] - c[0];
@@ -1255,7 +1257,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_block)(
         const doubles M_A13 = I_C[7] - t8;
         const doubles M_A14 = I_C[8] + (t4 + t7);
         char *const item4 = at4 + g * LANES * step4;
-        claim(item4, LANES * step4);
+        prefetch_to_write(item4, LANES * step4);
         store_4(item4, step4, M_A0, M_A1, M_A2, spread(0.0));
         store_4(item4 + 4 * sizeof(double), step4, M_A4, M_A5, M_A6, M_A7);
         store_4(item4 + 8 * sizeof(double), step4, M_A8, M_A9, spread(0.0), M_A11);
@@ -1265,7 +1267,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_block)(
         store_4(item4 + 24 * sizeof(double), step4, M_A4, spread(0.0), M_A16, spread(0.0));
         store_4(item4 + 28 * sizeof(double), step4, M_A21, spread(0.0), M_A5, M_A11);
         store_4(item4 + 32 * sizeof(double), step4, spread(0.0), spread(0.0), spread(0.0), M_A21);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1273,7 +1275,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -1285,25 +1287,25 @@ void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 36 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats c[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, c);
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        fetch(item3, LANESF * step3);
+        prefetch(item3, LANESF * step3);
         load_3f(item3, step3, a);
         const floats M_A21 = m;
         const floats t1 = a[0] - c[0];
@@ -1331,7 +1333,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
         const floats M_A13 = I_C[7] - t8;
         const floats M_A14 = I_C[8] + (t4 + t7);
         char *const item4 = at4 + g * LANESF * step4;
-        claim(item4, LANESF * step4);
+        prefetch_to_write(item4, LANESF * step4);
         store_4f(item4, step4, M_A0, M_A1, M_A2, spreadf(0.0f));
         store_4f(item4 + 4 * sizeof(float), step4, M_A4, M_A5, M_A6, M_A7);
         store_4f(item4 + 8 * sizeof(float), step4, M_A8, M_A9, spreadf(0.0f), M_A11);
@@ -1341,7 +1343,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
         store_4f(item4 + 24 * sizeof(float), step4, M_A4, spreadf(0.0f), M_A16, spreadf(0.0f));
         store_4f(item4 + 28 * sizeof(float), step4, M_A21, spreadf(0.0f), M_A5, M_A11);
         store_4f(item4 + 32 * sizeof(float), step4, spreadf(0.0f), spreadf(0.0f), spreadf(0.0f), M_A21);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1349,7 +1351,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
@@ -1361,24 +1363,24 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 36 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_4(item0, step0, I_C);
         load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_1(item1, step1, &m);
         doubles c[3];
         const char *const item2 = at2 + g * LANES * step2;
-        fetch(item2, LANES * step2);
+        prefetch(item2, LANES * step2);
         load_3(item2, step2, c);
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
-        fetch(item3, LANES * step3);
+        prefetch(item3, LANES * step3);
         load_3(item3, step3, a);
         const doubles M_A21 = m;
         const doubles t1 = a[0] - c[0];
@@ -1400,7 +1402,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
         const doubles M_A8 = I_C[4] - t2 * M_A4;
         const doubles M_A14 = I_C[5] + (t4 + t5);
         char *const item4 = at4 + g * LANES * step4;
-        claim(item4, LANES * step4);
+        prefetch_to_write(item4, LANES * step4);
         store_4(item4, step4, M_A0, M_A1, M_A2, spread(0.0));
         store_4(item4 + 4 * sizeof(double), step4, M_A4, M_A5, M_A1, M_A7);
         store_4(item4 + 8 * sizeof(double), step4, M_A8, M_A9, spread(0.0), M_A11);
@@ -1410,7 +1412,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
         store_4(item4 + 24 * sizeof(double), step4, M_A4, spread(0.0), M_A16, spread(0.0));
         store_4(item4 + 28 * sizeof(double), step4, M_A21, spread(0.0), M_A5, M_A11);
         store_4(item4 + 32 * sizeof(double), step4, spread(0.0), spread(0.0), spread(0.0), M_A21);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1418,7 +1420,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
@@ -1430,24 +1432,24 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_blockf)(
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 36 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_4f(item0, step0, I_C);
         load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_1f(item1, step1, &m);
         floats c[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        fetch(item2, LANESF * step2);
+        prefetch(item2, LANESF * step2);
         load_3f(item2, step2, c);
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        fetch(item3, LANESF * step3);
+        prefetch(item3, LANESF * step3);
         load_3f(item3, step3, a);
         const floats M_A21 = m;
         const floats t1 = a[0] - c[0];
@@ -1469,7 +1471,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_blockf)(
         const floats M_A8 = I_C[4] - t2 * M_A4;
         const floats M_A14 = I_C[5] + (t4 + t5);
         char *const item4 = at4 + g * LANESF * step4;
-        claim(item4, LANESF * step4);
+        prefetch_to_write(item4, LANESF * step4);
         store_4f(item4, step4, M_A0, M_A1, M_A2, spreadf(0.0f));
         store_4f(item4 + 4 * sizeof(float), step4, M_A4, M_A5, M_A1, M_A7);
         store_4f(item4 + 8 * sizeof(float), step4, M_A8, M_A9, spreadf(0.0f), M_A11);
@@ -1479,7 +1481,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_blockf)(
         store_4f(item4 + 24 * sizeof(float), step4, M_A4, spreadf(0.0f), M_A16, spreadf(0.0f));
         store_4f(item4 + 28 * sizeof(float), step4, M_A21, spreadf(0.0f), M_A5, M_A11);
         store_4f(item4 + 32 * sizeof(float), step4, spreadf(0.0f), spreadf(0.0f), spreadf(0.0f), M_A21);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1489,9 +1491,9 @@ void CHASLES_LEVELED(chasles_inertia_about_point_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_inertia_about_point(
             (const double *)(at[0] + i * steps[0]),
@@ -1506,9 +1508,9 @@ void CHASLES_LEVELED(chasles_inertia_about_point_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_inertia_about_pointf(
             (const float *)(at[0] + i * steps[0]),
@@ -1523,9 +1525,9 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_inertia_about_point_sym6(
             (const double *)(at[0] + i * steps[0]),
@@ -1540,9 +1542,9 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_inertia_about_point_sym6f(
             (const float *)(at[0] + i * steps[0]),
@@ -1557,9 +1559,9 @@ void CHASLES_LEVELED(chasles_momentum_screw_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_momentum_screw(
             (const double *)(at[0] + i * steps[0]),
@@ -1573,9 +1575,9 @@ void CHASLES_LEVELED(chasles_momentum_screw_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_momentum_screwf(
             (const float *)(at[0] + i * steps[0]),
@@ -1589,9 +1591,9 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_momentum_screw_sym6(
             (const double *)(at[0] + i * steps[0]),
@@ -1605,9 +1607,9 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_momentum_screw_sym6f(
             (const float *)(at[0] + i * steps[0]),
@@ -1621,9 +1623,9 @@ void CHASLES_LEVELED(chasles_kinetic_energy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_kinetic_energy(
             (const double *)(at[0] + i * steps[0]),
@@ -1637,9 +1639,9 @@ void CHASLES_LEVELED(chasles_kinetic_energy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_kinetic_energyf(
             (const float *)(at[0] + i * steps[0]),
@@ -1653,9 +1655,9 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_kinetic_energy_sym6(
             (const double *)(at[0] + i * steps[0]),
@@ -1669,9 +1671,9 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_kinetic_energy_sym6f(
             (const float *)(at[0] + i * steps[0]),
@@ -1685,9 +1687,9 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_newton_euler_wrench(
             (const double *)(at[0] + i * steps[0]),
@@ -1702,9 +1704,9 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_newton_euler_wrenchf(
             (const float *)(at[0] + i * steps[0]),
@@ -1719,9 +1721,9 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_newton_euler_wrench_sym6(
             (const double *)(at[0] + i * steps[0]),
@@ -1736,9 +1738,9 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_newton_euler_wrench_sym6f(
             (const float *)(at[0] + i * steps[0]),
@@ -1753,9 +1755,9 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_newton_euler_twist_rate(
             (const double *)(at[0] + i * steps[0]),
@@ -1770,9 +1772,9 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_newton_euler_twist_ratef(
             (const float *)(at[0] + i * steps[0]),
@@ -1787,9 +1789,9 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_newton_euler_twist_rate_sym6(
             (const double *)(at[0] + i * steps[0]),
@@ -1804,9 +1806,9 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_newton_euler_twist_rate_sym6f(
             (const float *)(at[0] + i * steps[0]),
@@ -1821,9 +1823,9 @@ void CHASLES_LEVELED(chasles_inertia_dyad_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_inertia_dyad(
             (const double *)(at[0] + i * steps[0]),
@@ -1838,9 +1840,9 @@ void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_inertia_dyadf(
             (const float *)(at[0] + i * steps[0]),
@@ -1855,9 +1857,9 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_inertia_dyad_sym6(
             (const double *)(at[0] + i * steps[0]),
@@ -1872,9 +1874,9 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_inertia_dyad_sym6f(
             (const float *)(at[0] + i * steps[0]),

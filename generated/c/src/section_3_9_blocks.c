@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* The blocks of section_3_9, for batches. Made by `chasles emit`; not to be edited by hand.
  *
  * Compiled once for each level. A block first computes the sines and cosines of all its items, then, register by
@@ -17,29 +19,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -59,11 +61,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_block)(
         const doubles Q7 = sin_angles_0 * cos_angles_2 + t2 * sin_angles_2;
         const doubles Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -71,29 +73,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -113,11 +115,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_blockf)(
         const floats Q7 = sin_angles_0 * cos_angles_2 + t2 * sin_angles_2;
         const floats Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -125,27 +127,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -157,11 +159,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_block)(
         const doubles W5 = W7 * sin_angles_1;
         const doubles W8 = -(W4 * sin_angles_1);
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -169,27 +171,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -201,11 +203,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_blockf)(
         const floats W5 = W7 * sin_angles_1;
         const floats W8 = -(W4 * sin_angles_1);
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -213,27 +215,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -245,11 +247,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_block)(
         const doubles W_body7 = -sin_angles_2;
         const doubles W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -257,27 +259,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -289,11 +291,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_blockf)(
         const floats W_body7 = -sin_angles_2;
         const floats W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -301,7 +303,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -309,25 +311,25 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -338,9 +340,9 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
         const doubles theta_dot0 = omega[0] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -348,7 +350,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -356,25 +358,25 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -386,9 +388,9 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
         const floats theta_dot0 = omega[0] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -396,29 +398,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -438,11 +440,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_block)(
         const doubles Q6 = sin_angles_0 * sin_angles_2 - t2 * cos_angles_2;
         const doubles Q7 = t2 * sin_angles_2 + sin_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -450,29 +452,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -492,11 +494,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_blockf)(
         const floats Q6 = sin_angles_0 * sin_angles_2 - t2 * cos_angles_2;
         const floats Q7 = t2 * sin_angles_2 + sin_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -504,27 +506,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -536,11 +538,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_block)(
         const doubles W5 = -(W7 * cos_angles_1);
         const doubles W8 = W4 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -548,27 +550,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -580,11 +582,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_blockf)(
         const floats W5 = -(W7 * cos_angles_1);
         const floats W8 = W4 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -592,27 +594,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -624,11 +626,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_block)(
         const doubles W_body1 = sin_angles_2;
         const doubles W_body3 = -(cos_angles_1 * W_body1);
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -636,27 +638,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -668,11 +670,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_blockf)(
         const floats W_body1 = sin_angles_2;
         const floats W_body3 = -(cos_angles_1 * W_body1);
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -680,7 +682,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -688,25 +690,25 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -717,9 +719,9 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
         const doubles theta_dot0 = omega[0] - sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -727,7 +729,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -735,25 +737,25 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -765,9 +767,9 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
         const floats theta_dot0 = omega[0] - sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -775,29 +777,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -817,11 +819,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_block)(
         const doubles Q7 = t2 * cos_angles_2 + cos_angles_0 * sin_angles_2;
         const doubles Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -829,29 +831,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -871,11 +873,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_blockf)(
         const floats Q7 = t2 * cos_angles_2 + cos_angles_0 * sin_angles_2;
         const floats Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -883,27 +885,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -915,11 +917,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_block)(
         const doubles W5 = W7 * sin_angles_1;
         const doubles W8 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -927,27 +929,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -959,11 +961,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_blockf)(
         const floats W5 = W7 * sin_angles_1;
         const floats W8 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -971,27 +973,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -1003,11 +1005,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_block)(
         const doubles W_body4 = sin_angles_2;
         const doubles W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1015,27 +1017,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -1047,11 +1049,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_blockf)(
         const floats W_body4 = sin_angles_2;
         const floats W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1059,7 +1061,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1067,25 +1069,25 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -1096,9 +1098,9 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
         const doubles theta_dot0 = omega[0] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1106,7 +1108,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1114,25 +1116,25 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -1144,9 +1146,9 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
         const floats theta_dot0 = omega[0] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1154,29 +1156,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -1196,11 +1198,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_block)(
         const doubles Q6 = t2 * cos_angles_2 - cos_angles_0 * sin_angles_2;
         const doubles Q8 = t2 * sin_angles_2 + cos_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1208,29 +1210,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -1250,11 +1252,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_blockf)(
         const floats Q6 = t2 * cos_angles_2 - cos_angles_0 * sin_angles_2;
         const floats Q8 = t2 * sin_angles_2 + cos_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1262,27 +1264,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -1294,11 +1296,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_block)(
         const doubles W5 = W7 * cos_angles_1;
         const doubles W8 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1306,27 +1308,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -1338,11 +1340,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_blockf)(
         const floats W5 = W7 * cos_angles_1;
         const floats W8 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1350,27 +1352,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -1382,11 +1384,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_block)(
         const doubles W_body1 = -sin_angles_2;
         const doubles W_body6 = cos_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1394,27 +1396,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -1426,11 +1428,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_blockf)(
         const floats W_body1 = -sin_angles_2;
         const floats W_body6 = cos_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1438,7 +1440,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1446,25 +1448,25 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -1475,9 +1477,9 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
         const doubles theta_dot0 = omega[0] + sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1485,7 +1487,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1493,25 +1495,25 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -1523,9 +1525,9 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
         const floats theta_dot0 = omega[0] + sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1533,29 +1535,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -1575,11 +1577,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_block)(
         const doubles Q6 = -(sin_angles_0 * cos_angles_2 + t2 * sin_angles_2);
         const doubles Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1587,29 +1589,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -1629,11 +1631,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_blockf)(
         const floats Q6 = -(sin_angles_0 * cos_angles_2 + t2 * sin_angles_2);
         const floats Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1641,27 +1643,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -1673,11 +1675,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_block)(
         const doubles W2 = sin_angles_0 * sin_angles_1;
         const doubles W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, spread(0.0), W1, W2, spread(1.0));
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1685,27 +1687,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -1717,11 +1719,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_blockf)(
         const floats W2 = sin_angles_0 * sin_angles_1;
         const floats W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1729,27 +1731,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -1761,11 +1763,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_block)(
         const doubles W_body0 = sin_angles_1 * W_body7;
         const doubles W_body6 = -(sin_angles_1 * W_body1);
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1773,27 +1775,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -1805,11 +1807,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_blockf)(
         const floats W_body0 = sin_angles_1 * W_body7;
         const floats W_body6 = -(sin_angles_1 * W_body1);
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1817,7 +1819,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1825,25 +1827,25 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -1854,9 +1856,9 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
         const doubles theta_dot0 = omega[1] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1864,7 +1866,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1872,25 +1874,25 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -1902,9 +1904,9 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
         const floats theta_dot0 = omega[1] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1912,29 +1914,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -1954,11 +1956,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_block)(
         const doubles Q6 = t2 * sin_angles_2 - sin_angles_0 * cos_angles_2;
         const doubles Q7 = sin_angles_0 * sin_angles_2 + t2 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -1966,29 +1968,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -2008,11 +2010,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_blockf)(
         const floats Q6 = t2 * sin_angles_2 - sin_angles_0 * cos_angles_2;
         const floats Q7 = sin_angles_0 * sin_angles_2 + t2 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2020,27 +2022,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -2052,11 +2054,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_block)(
         const doubles W2 = sin_angles_0 * cos_angles_1;
         const doubles W8 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, spread(0.0), W1, W2, spread(1.0));
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2064,27 +2066,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -2096,11 +2098,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_blockf)(
         const floats W2 = sin_angles_0 * cos_angles_1;
         const floats W8 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2108,27 +2110,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -2140,11 +2142,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_block)(
         const doubles W_body4 = -sin_angles_2;
         const doubles W_body3 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2152,27 +2154,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -2184,11 +2186,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_blockf)(
         const floats W_body4 = -sin_angles_2;
         const floats W_body3 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2196,7 +2198,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -2204,25 +2206,25 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -2233,9 +2235,9 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
         const doubles theta_dot0 = omega[1] + sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2243,7 +2245,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -2251,25 +2253,25 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -2281,9 +2283,9 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
         const floats theta_dot0 = omega[1] + sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2291,29 +2293,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -2333,11 +2335,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_block)(
         const doubles Q7 = t2 * cos_angles_2 + cos_angles_0 * sin_angles_2;
         const doubles Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2345,29 +2347,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -2387,11 +2389,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_blockf)(
         const floats Q7 = t2 * cos_angles_2 + cos_angles_0 * sin_angles_2;
         const floats Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2399,27 +2401,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -2431,11 +2433,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_block)(
         const doubles W2 = W7 * cos_angles_1;
         const doubles W8 = -(W1 * cos_angles_1);
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, spread(0.0), W1, W2, spread(1.0));
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2443,27 +2445,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -2475,11 +2477,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_blockf)(
         const floats W2 = W7 * cos_angles_1;
         const floats W8 = -(W1 * cos_angles_1);
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2487,27 +2489,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -2519,11 +2521,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_block)(
         const doubles W_body4 = sin_angles_2;
         const doubles W_body6 = -(cos_angles_1 * W_body4);
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2531,27 +2533,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -2563,11 +2565,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_blockf)(
         const floats W_body4 = sin_angles_2;
         const floats W_body6 = -(cos_angles_1 * W_body4);
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2575,7 +2577,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -2583,25 +2585,25 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -2612,9 +2614,9 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
         const doubles theta_dot0 = omega[1] - sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2622,7 +2624,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -2630,25 +2632,25 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -2660,9 +2662,9 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
         const floats theta_dot0 = omega[1] - sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2670,29 +2672,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -2712,11 +2714,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_block)(
         const doubles Q6 = -(t2 * cos_angles_2 + cos_angles_0 * sin_angles_2);
         const doubles Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2724,29 +2726,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -2766,11 +2768,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_blockf)(
         const floats Q6 = -(t2 * cos_angles_2 + cos_angles_0 * sin_angles_2);
         const floats Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2778,27 +2780,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -2810,11 +2812,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_block)(
         const doubles W2 = -(W7 * sin_angles_1);
         const doubles W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, spread(0.0), W1, W2, spread(1.0));
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2822,27 +2824,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -2854,11 +2856,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_blockf)(
         const floats W2 = -(W7 * sin_angles_1);
         const floats W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2866,27 +2868,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -2898,11 +2900,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_block)(
         const doubles W_body1 = -sin_angles_2;
         const doubles W_body6 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2910,27 +2912,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -2942,11 +2944,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_blockf)(
         const floats W_body1 = -sin_angles_2;
         const floats W_body6 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -2954,7 +2956,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -2962,25 +2964,25 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -2991,9 +2993,9 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
         const doubles theta_dot0 = omega[1] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -3001,7 +3003,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -3009,25 +3011,25 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -3039,9 +3041,9 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
         const floats theta_dot0 = omega[1] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -3049,29 +3051,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -3091,11 +3093,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_block)(
         const doubles Q6 = -(cos_angles_1 * sin_angles_2);
         const doubles Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -3103,29 +3105,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -3145,11 +3147,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_blockf)(
         const floats Q6 = -(cos_angles_1 * sin_angles_2);
         const floats Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -3157,27 +3159,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -3189,11 +3191,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_block)(
         const doubles W2 = -(W4 * cos_angles_1);
         const doubles W5 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, spread(0.0), W1, W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -3201,27 +3203,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -3233,11 +3235,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_blockf)(
         const floats W2 = -(W4 * cos_angles_1);
         const floats W5 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -3245,27 +3247,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -3277,11 +3279,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_block)(
         const doubles W_body0 = -(cos_angles_1 * W_body7);
         const doubles W_body6 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -3289,27 +3291,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -3321,11 +3323,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_blockf)(
         const floats W_body0 = -(cos_angles_1 * W_body7);
         const floats W_body6 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -3333,7 +3335,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -3341,25 +3343,25 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -3370,9 +3372,9 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
         const doubles theta_dot0 = omega[2] - sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -3380,7 +3382,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -3388,25 +3390,25 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -3418,9 +3420,9 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
         const floats theta_dot0 = omega[2] - sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -3428,29 +3430,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -3470,11 +3472,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_block)(
         const doubles Q6 = sin_angles_1 * sin_angles_2;
         const doubles Q7 = sin_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -3482,29 +3484,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -3524,11 +3526,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_blockf)(
         const floats Q6 = sin_angles_1 * sin_angles_2;
         const floats Q7 = sin_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -3536,27 +3538,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -3568,11 +3570,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_block)(
         const doubles W2 = W4 * sin_angles_1;
         const doubles W5 = -(W1 * sin_angles_1);
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, spread(0.0), W1, W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -3580,27 +3582,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -3612,11 +3614,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_blockf)(
         const floats W2 = W4 * sin_angles_1;
         const floats W5 = -(W1 * sin_angles_1);
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -3624,27 +3626,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -3656,11 +3658,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_block)(
         const doubles W_body4 = -sin_angles_2;
         const doubles W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -3668,27 +3670,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -3700,11 +3702,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_blockf)(
         const floats W_body4 = -sin_angles_2;
         const floats W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -3712,7 +3714,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -3720,25 +3722,25 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -3749,9 +3751,9 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
         const doubles theta_dot0 = omega[2] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -3759,7 +3761,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -3767,25 +3769,25 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -3797,9 +3799,9 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
         const floats theta_dot0 = omega[2] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -3807,29 +3809,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -3849,11 +3851,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_block)(
         const doubles Q7 = cos_angles_1 * sin_angles_2;
         const doubles Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -3861,29 +3863,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -3903,11 +3905,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_blockf)(
         const floats Q7 = cos_angles_1 * sin_angles_2;
         const floats Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -3915,27 +3917,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -3947,11 +3949,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_block)(
         const doubles W2 = W4 * cos_angles_1;
         const doubles W5 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, spread(0.0), W1, W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -3959,27 +3961,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -3991,11 +3993,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_blockf)(
         const floats W2 = W4 * cos_angles_1;
         const floats W5 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -4003,27 +4005,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -4035,11 +4037,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_block)(
         const doubles W_body7 = -sin_angles_2;
         const doubles W_body6 = cos_angles_1 * W_body4;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -4047,27 +4049,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -4079,11 +4081,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_blockf)(
         const floats W_body7 = -sin_angles_2;
         const floats W_body6 = cos_angles_1 * W_body4;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -4091,7 +4093,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -4099,25 +4101,25 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -4128,9 +4130,9 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
         const doubles theta_dot0 = omega[2] + sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -4138,7 +4140,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -4146,25 +4148,25 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -4176,9 +4178,9 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
         const floats theta_dot0 = omega[2] + sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -4186,29 +4188,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
     doubles cosines[3][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -4228,11 +4230,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_block)(
         const doubles Q6 = -(sin_angles_1 * cos_angles_2);
         const doubles Q7 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -4240,29 +4242,29 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
     floats cosines[3][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
     }
-    way.share = (way.share + 3) / 4;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[2], sines[2], cosines[2], &way);
+    copied.share = (copied.share + 3) / 4;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[2], sines[2], cosines[2], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -4282,11 +4284,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_blockf)(
         const floats Q6 = -(sin_angles_1 * cos_angles_2);
         const floats Q7 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -4294,27 +4296,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_0 = sines[0][g];
         const doubles cos_angles_0 = cosines[0][g];
@@ -4326,11 +4328,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_block)(
         const doubles W2 = W4 * sin_angles_1;
         const doubles W5 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, spread(0.0), W1, W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -4338,27 +4340,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_0 = sines[0][g];
         const floats cos_angles_0 = cosines[0][g];
@@ -4370,11 +4372,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_blockf)(
         const floats W2 = W4 * sin_angles_1;
         const floats W5 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, W8);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -4382,27 +4384,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -4414,11 +4416,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_block)(
         const doubles W_body1 = sin_angles_2;
         const doubles W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
-        claim(item1, LANES * step1);
+        prefetch_to_write(item1, LANES * step1);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -4426,27 +4428,27 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -4458,11 +4460,11 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_blockf)(
         const floats W_body1 = sin_angles_2;
         const floats W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
-        claim(item1, LANESF * step1);
+        prefetch_to_write(item1, LANESF * step1);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -4470,7 +4472,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -4478,25 +4480,25 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
     doubles cosines[2][GROUPS];
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        fetch(item0, LANES * step0);
+        prefetch(item0, LANES * step0);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turns)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turns)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincos)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        fetch(item1, LANES * step1);
+        prefetch(item1, LANES * step1);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -4507,9 +4509,9 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
         const doubles theta_dot0 = omega[2] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        claim(item2, LANES * step2);
+        prefetch_to_write(item2, LANES * step2);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -4517,7 +4519,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -4525,25 +4527,25 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    chasles_trail way = *trail;
+    chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
     floats cosines[2][GROUPSF];
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        fetch(item0, LANESF * step0);
+        prefetch(item0, LANESF * step0);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
-    way.share = (way.share + 2) / 3;
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[0], sines[0], cosines[0], &way);
-    CHASLES_LEVELED(chasles_turnsf)(groups, angles[1], sines[1], cosines[1], &way);
+    copied.share = (copied.share + 2) / 3;
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[0], sines[0], cosines[0], &copied);
+    CHASLES_LEVELED(chasles_sincosf)(groups, angles[1], sines[1], cosines[1], &copied);
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        fetch(item1, LANESF * step1);
+        prefetch(item1, LANESF * step1);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -4555,9 +4557,9 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
         const floats theta_dot0 = omega[2] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        claim(item2, LANESF * step2);
+        prefetch_to_write(item2, LANESF * step2);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
-        follow(&way);
+        stream_lines(&copied);
     }
 }
 
@@ -4567,9 +4569,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_xyx(
             (const double *)(at[0] + i * steps[0]),
@@ -4581,9 +4583,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_xyxf(
             (const float *)(at[0] + i * steps[0]),
@@ -4595,9 +4597,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_xyx(
             (const double *)(at[0] + i * steps[0]),
@@ -4609,9 +4611,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_xyxf(
             (const float *)(at[0] + i * steps[0]),
@@ -4623,9 +4625,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_xyx(
             (const double *)(at[0] + i * steps[0]),
@@ -4637,9 +4639,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_xyxf(
             (const float *)(at[0] + i * steps[0]),
@@ -4651,9 +4653,9 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_xyx(
             (const double *)(at[0] + i * steps[0]),
@@ -4666,9 +4668,9 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_xyxf(
             (const float *)(at[0] + i * steps[0]),
@@ -4681,9 +4683,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_xyz(
             (const double *)(at[0] + i * steps[0]),
@@ -4695,9 +4697,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_xyzf(
             (const float *)(at[0] + i * steps[0]),
@@ -4709,9 +4711,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_xyz(
             (const double *)(at[0] + i * steps[0]),
@@ -4723,9 +4725,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_xyzf(
             (const float *)(at[0] + i * steps[0]),
@@ -4737,9 +4739,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_xyz(
             (const double *)(at[0] + i * steps[0]),
@@ -4751,9 +4753,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_xyzf(
             (const float *)(at[0] + i * steps[0]),
@@ -4765,9 +4767,9 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_xyz(
             (const double *)(at[0] + i * steps[0]),
@@ -4780,9 +4782,9 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_xyzf(
             (const float *)(at[0] + i * steps[0]),
@@ -4795,9 +4797,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_xzx(
             (const double *)(at[0] + i * steps[0]),
@@ -4809,9 +4811,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_xzxf(
             (const float *)(at[0] + i * steps[0]),
@@ -4823,9 +4825,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_xzx(
             (const double *)(at[0] + i * steps[0]),
@@ -4837,9 +4839,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_xzxf(
             (const float *)(at[0] + i * steps[0]),
@@ -4851,9 +4853,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_xzx(
             (const double *)(at[0] + i * steps[0]),
@@ -4865,9 +4867,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_xzxf(
             (const float *)(at[0] + i * steps[0]),
@@ -4879,9 +4881,9 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_xzx(
             (const double *)(at[0] + i * steps[0]),
@@ -4894,9 +4896,9 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_xzxf(
             (const float *)(at[0] + i * steps[0]),
@@ -4909,9 +4911,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_xzy(
             (const double *)(at[0] + i * steps[0]),
@@ -4923,9 +4925,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_xzyf(
             (const float *)(at[0] + i * steps[0]),
@@ -4937,9 +4939,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_xzy(
             (const double *)(at[0] + i * steps[0]),
@@ -4951,9 +4953,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_xzyf(
             (const float *)(at[0] + i * steps[0]),
@@ -4965,9 +4967,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_xzy(
             (const double *)(at[0] + i * steps[0]),
@@ -4979,9 +4981,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_xzyf(
             (const float *)(at[0] + i * steps[0]),
@@ -4993,9 +4995,9 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_xzy(
             (const double *)(at[0] + i * steps[0]),
@@ -5008,9 +5010,9 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_xzyf(
             (const float *)(at[0] + i * steps[0]),
@@ -5023,9 +5025,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_yxy(
             (const double *)(at[0] + i * steps[0]),
@@ -5037,9 +5039,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_yxyf(
             (const float *)(at[0] + i * steps[0]),
@@ -5051,9 +5053,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_yxy(
             (const double *)(at[0] + i * steps[0]),
@@ -5065,9 +5067,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_yxyf(
             (const float *)(at[0] + i * steps[0]),
@@ -5079,9 +5081,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_yxy(
             (const double *)(at[0] + i * steps[0]),
@@ -5093,9 +5095,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_yxyf(
             (const float *)(at[0] + i * steps[0]),
@@ -5107,9 +5109,9 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_yxy(
             (const double *)(at[0] + i * steps[0]),
@@ -5122,9 +5124,9 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_yxyf(
             (const float *)(at[0] + i * steps[0]),
@@ -5137,9 +5139,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_yxz(
             (const double *)(at[0] + i * steps[0]),
@@ -5151,9 +5153,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_yxzf(
             (const float *)(at[0] + i * steps[0]),
@@ -5165,9 +5167,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_yxz(
             (const double *)(at[0] + i * steps[0]),
@@ -5179,9 +5181,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_yxzf(
             (const float *)(at[0] + i * steps[0]),
@@ -5193,9 +5195,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_yxz(
             (const double *)(at[0] + i * steps[0]),
@@ -5207,9 +5209,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_yxzf(
             (const float *)(at[0] + i * steps[0]),
@@ -5221,9 +5223,9 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_yxz(
             (const double *)(at[0] + i * steps[0]),
@@ -5236,9 +5238,9 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_yxzf(
             (const float *)(at[0] + i * steps[0]),
@@ -5251,9 +5253,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_yzx(
             (const double *)(at[0] + i * steps[0]),
@@ -5265,9 +5267,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_yzxf(
             (const float *)(at[0] + i * steps[0]),
@@ -5279,9 +5281,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_yzx(
             (const double *)(at[0] + i * steps[0]),
@@ -5293,9 +5295,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_yzxf(
             (const float *)(at[0] + i * steps[0]),
@@ -5307,9 +5309,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_yzx(
             (const double *)(at[0] + i * steps[0]),
@@ -5321,9 +5323,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_yzxf(
             (const float *)(at[0] + i * steps[0]),
@@ -5335,9 +5337,9 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_yzx(
             (const double *)(at[0] + i * steps[0]),
@@ -5350,9 +5352,9 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_yzxf(
             (const float *)(at[0] + i * steps[0]),
@@ -5365,9 +5367,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_yzy(
             (const double *)(at[0] + i * steps[0]),
@@ -5379,9 +5381,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_yzyf(
             (const float *)(at[0] + i * steps[0]),
@@ -5393,9 +5395,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_yzy(
             (const double *)(at[0] + i * steps[0]),
@@ -5407,9 +5409,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_yzyf(
             (const float *)(at[0] + i * steps[0]),
@@ -5421,9 +5423,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_yzy(
             (const double *)(at[0] + i * steps[0]),
@@ -5435,9 +5437,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_yzyf(
             (const float *)(at[0] + i * steps[0]),
@@ -5449,9 +5451,9 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_yzy(
             (const double *)(at[0] + i * steps[0]),
@@ -5464,9 +5466,9 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_yzyf(
             (const float *)(at[0] + i * steps[0]),
@@ -5479,9 +5481,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_zxy(
             (const double *)(at[0] + i * steps[0]),
@@ -5493,9 +5495,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_zxyf(
             (const float *)(at[0] + i * steps[0]),
@@ -5507,9 +5509,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_zxy(
             (const double *)(at[0] + i * steps[0]),
@@ -5521,9 +5523,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_zxyf(
             (const float *)(at[0] + i * steps[0]),
@@ -5535,9 +5537,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_zxy(
             (const double *)(at[0] + i * steps[0]),
@@ -5549,9 +5551,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_zxyf(
             (const float *)(at[0] + i * steps[0]),
@@ -5563,9 +5565,9 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_zxy(
             (const double *)(at[0] + i * steps[0]),
@@ -5578,9 +5580,9 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_zxyf(
             (const float *)(at[0] + i * steps[0]),
@@ -5593,9 +5595,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_zxz(
             (const double *)(at[0] + i * steps[0]),
@@ -5607,9 +5609,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_zxzf(
             (const float *)(at[0] + i * steps[0]),
@@ -5621,9 +5623,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_zxz(
             (const double *)(at[0] + i * steps[0]),
@@ -5635,9 +5637,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_zxzf(
             (const float *)(at[0] + i * steps[0]),
@@ -5649,9 +5651,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_zxz(
             (const double *)(at[0] + i * steps[0]),
@@ -5663,9 +5665,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_zxzf(
             (const float *)(at[0] + i * steps[0]),
@@ -5677,9 +5679,9 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_zxz(
             (const double *)(at[0] + i * steps[0]),
@@ -5692,9 +5694,9 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_zxzf(
             (const float *)(at[0] + i * steps[0]),
@@ -5707,9 +5709,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_zyx(
             (const double *)(at[0] + i * steps[0]),
@@ -5721,9 +5723,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_zyxf(
             (const float *)(at[0] + i * steps[0]),
@@ -5735,9 +5737,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_zyx(
             (const double *)(at[0] + i * steps[0]),
@@ -5749,9 +5751,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_zyxf(
             (const float *)(at[0] + i * steps[0]),
@@ -5763,9 +5765,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_zyx(
             (const double *)(at[0] + i * steps[0]),
@@ -5777,9 +5779,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_zyxf(
             (const float *)(at[0] + i * steps[0]),
@@ -5791,9 +5793,9 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_zyx(
             (const double *)(at[0] + i * steps[0]),
@@ -5806,9 +5808,9 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_zyxf(
             (const float *)(at[0] + i * steps[0]),
@@ -5821,9 +5823,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_zyz(
             (const double *)(at[0] + i * steps[0]),
@@ -5835,9 +5837,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_rotation_from_euler_zyzf(
             (const float *)(at[0] + i * steps[0]),
@@ -5849,9 +5851,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_zyz(
             (const double *)(at[0] + i * steps[0]),
@@ -5863,9 +5865,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_zyzf(
             (const float *)(at[0] + i * steps[0]),
@@ -5877,9 +5879,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_zyz(
             (const double *)(at[0] + i * steps[0]),
@@ -5891,9 +5893,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rate_matrix_body_zyzf(
             (const float *)(at[0] + i * steps[0]),
@@ -5905,9 +5907,9 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_zyz(
             (const double *)(at[0] + i * steps[0]),
@@ -5920,9 +5922,9 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
     ptrdiff_t groups,
     char *const *at,
     const ptrdiff_t *steps,
-    const chasles_trail *trail)
+    const chasles_stream *stream)
 {
-    (void)trail;
+    (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
         chasles_euler_rates_zyzf(
             (const float *)(at[0] + i * steps[0]),

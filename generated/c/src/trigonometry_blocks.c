@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* Sines and cosines of registers of angles. Made by `chasles emit`; not to be edited by hand.
  *
  * The polynomials, and the parts of pi/2, are those of fdlibm, of which the notice is:
@@ -58,7 +60,7 @@ static inline void place(truths k, doubles of_sine, doubles of_cosine, doubles *
     *cosine = (doubles)((truths)choose(odd, of_sine, of_cosine) ^ SIGN(k + 1, 1));
 }
 
-static inline void turn(doubles x, doubles *sine, doubles *cosine)
+static inline void sincos_of(doubles x, doubles *sine, doubles *cosine)
 {
     const doubles shifted = x * QUARTERS + ROUNDING;
     const doubles k = shifted - ROUNDING;
@@ -81,14 +83,14 @@ static inline void turn(doubles x, doubles *sine, doubles *cosine)
     place((truths)shifted, of_sine, of_cosine, sine, cosine);
 }
 
-void CHASLES_LEVELED(chasles_turns)(
-    ptrdiff_t groups, doubles *angles, doubles *sines, doubles *cosines, chasles_trail *trail)
+void CHASLES_LEVELED(chasles_sincos)(
+    ptrdiff_t groups, doubles *angles, doubles *sines, doubles *cosines, chasles_stream *stream)
 {
     truths near = ~(truths)spread(0.0);
     for (ptrdiff_t g = 0; g < groups; g++) {
         near &= (truths)(absolute(angles[g]) <= MOST);
-        turn(angles[g], &sines[g], &cosines[g]);
-        follow(trail);
+        sincos_of(angles[g], &sines[g], &cosines[g]);
+        stream_lines(stream);
     }
     if (!any(~near)) {
         return;
@@ -105,7 +107,7 @@ void CHASLES_LEVELED(chasles_turns)(
 }
 
 /* In double precision, which is far beyond what single precision needs: one part fewer, shorter polynomials. */
-static inline void turn_widely(doubles x, doubles *sine, doubles *cosine)
+static inline void sincos_of_narrow(doubles x, doubles *sine, doubles *cosine)
 {
     const doubles shifted = x * QUARTERS + ROUNDING;
     const doubles k = shifted - ROUNDING;
@@ -140,8 +142,8 @@ static inline floats narrowed(doubles first, doubles second)
     return SHUFFLE(a, b, FIRST_HALF, SECOND_HALF);
 }
 
-void CHASLES_LEVELED(chasles_turnsf)(
-    ptrdiff_t groups, floats *angles, floats *sines, floats *cosines, chasles_trail *trail)
+void CHASLES_LEVELED(chasles_sincosf)(
+    ptrdiff_t groups, floats *angles, floats *sines, floats *cosines, chasles_stream *stream)
 {
     truths near = ~(truths)spread(0.0);
     for (ptrdiff_t g = 0; g < groups; g++) {
@@ -149,12 +151,12 @@ void CHASLES_LEVELED(chasles_turnsf)(
         const half_floats first = SHUFFLE(x, x, FIRST_HALF), second = SHUFFLE(x, x, SECOND_HALF);
         const doubles a = __builtin_convertvector(first, doubles), b = __builtin_convertvector(second, doubles);
         doubles sine_a, sine_b, cosine_a, cosine_b;
-        turn_widely(a, &sine_a, &cosine_a);
-        turn_widely(b, &sine_b, &cosine_b);
+        sincos_of_narrow(a, &sine_a, &cosine_a);
+        sincos_of_narrow(b, &sine_b, &cosine_b);
         near &= (truths)(absolute(a) <= MOST) & (truths)(absolute(b) <= MOST);
         sines[g] = narrowed(sine_a, sine_b);
         cosines[g] = narrowed(cosine_a, cosine_b);
-        follow(trail);
+        stream_lines(stream);
     }
     if (!any(~near)) {
         return;

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* Registers of numbers, for the blocks alone. Made by `chasles emit`; not to be edited by hand.
  *
  * `doubles` and `floats` fill a register of the level; an operation on them is one on each lane. NAMEf is NAME in single
@@ -95,12 +97,6 @@ CHASLES_INLINE doubles spread(double x)
 {
 #define AT(i) x
     const doubles all = LIST(AT);
-    return all;
-}
-
-CHASLES_INLINE floats spreadf(float x)
-{
-    const floats all = LISTF(AT);
 #undef AT
     return all;
 }
@@ -117,6 +113,30 @@ CHASLES_INLINE doubles roots(doubles x)
 #endif
 }
 
+CHASLES_INLINE truths less(doubles a, doubles b)
+{
+    return (truths)(a < b);
+}
+
+CHASLES_INLINE truths equal(doubles a, doubles b)
+{
+    return (truths)(a == b);
+}
+
+/* a where it is true, else b; nothing is computed. */
+CHASLES_INLINE doubles choose(truths is, doubles a, doubles b)
+{
+    return (doubles)((is & (truths)a) | (~is & (truths)b));
+}
+
+CHASLES_INLINE floats spreadf(float x)
+{
+#define AT(i) x
+    const floats all = LISTF(AT);
+#undef AT
+    return all;
+}
+
 CHASLES_INLINE floats rootsf(floats x)
 {
 #if CHASLES_REGISTER == 64
@@ -129,19 +149,9 @@ CHASLES_INLINE floats rootsf(floats x)
 #endif
 }
 
-CHASLES_INLINE truths less(doubles a, doubles b)
-{
-    return (truths)(a < b);
-}
-
 CHASLES_INLINE truthsf lessf(floats a, floats b)
 {
     return (truthsf)(a < b);
-}
-
-CHASLES_INLINE truths equal(doubles a, doubles b)
-{
-    return (truths)(a == b);
 }
 
 CHASLES_INLINE truthsf equalf(floats a, floats b)
@@ -150,11 +160,6 @@ CHASLES_INLINE truthsf equalf(floats a, floats b)
 }
 
 /* a where it is true, else b; nothing is computed. */
-CHASLES_INLINE doubles choose(truths is, doubles a, doubles b)
-{
-    return (doubles)((is & (truths)a) | (~is & (truths)b));
-}
-
 CHASLES_INLINE floats choosef(truthsf is, floats a, floats b)
 {
     return (floats)((is & (truthsf)a) | (~is & (truthsf)b));
@@ -185,17 +190,18 @@ CHASLES_INLINE floats rowf(const char *at, ptrdiff_t step, int first)
 
 #if CHASLES_REGISTER == 64
 /* A register of numbers that lie one after the other in memory. */
-typedef double packed_doubles __attribute__((vector_size(64), aligned(8), may_alias));
-typedef float packed_floats __attribute__((vector_size(64), aligned(4), may_alias));
+typedef double packed_doubles __attribute__((vector_size(64), aligned(sizeof(double)), may_alias));
 
 #define PACKED(at, k) (*(packed_doubles *)((at) + 64 * (k)))
-#define PACKEDF(at, k) (*(packed_floats *)((at) + 64 * (k)))
 #define PACKED_IN(at, k) (*(const packed_doubles *)((at) + 64 * (k)))
+typedef float packed_floats __attribute__((vector_size(64), aligned(sizeof(float)), may_alias));
+
+#define PACKEDF(at, k) (*(packed_floats *)((at) + 64 * (k)))
 #define PACKEDF_IN(at, k) (*(const packed_floats *)((at) + 64 * (k)))
 #endif
 
 /* Where items lie one after the other: asks for `bytes` that are soon read, and for memory that is soon written. */
-CHASLES_INLINE void fetch(const char *at, ptrdiff_t bytes)
+CHASLES_INLINE void prefetch(const char *at, ptrdiff_t bytes)
 {
 #if CHASLES_REGISTER == 64
     for (ptrdiff_t k = 0; k < bytes; k += CHASLES_LINE) {
@@ -206,7 +212,7 @@ CHASLES_INLINE void fetch(const char *at, ptrdiff_t bytes)
 #endif
 }
 
-CHASLES_INLINE void claim(const char *at, ptrdiff_t bytes)
+CHASLES_INLINE void prefetch_to_write(const char *at, ptrdiff_t bytes)
 {
 #if CHASLES_REGISTER == 64
     for (ptrdiff_t k = 0; k < bytes; k += CHASLES_LINE) {
@@ -218,24 +224,24 @@ CHASLES_INLINE void claim(const char *at, ptrdiff_t bytes)
 }
 
 /* Copies a share of what is to be copied on the way, around the cache: where the rest is computed memory would idle. */
-CHASLES_INLINE void follow(chasles_trail *trail)
+CHASLES_INLINE void stream_lines(chasles_stream *stream)
 {
 #ifdef __SSE2__
-    for (ptrdiff_t i = 0; i < trail->share && trail->lines > 0; i++) {
+    for (ptrdiff_t i = 0; i < stream->share && stream->lines > 0; i++) {
 #if CHASLES_REGISTER == 64
-        _mm512_stream_si512((__m512i *)(void *)trail->to, _mm512_load_si512((const void *)trail->from));
+        _mm512_stream_si512((__m512i *)(void *)stream->to, _mm512_load_si512((const void *)stream->from));
 #else
         for (int k = 0; k < CHASLES_LINE; k += 16) {
-            const __m128i part = _mm_load_si128((const __m128i *)(const void *)(trail->from + k));
-            _mm_stream_si128((__m128i *)(void *)(trail->to + k), part);
+            const __m128i part = _mm_load_si128((const __m128i *)(const void *)(stream->from + k));
+            _mm_stream_si128((__m128i *)(void *)(stream->to + k), part);
         }
 #endif
-        trail->from += CHASLES_LINE;
-        trail->to += CHASLES_LINE;
-        trail->lines--;
+        stream->from += CHASLES_LINE;
+        stream->to += CHASLES_LINE;
+        stream->lines--;
     }
 #else
-    (void)trail;
+    (void)stream;
 #endif
 }
 
@@ -254,6 +260,19 @@ CHASLES_INLINE void load_1(const char *at, ptrdiff_t step, doubles *to)
     to[0] = all;
 }
 
+CHASLES_INLINE void store_1(char *at, ptrdiff_t step, doubles x)
+{
+#if CHASLES_REGISTER == 64
+    if (step == sizeof(double)) {
+        PACKED(at, 0) = x;
+        return;
+    }
+#endif
+    for (int i = 0; i < LANES; i++) {
+        *(double *)(at + i * step) = x[i];
+    }
+}
+
 CHASLES_INLINE void load_1f(const char *at, ptrdiff_t step, floats *to)
 {
 #if CHASLES_REGISTER == 64
@@ -266,6 +285,19 @@ CHASLES_INLINE void load_1f(const char *at, ptrdiff_t step, floats *to)
     const floats all = LISTF(AT);
 #undef AT
     to[0] = all;
+}
+
+CHASLES_INLINE void store_1f(char *at, ptrdiff_t step, floats x)
+{
+#if CHASLES_REGISTER == 64
+    if (step == sizeof(float)) {
+        PACKEDF(at, 0) = x;
+        return;
+    }
+#endif
+    for (int i = 0; i < LANESF; i++) {
+        *(float *)(at + i * step) = x[i];
+    }
 }
 
 CHASLES_INLINE void load_2(const char *at, ptrdiff_t step, doubles *to)
@@ -371,32 +403,6 @@ CHASLES_INLINE void put_row(char *at, ptrdiff_t step, int first, int apart, doub
 #endif
 }
 
-CHASLES_INLINE void store_1(char *at, ptrdiff_t step, doubles x)
-{
-#if CHASLES_REGISTER == 64
-    if (step == sizeof(double)) {
-        PACKED(at, 0) = x;
-        return;
-    }
-#endif
-    for (int i = 0; i < LANES; i++) {
-        *(double *)(at + i * step) = x[i];
-    }
-}
-
-CHASLES_INLINE void store_1f(char *at, ptrdiff_t step, floats x)
-{
-#if CHASLES_REGISTER == 64
-    if (step == sizeof(float)) {
-        PACKEDF(at, 0) = x;
-        return;
-    }
-#endif
-    for (int i = 0; i < LANESF; i++) {
-        *(float *)(at + i * step) = x[i];
-    }
-}
-
 CHASLES_INLINE void store_2(char *at, ptrdiff_t step, doubles x, doubles y)
 {
     put_row(at, step, 0, 2, LOWER(x, y));
@@ -487,11 +493,11 @@ extern "C" {
 #endif
 
 /* The sine and cosine of each angle of some groups, within 0.8 units in the last place below 1.6e6, libm's beyond; with
- * each group a share of the trail. */
-void CHASLES_LEVELED(chasles_turns)(
-    ptrdiff_t groups, doubles *angles, doubles *sines, doubles *cosines, chasles_trail *trail);
-void CHASLES_LEVELED(chasles_turnsf)(
-    ptrdiff_t groups, floats *angles, floats *sines, floats *cosines, chasles_trail *trail);
+ * each group a share of the stream. */
+void CHASLES_LEVELED(chasles_sincos)(
+    ptrdiff_t groups, doubles *angles, doubles *sines, doubles *cosines, chasles_stream *stream);
+void CHASLES_LEVELED(chasles_sincosf)(
+    ptrdiff_t groups, floats *angles, floats *sines, floats *cosines, chasles_stream *stream);
 
 /* libm's angle of the point (x, y), lane by lane. */
 void CHASLES_LEVELED(chasles_directions)(doubles *y, const doubles *x);
@@ -503,33 +509,17 @@ void CHASLES_LEVELED(chasles_directionsf)(floats *y, const floats *x);
 
 CHASLES_INLINE doubles sine_of(doubles x)
 {
-    chasles_trail none = {0, 0, 0, 0};
+    chasles_stream none = {0, 0, 0, 0};
     doubles sine, cosine;
-    CHASLES_LEVELED(chasles_turns)(1, &x, &sine, &cosine, &none);
-    return sine;
-}
-
-CHASLES_INLINE floats sine_off(floats x)
-{
-    chasles_trail none = {0, 0, 0, 0};
-    floats sine, cosine;
-    CHASLES_LEVELED(chasles_turnsf)(1, &x, &sine, &cosine, &none);
+    CHASLES_LEVELED(chasles_sincos)(1, &x, &sine, &cosine, &none);
     return sine;
 }
 
 CHASLES_INLINE doubles cosine_of(doubles x)
 {
-    chasles_trail none = {0, 0, 0, 0};
+    chasles_stream none = {0, 0, 0, 0};
     doubles sine, cosine;
-    CHASLES_LEVELED(chasles_turns)(1, &x, &sine, &cosine, &none);
-    return cosine;
-}
-
-CHASLES_INLINE floats cosine_off(floats x)
-{
-    chasles_trail none = {0, 0, 0, 0};
-    floats sine, cosine;
-    CHASLES_LEVELED(chasles_turnsf)(1, &x, &sine, &cosine, &none);
+    CHASLES_LEVELED(chasles_sincos)(1, &x, &sine, &cosine, &none);
     return cosine;
 }
 
@@ -537,6 +527,22 @@ CHASLES_INLINE doubles directions(doubles y, doubles x)
 {
     CHASLES_LEVELED(chasles_directions)(&y, &x);
     return y;
+}
+
+CHASLES_INLINE floats sine_off(floats x)
+{
+    chasles_stream none = {0, 0, 0, 0};
+    floats sine, cosine;
+    CHASLES_LEVELED(chasles_sincosf)(1, &x, &sine, &cosine, &none);
+    return sine;
+}
+
+CHASLES_INLINE floats cosine_off(floats x)
+{
+    chasles_stream none = {0, 0, 0, 0};
+    floats sine, cosine;
+    CHASLES_LEVELED(chasles_sincosf)(1, &x, &sine, &cosine, &none);
+    return cosine;
 }
 
 CHASLES_INLINE floats directionsf(floats y, floats x)

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Emitted by chasles 0.2.0. */
 /* Compares the kernels with exact vectors. Made by `chasles emit`; not to be edited by hand.
  *
  * Prints every entry that is wrong and a line "N passed, M failed"; the exit status is 0 where all passed and there

@@ -39,7 +39,7 @@ class Sources:
 def sources_of(kernel: Kernel) -> Sources:
     """The texts of a kernel. Raises `LoweringError` where no target can spell it."""
     try:
-        compiled = render([kernel], [Target("c", C.templates, _compiled), Target("shown", _HERE, _shown)])
+        compiled = render([kernel], [Target("c", C.templates, _compiled), Target("shown", _HERE, _shown)], head=())
     except EmissionError as error:
         raise LoweringError(str(error)) from None
     files = {path.removeprefix("c/"): text for path, text in compiled.items() if path.startswith("c/")}

@@ -7,46 +7,56 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from pathlib import Path, PurePosixPath
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined, TemplateError
+from jinja2 import Environment, FileSystemLoader, StrictUndefined, TemplateError, TemplateRuntimeError
 
+from chasles import __version__
 from chasles.bounds import Bound
 from chasles.lowering.program import Op
 from chasles.targets.contract import cited, operations
 from chasles.targets.kernel import EmissionError, Kernel, signature
 from chasles.targets.target import COMMAND, Page, Target
 
-__all__ = ["MANIFEST", "render"]
+__all__ = ["HEAD", "MANIFEST", "render"]
 
 MANIFEST = "MANIFEST.toml"
+HEAD = ("SPDX-License-Identifier: BSD-3-Clause", f"Emitted by chasles {__version__}.")
+"""How every file of code begins: people copy single ones."""
+_COMMENTS = {".c": "/* {} */\n", ".h": "/* {} */\n", ".py": "# {}\n"}
 _INDEX = Path(__file__).parent / "templates"
 
 
 def render(
-    kernels: Iterable[Kernel], targets: Iterable[Target], beside: Mapping[str, str] | None = None
+    kernels: Iterable[Kernel],
+    targets: Iterable[Target],
+    beside: Mapping[str, str] | None = None,
+    head: Iterable[str] = HEAD,
 ) -> dict[str, str]:
     """The text of every file, by its path below generated/ with forward slashes; the manifest is the last.
 
-    Pages that are to stand `beside` the kernels are listed in the manifest with them.
+    Files of C and Python begin with the lines of `head`. Pages that are to stand `beside` the kernels are listed in the
+    manifest with them.
 
     The same kernels in the same order give the same bytes. Raises EmissionError where two kernels share a name, two
     files a path, or a target cannot spell a kernel.
     """
-    kernels = tuple(kernels)
+    kernels, head = tuple(kernels), tuple(head)
     _require_distinct((kernel.name for kernel in kernels), "kernels are called")
     pages: dict[str, str] = {}
     for target in targets:
         try:
-            made = [(f"{target.name}/{page.path}", _filled(target.templates, page)) for page in target.pages(kernels)]
+            made = [
+                (f"{target.name}/{page.path}", _filled(target.templates, page, head)) for page in target.pages(kernels)
+            ]
         except EmissionError as error:
             raise EmissionError(f"target {target.name}: {error}") from error
         _require_distinct([*pages, *(path for path, _ in made)], "files are to be written to")
         pages |= made
     pages |= beside or {}
-    pages |= _index(kernels, [*pages])
+    pages |= _index(kernels, [*pages], head)
     return pages
 
 
-def _index(kernels: tuple[Kernel, ...], paths: list[str]) -> dict[str, str]:
+def _index(kernels: tuple[Kernel, ...], paths: list[str], head: tuple[str, ...]) -> dict[str, str]:
     """The files at the top of generated/."""
     files = [*paths, "README.md", "__init__.py"]
     folders = sorted({path.split("/")[0] for path in paths if "/" in path})
@@ -57,7 +67,7 @@ def _index(kernels: tuple[Kernel, ...], paths: list[str]) -> dict[str, str]:
         "kernels": [_entry(kernel) for kernel in kernels],
     }
     names = ("README.md", "__init__.py", MANIFEST)
-    return {name: _filled(_INDEX, Page(name, f"{name}.jinja", values)) for name in names}
+    return {name: _filled(_INDEX, Page(name, f"{name}.jinja", values), head) for name in names}
 
 
 def _entry(kernel: Kernel) -> dict[str, object]:
@@ -98,12 +108,21 @@ def _bound(bound: Bound | None) -> str:
     return f"{{ program = {program}, reason = {reason}, guarantees = [{guarantees}] }}"
 
 
-def _filled(templates: Path, page: Page) -> str:
+class _Layout(Environment):
+    """Templates in which a key of a table is never taken for a method of Python's dictionaries."""
+
+    def getattr(self, obj: object, attribute: str) -> object:
+        if isinstance(obj, Mapping) and hasattr(dict, attribute):
+            raise TemplateRuntimeError(f"the key {attribute!r} is the name of a method of dictionaries: rename it")
+        return super().getattr(obj, attribute)
+
+
+def _filled(templates: Path, page: Page, head: tuple[str, ...]) -> str:
     """The page's text. Raises EmissionError where the template is missing, wrong, or asks for what is not there."""
     path = PurePosixPath(page.path)
     if path.is_absolute() or ".." in path.parts or not path.parts:
         raise EmissionError(f"a page's path must lie below the target's folder, not at {page.path!r}")
-    environment = Environment(
+    environment = _Layout(
         loader=FileSystemLoader(templates),
         undefined=StrictUndefined,
         trim_blocks=True,
@@ -112,9 +131,11 @@ def _filled(templates: Path, page: Page) -> str:
         autoescape=False,
     )
     try:
-        return environment.get_template(page.template).render(page.values)
+        text = environment.get_template(page.template).render(page.values)
     except TemplateError as error:
         raise EmissionError(f"template {page.template}: {type(error).__name__}: {error}") from error
+    comment = _COMMENTS.get(path.suffix, "")
+    return "".join(map(comment.format, head if comment else ())) + text
 
 
 def _require_distinct(names: Iterable[str], what: str) -> None:

@@ -9,7 +9,7 @@ of instructions (a level) and one of the results is taken when the program runs;
   has one path and an item's result never depends on where the item lies.
 - A block (`blocks.py`) loads the items of a register's lanes and transposes them between registers, since items are
   arrays of structures and memory is the bottleneck; it computes, transposes and stores. Before that it finds the sines
-  and cosines of all 64 items (`turns.py`), in a loop of their own.
+  and cosines of all 64 items (`sincos.py`), in a loop of their own.
 - `trigonometry_blocks.c` holds those: no branch for angles below 1.6e6, libm beyond. In single precision they are
   computed in double, which is hardly slower and right to the last digit.
 - Nothing in a block branches, so both sides of every choice are computed, in lanes for which they mean nothing too. The
@@ -30,9 +30,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from chasles.targets.c.blocks import MOST_OPERANDS, block, block_name, loop_name
-from chasles.targets.c.functions import PRECISIONS, Function, batch, single
+from chasles.targets.c.functions import PRECISIONS, Function, batch, in_short, single
 from chasles.targets.c.loops import loop
 from chasles.targets.c.vectors import vectors
+from chasles.targets.constants import Precision
 from chasles.targets.kernel import EmissionError, Kernel
 from chasles.targets.target import COMMAND, Page, Target
 
@@ -44,7 +45,7 @@ def _pages(kernels: tuple[Kernel, ...]) -> Iterator[Page]:
     pairs = [(kernel, precision) for kernel in kernels for precision in PRECISIONS]
     inner = [name(*pair) for pair in pairs for name in (loop_name, block_name)]
     _require_distinct([*inner, *(function.name for group in functions.values() for function in group)])
-    groups = [{"comment": group[0].comment, "functions": group} for group in functions.values()]
+    groups = [{"comment": in_short(kernel), "functions": functions[kernel.name]} for kernel in kernels]
     yield Page("include/chasles.h", "chasles.h.jinja", {"command": COMMAND, "groups": groups})
     for section in dict.fromkeys(kernel.heading.section for kernel in kernels):
         members = [kernel for kernel in kernels if kernel.heading.section == section]
@@ -70,8 +71,16 @@ def _batches(kernels: tuple[Kernel, ...]) -> Iterator[Page]:
         "blocks": [block_name(*pair) for pair in pairs],
     }
     yield Page("src/batches.h", "batches.h.jinja", values)
+    values = {"command": COMMAND, "precisions": list(map(_words, PRECISIONS)), "circular": ("sine", "cosine")}
     for name in ("batches.c", "vectors.h", "trigonometry_blocks.c"):
-        yield Page(f"src/{name}", f"{name}.jinja", {"command": COMMAND})
+        yield Page(f"src/{name}", f"{name}.jinja", values)
+
+
+def _words(precision: Precision) -> dict[str, str]:
+    """How the two precisions differ in what is said once of both."""
+    suffix = precision.suffix
+    roots = "_mm512_maskz_sqrt_ps(0xffff, (__m512)x)" if suffix else "_mm512_maskz_sqrt_pd(ALL, (__m512d)x)"
+    return {"name": precision.name, "suffix": suffix, "mark": suffix.upper(), "roots": roots}
 
 
 def _functions(kernel: Kernel) -> tuple[Function, ...]:

@@ -11,13 +11,13 @@ from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import Op, Program
 from chasles.targets.c.functions import public_name
 from chasles.targets.c.registers import ON_REGISTERS, register, spread
-from chasles.targets.c.turns import cut
+from chasles.targets.c.sincos import parted
 from chasles.targets.constants import Precision
 from chasles.targets.kernel import EmissionError, Kernel
 from chasles.targets.layout import listed
 from chasles.targets.spelling import Spelled, spelled
 
-__all__ = ["MOST_OPERANDS", "Block", "block", "block_name", "loop_name"]
+__all__ = ["MOST_OPERANDS", "BlockFunction", "block", "block_name", "loop_name"]
 
 MOST_OPERANDS = 16
 _MOST_ENTRIES = 512
@@ -27,7 +27,7 @@ _WIDTHS = (4, 3, 2, 1)
 
 
 @dataclass(frozen=True, slots=True)
-class Block:
+class BlockFunction:
     """A block function: its prototype, its lines on registers, and those that call the scalar kernel."""
 
     prototype: str
@@ -45,7 +45,7 @@ def block_name(kernel: Kernel, precision: Precision) -> str:
     return public_name(kernel, precision, "_block")
 
 
-def block(kernel: Kernel, precision: Precision) -> Block:
+def block(kernel: Kernel, precision: Precision) -> BlockFunction:
     """The block function of the kernel. Raises EmissionError for more operands or entries than a batch can have."""
     operands = kernel.program.parameters
     entries = sum(math.prod(item.shape) for item in operands)
@@ -54,13 +54,13 @@ def block(kernel: Kernel, precision: Precision) -> Block:
             f"{kernel.name} has {len(operands)} operands with {entries} entries; a batch takes at most "
             f"{MOST_OPERANDS} with {_MOST_ENTRIES}: split the kernel"
         )
-    parameters = ("ptrdiff_t groups", "char *const *at", "const ptrdiff_t *steps", "const chasles_trail *trail")
+    parameters = ("ptrdiff_t groups", "char *const *at", "const ptrdiff_t *steps", "const chasles_stream *stream")
     prototype = "\n".join(listed(f"void CHASLES_LEVELED({block_name(kernel, precision)})(", parameters, ")"))
-    return Block(prototype, tuple(_on_registers(kernel, precision)), _one_by_one(kernel, precision))
+    return BlockFunction(prototype, tuple(_on_registers(kernel, precision)), _one_by_one(kernel, precision))
 
 
 def _on_registers(kernel: Kernel, precision: Precision) -> Iterator[str]:
-    turns, inputs = cut(kernel.program), len(kernel.program.arguments)
+    parts, inputs = parted(kernel.program), len(kernel.program.arguments)
     read = {place for place, _ in _read(pruned(kernel.program))}
     for place in range(len(kernel.program.parameters)):
         if place < inputs and place not in read:
@@ -68,23 +68,23 @@ def _on_registers(kernel: Kernel, precision: Precision) -> Iterator[str]:
         yield f"char *const at{place} = at[{place}];"
         size = math.prod(kernel.program.parameters[place].shape)
         yield f"const ptrdiff_t step{place} = CHASLES_STEP({place}, {size} * sizeof({precision.name}));"
-    yield "chasles_trail way = *trail;"
-    if turns.angles is not None:
-        yield from _turned(turns.angles, precision)
-    text = spelled(turns.rest, ON_REGISTERS[precision])
+    yield "chasles_stream copied = *stream;"
+    if parts.angles is not None:
+        yield from _sines_and_cosines(parts.angles, precision)
+    text = spelled(parts.rest, ON_REGISTERS[precision])
     yield "for (ptrdiff_t g = 0; g < groups; g++) {"
-    yield from _indented(_loads(turns.rest, text, inputs, precision))
+    yield from _indented(_loads(parts.rest, text, inputs, precision))
     for place, name in enumerate(text.arguments[inputs:]):
         room = ("sines", "cosines")[place % 2]
-        if (inputs + place, 0) in _read(turns.rest):
+        if (inputs + place, 0) in _read(parts.rest):
             yield f"    const {register(precision)} {name} = {room}[{place // 2}][g];"
     yield from _indented(text.lines)
-    yield from _indented(_stores(turns.rest, text, inputs, precision))
-    yield "    follow(&way);"
+    yield from _indented(_stores(parts.rest, text, inputs, precision))
+    yield "    stream_lines(&copied);"
     yield "}"
 
 
-def _turned(angles: Program, precision: Precision) -> Iterator[str]:
+def _sines_and_cosines(angles: Program, precision: Precision) -> Iterator[str]:
     """The angles of all items, then their sines and cosines."""
     kind, suffix, count = register(precision), precision.suffix, len(angles.results)
     for name in ("angles", "sines", "cosines"):
@@ -96,10 +96,10 @@ def _turned(angles: Program, precision: Precision) -> Iterator[str]:
     for place, (entry,) in enumerate(text.entries):
         yield f"    angles[{place}][g] = {spread(entry, precision)};"
     yield "}"
-    yield f"way.share = (way.share + {count}) / {count + 1};"
+    yield f"copied.share = (copied.share + {count}) / {count + 1};"
     for place in range(count):
         rooms = ", ".join(f"{name}[{place}]" for name in ("angles", "sines", "cosines"))
-        yield f"CHASLES_LEVELED(chasles_turns{suffix})(groups, {rooms}, &way);"
+        yield f"CHASLES_LEVELED(chasles_sincos{suffix})(groups, {rooms}, &copied);"
 
 
 def _loads(program: Program, text: Spelled, inputs: int, precision: Precision) -> Iterator[str]:
@@ -112,7 +112,7 @@ def _loads(program: Program, text: Spelled, inputs: int, precision: Precision) -
             continue
         yield f"{register(precision)} {name}{f'[{size}]' if item.shape else ''};"
         yield _item(place, "const char", precision)
-        yield f"fetch(item{place}, LANES{precision.suffix.upper()} * step{place});"
+        yield f"prefetch(item{place}, LANES{precision.suffix.upper()} * step{place});"
         for entry, width in _runs(wanted):
             target = name if item.shape and not entry else f"&{name}[{entry}]" if item.shape else f"&{name}"
             yield f"load_{width}{precision.suffix}({_place(place, entry, precision)}, step{place}, {target});"
@@ -122,7 +122,7 @@ def _stores(program: Program, text: Spelled, inputs: int, precision: Precision) 
     """The results, once all of them are known."""
     for place, entries in enumerate(text.entries, start=inputs):
         yield _item(place, "char", precision)
-        yield f"claim(item{place}, LANES{precision.suffix.upper()} * step{place});"
+        yield f"prefetch_to_write(item{place}, LANES{precision.suffix.upper()} * step{place});"
         for entry, width in _runs([True] * len(entries)):
             values = [spread(value, precision) for value in entries[entry : entry + width]]
             start = f"store_{width}{precision.suffix}("

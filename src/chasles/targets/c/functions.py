@@ -10,13 +10,13 @@ from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import Argument, Op, Result
 from chasles.targets.c.language import DIALECTS, RESERVED
 from chasles.targets.constants import DOUBLE, SINGLE, Precision
-from chasles.targets.contract import contract, summary
+from chasles.targets.contract import cited, contract, summary
 from chasles.targets.kernel import Kernel
 from chasles.targets.layout import listed
 from chasles.targets.names import Names
 from chasles.targets.spelling import spelled
 
-__all__ = ["PRECISIONS", "Function", "batch", "public_name", "single"]
+__all__ = ["PRECISIONS", "Function", "batch", "in_short", "public_name", "single"]
 
 PRECISIONS = (DOUBLE, SINGLE)
 
@@ -57,6 +57,15 @@ def single(kernel: Kernel, precision: Precision) -> Function:
     read = {step.argument for step in pruned(program).steps if step.op is Op.INPUT}
     unread = [f"(void){word};" for place, word in enumerate(text.arguments) if place not in read]
     return Function(name, _comment(comment), _prototype(name, [*inputs, *outputs]), (*unread, *text.lines, *stores))
+
+
+def in_short(kernel: Kernel) -> str:
+    """One line: the equation, the shapes of what goes in and comes out, and where the whole contract stands."""
+    names, program = Names(RESERVED), kernel.program
+    words = [_shown(names.take(item.name), item) for item in program.parameters]
+    given, returned = (", ".join(part) for part in (words[: len(program.arguments)], words[len(program.arguments) :]))
+    (line,) = _comment([f"{cited(kernel.heading.number)} {given} -> {returned}; src/{kernel.heading.section}.c"])
+    return line
 
 
 def batch(kernel: Kernel, precision: Precision) -> Function:

@@ -14,8 +14,8 @@ __all__ = ["ON_REGISTERS", "register", "spread"]
 
 _USED = """
     LANES LANESF GROUPS GROUPSF LIST LISTF SHUFFLE LOWER UPPER LOWERF UPPERF EVENF ODDF
-    doubles floats truths truthsf double_2 double_4 float_4 pair groups at steps trail way angles sines cosines g i
-    follow fetch claim
+    doubles floats truths truthsf double_2 double_4 float_4 pair groups at steps stream copied angles sines cosines g i
+    stream_lines prefetch prefetch_to_write
 """
 _CALLED = """
     spread roots less equal choose row put_row sine_of cosine_of directions

@@ -14,14 +14,14 @@ from fractions import Fraction
 from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import Argument, Op, Program, Result, Step
 
-__all__ = ["Turns", "cut"]
+__all__ = ["Parted", "parted"]
 
-_TURNS = (Op.SINE, Op.COSINE)
-_LATE = (*_TURNS, Op.ARCTANGENT2)
+_CIRCULAR = (Op.SINE, Op.COSINE)
+_LATE = (*_CIRCULAR, Op.ARCTANGENT2)
 
 
 @dataclass(frozen=True, slots=True)
-class Turns:
+class Parted:
     """A program cut in two.
 
     `angles` has a scalar result for each angle; `rest` has the arguments of the whole program, then the sine and the
@@ -32,14 +32,16 @@ class Turns:
     rest: Program
 
 
-def cut(program: Program) -> Turns:
+def parted(program: Program) -> Parted:
     """The program in two parts that together compute the same."""
     program = pruned(program)
     waits = _waits(program)
-    early = [number for number, step in enumerate(program.steps) if step.op in _TURNS and not waits[step.operands[0]]]
+    early = [
+        number for number, step in enumerate(program.steps) if step.op in _CIRCULAR and not waits[step.operands[0]]
+    ]
     places = {angle: k for k, angle in enumerate(dict.fromkeys(program.steps[number].operands[0] for number in early))}
     if not places:
-        return Turns(None, program)
+        return Parted(None, program)
     words = _words(program, list(places))
     results = tuple(Result(word, (), "an angle", (angle,)) for word, angle in zip(words, places, strict=True))
     angles = pruned(Program(program.name, program.arguments, program.steps, results))
@@ -49,7 +51,7 @@ def cut(program: Program) -> Turns:
         further = 2 * places[step.operands[0]] + (step.op is Op.COSINE)
         steps[number] = Step(Op.INPUT, argument=len(program.arguments) + further)
     more = [Argument(f"{name}_{word}", (), f"the {name} of {word}") for word in words for name in ("sin", "cos")]
-    return Turns(angles, pruned(with_fields(program, arguments=(*program.arguments, *more), steps=tuple(steps))))
+    return Parted(angles, pruned(with_fields(program, arguments=(*program.arguments, *more), steps=tuple(steps))))
 
 
 def _waits(program: Program) -> list[bool]:
